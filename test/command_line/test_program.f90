@@ -198,18 +198,31 @@ contains
    !> limits.csv and the short block: yield, make-up torque and the rig's limit only where they are given.
    subroutine test_limits()
       type(run_type) :: run
+      character(:), allocatable :: deck
       run = run_deck_text(good_deck())
       call assertTrue(is_file('limits.csv'))
       call assertTrue(index(run%output, 'Limits, model soft (all: limits.csv)') > 0, message=run%output)
       call assertTrue(index(run%output, 'Least margin to buckling') > 0, message=run%output)
       call assertFalse(index(run%output, 'Least safety against yield') > 0, message=run%output)
-      run = run_deck_text(replaced(replaced(good_deck(), 'title', 'rig_limit = 1500.0, title'), 'id = 108.6', &
+      run = run_deck_text(replaced(replaced(good_deck(), 'title', 'rig_limit = 9000.0, title'), 'id = 108.6', &
                                    'id = 108.6, yield = 724.0, makeup_torque = 30.0'))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Least safety against yield') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Least overpull left') > 0, message=run%output)
+      call assertTrue(index(overpull(), ', pipe)') > 0, message=overpull())
       call assertTrue(index(run%output, 'Least margin to rig limit') > 0, message=run%output)
       call assertTrue(index(run%output, 'Least margin to make-up     30.00 kN.m') > 0, message=run%output)
+      deck = replaced(good_deck(), 'id = 108.6', 'id = 108.6, yield = 724.0')
+      run = run_deck_text(replaced(deck, 'title', 'rig_limit = 100.0, title'))
+      call assertTrue(index(overpull(), ', rig)') > 0, message=overpull())
+      run = run_deck_text(deck)
+      call assertTrue(index(overpull(), ', pipe alone, rig NOT CHECKED)') > 0, message=overpull())
+   contains
+      !> The line of the overpull that is left.
+      function overpull() result(line)
+         character(:), allocatable :: line
+         line = run%output(index(run%output, 'Least overpull left'):)
+         line = line(:index(line, achar(10)))
+      end function overpull
    end subroutine test_limits
 
    !> Strengths of the deck as --check prints them (5 in 19.50 lb/ft S-135, premium, NC50 of 6-5/8 by 2-3/4 in: 560.8 klbf, 58.1

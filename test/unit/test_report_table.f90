@@ -49,7 +49,7 @@ contains
    subroutine test_rows_of_table_1()
       type(text_type), allocatable :: lines(:)
       allocate (lines, source=sample_table())
-      call assertTrue(has(lines, 'Model mcge'))
+      call assertTrue(has(lines, 'Model mcge (beams with contact)'))
       call assertTrue(has(lines, 'Inclined section up               i_up           0.0      733.4     745.0     1.56     -17.29'// &
                           '        -         -     -'), message='up')
       call assertTrue(has(lines, '2075 m, 65 deg   down             i_down         0.0      699.6     707.0     1.05      16.37'// &
@@ -83,12 +83,12 @@ contains
       allocate (lines, source=table_of(sample_job(), model, results(1:2)))
       call assertFalse(contains_text(lines, 'Measured'), message='nothing measured')
       call assertFalse(contains_text(lines, 'Relative'), message='no error')
-      call assertFalse(contains_text(lines, '(torque)'), message='nothing turns')
+      call assertFalse(contains_text(lines, 'surface'), message='nothing turns')
       call assertTrue(contains_text(lines, '(drag)'))
       deallocate (lines)
       allocate (lines, source=table_of(sample_job(), model, results(3:3)))
       call assertFalse(contains_text(lines, '(drag)'), message='nothing moves')
-      call assertTrue(contains_text(lines, '(torque)'))
+      call assertTrue(contains_text(lines, 'surface'))
    end subroutine test_empty_columns
 
    !> Mean of 1.557, 1.047 and 0.745 %.

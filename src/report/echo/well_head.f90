@@ -47,14 +47,23 @@ contains
          deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
          call weigh(model, model%strings(i), deepest, air, mud, collars)
-         line = 'String '//model%strings(i)%name//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
+         line = 'String'//name_of(i, ' ')//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
             trim(in_units(units, unit_force, air, few))//' in air, '//trim(in_units(units, unit_force, mud, few))//' in mud'
          if (collars > 0.0_wp .and. collars < mud) line = line//', below the drill pipe '// &
             trim(in_units(units, unit_force, collars, few))
          call append_text(lines, line)
          line = clearance_line(units, model, model%strings(i), deepest)
-         if (line /= '') call append_text(lines, line)
+         if (line /= '') call append_text(lines, 'Least clearance'//name_of(i, ' of ')//' '//line)
       end do
+   contains
+      !> Name of a string where there are several.
+      pure function name_of(i, before) result(name)
+         integer, intent(in) :: i
+         character(*), intent(in) :: before
+         character(:), allocatable :: name
+         name = ''
+         if (size(model%strings) > 1) name = before//model%strings(i)%name
+      end function name_of
    end function well_head
 
    !> The least clearance of a string in its hole with the bit at a depth, the bit itself left out; '' where nothing but a bit is in
@@ -73,7 +82,7 @@ contains
       where (is_bit(string%components)) clearances%present = .false.
       if (.not. any(clearances%present)) return
       part = minloc(clearances%value, mask=clearances%present, dim=1)
-      text = 'Least clearance of '//string%name//' '//trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
+      text = trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
              ' on a side: '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
    end function clearance_line
 

@@ -37,7 +37,7 @@ module dg_summary_file
       column_type('reference_error', quantity_percent, '100 |hookload - reference| / reference'), &
       column_type('friction', quantity_force, 'frictional resistance: buoyed weight along the hole - wob - hookload; '// &
          'negative going up, positive going down'), &
-      column_type('torque', quantity_moment, 'torque at the top, bit torque included: the force moment of Table 1'), &
+      column_type('torque', quantity_moment, 'torque at the top, bit torque included'), &
       column_type('normal_force', quantity_force, 'sum of the contact forces over the string'), &
       column_type('status', quantity_text, 'converged, not_converged or locked_up: only the first is a solution'), &
       column_type('iterations', quantity_none, 'Newton iterations of all attempts and meshes of a case '// &

@@ -5,7 +5,7 @@ module dg_html_short
    use dg_column, only: field_list_type, field_text
    use dg_comparison, only: as_measured, percent_error
    use dg_html_text, only: html_safe
-   use dg_job, only: job_type, leading_model, model_mcge, model_name
+   use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
    use dg_limits_file, only: limits_columns, limits_fields
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: optional_real
@@ -40,7 +40,8 @@ contains
       rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
       if (size(rows) == 0 .and. .not. allocated(outcome%sentences)) return
       call add_line(lines, '<h2>In short</h2>')
-      if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//'.</p>')
+      if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//' ('// &
+                                           trim(model_meaning(shown))//').</p>')
       call add_line(lines, '<ul>')
       if (size(rows) > 0) then
          call append_loads(lines, job, model, results(rows))

@@ -59,7 +59,7 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), dimension(size(results)) :: numbers, depths, nowhere
-      type(text_type) :: names(size(results))
+      type(text_type) :: names(size(results)), deciders(size(results))
       integer :: i
       do i = 1, size(results)
          names(i)%text = model%cases(results(i)%case_index)%name
@@ -89,8 +89,11 @@ contains
       numbers = wholes%least_safety
       depths = wholes%least_safety_md
       call append_least(lines, units, names, 'Least safety against yield', quantity_none, 2, numbers, depths, .false.)
-      numbers = wholes%overpull_margin
-      call append_least(lines, units, names, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
+      call find_overpull(wholes, numbers, deciders)
+      do i = 1, size(results)
+         deciders(i)%text = names(i)%text//', '//deciders(i)%text
+      end do
+      call append_least(lines, units, deciders, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%rig_margin
       call append_least(lines, units, names, 'Least margin to rig limit', quantity_force, 1, numbers, nowhere, .false.)
       numbers = wholes%makeup_margin
@@ -133,6 +136,29 @@ contains
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> Pull that may be added at the top of each case: what the rig may lift or what the pipe bears, the smaller, and which it is.
+   pure subroutine find_overpull(wholes, pulls, deciders)
+      type(whole_string_type), intent(in) :: wholes(:)
+      type(optional_real), intent(out) :: pulls(:)             !< as many [N]
+      type(text_type), intent(out) :: deciders(:)
+      integer :: i
+      do i = 1, size(wholes)
+         associate (pipe => wholes(i)%overpull_margin, rig => wholes(i)%rig_margin)
+            pulls(i) = pipe
+            deciders(i)%text = 'pipe'
+            if (.not. rig%present) then
+               deciders(i)%text = 'pipe alone, rig NOT CHECKED'
+            else if (.not. pipe%present) then
+               pulls(i) = rig
+               deciders(i)%text = 'rig alone, pipe NOT CHECKED'
+            else if (rig%value < pipe%value) then
+               pulls(i) = rig
+               deciders(i)%text = 'rig'
+            end if
+         end associate
+      end do
+   end subroutine find_overpull
 
    !> Fatigue of the component that is tired most.
    pure subroutine append_fatigue(lines, units, name, fatigue)

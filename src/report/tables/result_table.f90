@@ -3,7 +3,7 @@
 module dg_result_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type, model_meaning, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
    use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
@@ -41,7 +41,8 @@ contains
          rows = pack([(k, k=1, size(results))], results%model == job%models(i))
          if (size(rows) == 0) cycle
          call append_text(lines, '')
-         call append_text(lines, 'Model '//trim(model_name(job%models(i))))
+         call append_text(lines, 'Model '//trim(model_name(job%models(i)))//' ('// &
+                          trim(model_meaning(job%models(i)))//')')
          call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows), &
                              wholes(rows)%verdict%answer /= answer_yes)
       end do

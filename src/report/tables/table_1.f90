@@ -24,7 +24,7 @@ module dg_table_1
    integer, parameter :: head_lines = 3
    character(*), parameter :: heads(head_lines, col_count) = reshape([character(10) :: &
       'Drilling', 'weight', '(WOB)', 'Calculated', 'hook load', '', 'Measured', 'hook load', '', 'Relative', 'error', '', &
-      'Frictional', 'resistance', '(drag)', 'Force', 'moment', '(torque)', 'Weight', 'indicator', '', &
+      'Frictional', 'resistance', '(drag)', 'Torque', 'at', 'surface', 'Weight', 'indicator', '', &
       'Reference', 'hook load', '', 'Ref.', 'error', ''], [head_lines, col_count])
 
    !> Columns of words: as wide as their longest word and a gap, but not wider than these.
@@ -160,7 +160,7 @@ contains
       call append_text(lines, repeat('-', width_of(layout)))
    end subroutine append_head
 
-   !> One row without its section label. As in the paper, friction belongs to axial motion and the force moment to rotation.
+   !> One row without its section label. As in the paper, friction belongs to axial motion and torque to rotation.
    pure function row_of(units, load_case, result, layout) result(row)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case

@@ -6,7 +6,7 @@ module dg_job
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name, leading_model
+   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name, model_meaning, leading_model
 
    integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
    integer, parameter :: model_soft = 2  !< flexible: soft string
@@ -15,6 +15,9 @@ module dg_job
    integer, parameter :: model_count = 4
    !> Names in decks and files, in the order of the numbers above.
    character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft', 'rigid', 'mixed']
+   !> In two or three words.
+   character(*), parameter :: model_meaning(model_count) = [character(26) :: 'beams with contact', 'soft string', &
+      'stiff string on the axis', 'stiff and soft string']
 
    type :: job_type
       character(:), allocatable :: title

@@ -182,7 +182,7 @@ contains
                               operation_backream])
    end function moves_axially
 
-   !> Whether the string turns, so that Table 1 has a force moment.
+   !> Whether the string turns, so that Table 1 has a torque.
    elemental function rotates(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
