@@ -156,7 +156,7 @@ contains
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
-                trim(merge('rotary ', 'reaming', load_case%wob > 0.0_wp))//''''
+                trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
       ! Less overpull takes as much off the load at least: drag falls with it.
       if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
          if (-load_case%wob > verdict%load%value - verdict%allowed%value) text = text//'. Possible with '// &
