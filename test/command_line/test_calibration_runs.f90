@@ -4,7 +4,7 @@ module dg_test_calibration_runs
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_counter_random, only: normal_number
    use dg_kinds, only: wp
-   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type
+   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
@@ -24,6 +24,7 @@ contains
       suite = TestSuite('calibration_runs')
       call suite%addTest(TestMethod('known_friction', test_known))
       call suite%addTest(TestMethod('block_left_out_of_measurements', test_block_left_out))
+      call suite%addTest(TestMethod('without_scatter', test_without_scatter))
       call suite%addTest(TestMethod('predicted', test_predicted))
       call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
@@ -65,6 +66,32 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(0, index(run%output, warning), message=run%output)
    end subroutine test_block_left_out
+
+   !> Hook loads, and torques, of one friction factor: the deviation that is asked for gives its interval.
+   subroutine test_without_scatter()
+      character(*), parameter :: advice = 'met to round-off, which tells nothing of their error; give '
+      character(:), allocatable :: deck
+      real(wp), parameter :: mu = 0.2_wp, torque = mu*across*0.0635_wp     ! [-, kN.m]
+      deck = straight_deck(0.5_wp*(along + mu*across), along + mu*across, along - mu*across, &
+                           "&calibrate parameter = 'friction_axial', separate = 'none' /")
+      call follow('hookload_deviation'//newline, 'hookload_deviation = 3')
+      deck = replaced(replaced(replaced(deck, "'up'", "'rotating'"), "'up'", "'rotating'"), "'down'", "'rotating'")
+      deck = replaced(deck, 'hookload = '//to_text(0.5_wp*(along + mu*across)), 'torque = '//to_text(0.5_wp*torque))
+      deck = replaced(deck, 'hookload = '//to_text(along + mu*across), 'torque = '//to_text(torque))
+      deck = replaced(deck, 'hookload = '//to_text(along - mu*across), 'torque = '//to_text(torque))
+      deck = replaced(deck, 'friction_axial', 'friction_rotary')
+      call follow('torque_deviation'//newline, 'torque_deviation = 0.1')
+   contains
+      subroutine follow(keys, remedy)
+         character(*), intent(in) :: keys, remedy
+         type(run_type) :: run
+         run = run_deck_text(deck)
+         call assertTrue(index(unwrapped(run%output), advice//keys) > 0, message=run%output)
+         run = run_deck_text(replaced(deck, "'none'", "'none', "//remedy))
+         call assertEqual(0, index(unwrapped(run%output), advice), message=run%output)
+         call assertEqual(0, run%status, message=run%diagnostics)
+      end subroutine follow
+   end subroutine test_without_scatter
 
    !> Hook load = weight along + mu weight across, mu 0.2 in the upper 400 m and 0.3 below, and a gauge that shows 5 kN more.
    subroutine test_known()

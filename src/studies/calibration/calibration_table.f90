@@ -209,7 +209,7 @@ contains
       unknown_error = [(verdict_of(result, k) == verdict_found .and. is_missing(result%statistics%half_width(k)), &
                         k=1, size(calibration%unknowns))]
       if (any(unknown_error) .and. result%statistics%freedom > 0) call append_text(lines, 'Note: the measured values are met '// &
-         'to round-off, which tells nothing of their error; give a hookload_deviation')
+         'to round-off, which tells nothing of their error; give '//deviations_wanted(calibration))
       scatter = result%statistics%scatter
       if (all(.not. is_missing(result%deviations))) then
          call append_text(lines, 'Standard deviations by the residuals: '//quantity_words(units, hookload_datum)//': '// &
@@ -222,6 +222,19 @@ contains
          to_text(scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
          'what was measured')
    end subroutine append_warnings
+
+   !> Keys of the gauges whose standard deviation is not given.
+   pure function deviations_wanted(calibration) result(keys)
+      type(calibration_type), intent(in) :: calibration
+      character(:), allocatable :: keys
+      keys = ''
+      if (any(calibration%data%kind == hookload_datum) .and. .not. calibration%hookload_deviation%present) &
+         keys = 'hookload_deviation'
+      if (any(calibration%data%kind == torque_datum) .and. .not. calibration%torque_deviation%present) then
+         if (keys /= '') keys = keys//' and '
+         keys = keys//'torque_deviation'
+      end if
+   end function deviations_wanted
 
    !> Says where residuals of an operation follow each other along the depth, and what it does to the intervals.
    subroutine append_succession(lines, calibration, result)
