@@ -74,7 +74,8 @@ contains
       call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'bent by 1.5 deg at 2 m')
    end subroutine test_unused
 
-   !> A shell that allows 200 MB: solved, or refused in words. The limit of processor time ends a program that hangs.
+   !> A shell that allows 200 MB: solved, or refused in words whose advice helps. The limit of processor time ends a program that
+   !> hangs.
    subroutine test_little_memory()
       character(*), parameter :: limits = 'ulimit -t 60; ulimit -v 204800;'
       character(*), parameter :: sweep = "&sweep operations = 'up', bit_depth_to = 900, bit_depth_step = 0.001 /"//newline
@@ -87,11 +88,11 @@ contains
       if (run%status /= 0) return      ! built with sanitizers, which ask for terabytes
       run = under_limits(good_deck())
       call assertEqual(0, run%status, message=run%diagnostics)
-      call refused(good_deck()//sweep, 'fewer frictions or a larger bit_depth_step')
-      call refused(good_deck()//chance, 'fewer samples')
-      call refused(good_deck()//study, 'a larger element_length than 0.01 m')
+      call refused(good_deck()//sweep, 'fewer frictions or a larger bit_depth_step', 'step = 0.001', 'step = 10')
+      call refused(good_deck()//chance, 'fewer samples', 'samples = 2000', 'samples = 100')
+      call refused(good_deck()//study, 'a larger element_length than 0.01 m', '0.01, 5', '1, 5')
       call refused(replaced(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, measured_hookload = 300.0')//fit, &
-                   'OPENBLAS_NUM_THREADS=1')
+                   'give no &calibrate', fit, '')
    contains
       function under_limits(text) result(run)
          character(*), intent(in) :: text
@@ -100,14 +101,16 @@ contains
          run = run_program(deck_path//' --output '//results_path, limits)
       end function under_limits
 
-      subroutine refused(text, advice)
-         character(*), intent(in) :: text, advice
+      subroutine refused(text, advice, fault, remedy)
+         character(*), intent(in) :: text, advice, fault, remedy
          type(run_type) :: run
          run = under_limits(text)
          call assertEqual(1, run%status, message=run%diagnostics)
          call assertTrue(index(run%diagnostics, 'GB of memory') > 0 .and. index(run%diagnostics, advice) > 0, &
                          message=run%diagnostics)
          call assertFalse(run%has_results)
+         run = under_limits(replaced(text, fault, remedy))
+         call assertEqual(0, run%status, message=advice//': '//run%diagnostics)
       end subroutine refused
    end subroutine test_little_memory
 
