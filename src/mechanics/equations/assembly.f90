@@ -91,20 +91,6 @@ contains
       if (element%tangent) call hold_top(matrix)
    end subroutine assemble
 
-   !> Takes an element's weight, down, off its forces: hermite_line_load, here so that it is inlined.
-   pure subroutine take_weight(weight, length, force)
-      real(wp), intent(in) :: weight, length     !< [N/m, m]
-      real(wp), intent(inout) :: force(12)
-      real(wp), parameter :: twelfth = 1.0_wp/12.0_wp
-      real(wp) :: load, turning
-      load = 0.5_wp*weight*length
-      turning = twelfth*weight*length*length
-      force(3) = force(3) - load
-      force(6) = force(6) - turning
-      force(9) = force(9) - load
-      force(12) = force(12) + turning
-   end subroutine take_weight
-
    !> A node's residual but for its twist, from the forces on its place and director in space axes; what these do to the tangent.
    pure subroutine finish_node(mesh, n, force, wanted, work, residual, matrix)
       type(mesh_type), intent(in) :: mesh
@@ -146,7 +132,8 @@ contains
       end if
       work%torque(e) = torque_of(mesh, e, state)
       call add_torque(mesh, e, work, element)
-      call take_weight(mesh%weight(e), mesh%length(e), element%force)
+      line = hermite_line_load(mesh%length(e))
+      element%force(3::3) = element%force(3::3) - line*mesh%weight(e)
       if (abs(mesh%drag(e)) > 0.0_wp) then
          drag = 0.5_wp*loads%friction_scale*mesh%drag(e)
          element%force(1:3) = element%force(1:3) - drag*mesh%frame(:, 1, e)
@@ -158,7 +145,6 @@ contains
                           work%d(:, e), work%d(:, e + 1), element%tangent, element%force, element%k)
       end if
       if (allocated(mesh%push)) then
-         line = hermite_line_load(mesh%length(e))
          do i = 1, 4
             element%force(3*i - 2:3*i) = element%force(3*i - 2:3*i) - line(i)*mesh%push(:, e)
          end do
