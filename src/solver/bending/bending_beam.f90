@@ -22,8 +22,8 @@
 !> without shear deformation.
 module dg_bending_beam
    use dg_kinds, only: wp
-   use dg_bending_element, only: beam_element_type, contact_places, push_at, push_element, set_element, wall_push_type
-   use dg_bending_pair, only: beam_pair_type, pair, pair_action, pair_push_type, put_element
+   use dg_bending_element, only: beam_element_type, contact_places, element_action, push_at, push_element, set_element, &
+      wall_push_type
    use dg_gap_state, only: gap_law_type
    implicit none
    private
@@ -89,13 +89,9 @@ contains
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: offset(:, :)                 !< of their nodes (2,points) [m]
       type(wall_push_type), intent(inout) :: push(:)       !< in the order of beam%point
-      real(wp) :: square
       integer :: p
       do p = 1, size(beam%point)
-         square = offset(1, p)**2 + offset(2, p)**2
-         push(p)%force = 0.0_wp
-         if (square > (beam%point_law(p)%clearance - beam%point_moved(p))**2) &
-            call push_at(beam%point_press(p), beam%point_moved(p), offset(:, p), square, push(p))
+         call push_at(beam%point_press(p), beam%point_moved(p), 1.0_wp, offset(:, p), push(p))
       end do
    end subroutine press_points
 
@@ -104,26 +100,18 @@ contains
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :)        !< (4,n) [m, -]
       type(bent_type), intent(out) :: bent
-      type(beam_pair_type) :: both                      ! an element, and none beside it
-      type(pair_push_type) :: push(contact_places)
-      type(wall_push_type) :: point(size(beam%point))
-      real(wp), dimension(pair, 4) :: upper, lower, at_upper, at_lower
+      type(wall_push_type) :: push(contact_places), point(size(beam%point))
+      real(wp) :: below(4)
       integer :: e, n
       n = size(y, 2)
       bent%y = y
       allocate (bent%forces(4, n), bent%pressed(contact_places, n - 1))
-      upper = 0.0_wp
-      lower = 0.0_wp
+      bent%forces = 0.0_wp
       do e = 1, n - 1
-         call put_element(beam%element(e), 1, both)
-         upper(1, :) = y(:, e)
-         lower(1, :) = y(:, e + 1)
-         at_upper = 0.0_wp
-         call pair_action(both, upper, lower, push, at_upper, at_lower)
-         bent%pressed(:, e) = push%force(1)
-         bent%forces(:, e) = at_upper(1, :)
+         call element_action(beam%element(e), y(:, e), y(:, e + 1), push, bent%forces(:, e), below)
+         bent%pressed(:, e) = push%force
       end do
-      bent%forces(:, n) = -at_lower(1, :)
+      bent%forces(:, n) = -below
       call press_points(beam, y(1:2, beam%point), point)
       bent%points = point%force
    end subroutine find_forces

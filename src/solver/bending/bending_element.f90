@@ -4,10 +4,11 @@
 module dg_bending_element
    use dg_kinds, only: wp
    use dg_gap_state, only: gap_law_type
+   use dg_hermite, only: hermite_line_load
    implicit none
    private
-   public :: beam_element_type, wall_push_type, contact_places, contact_xi, contact_value, contact_slope
-   public :: set_element, push_element, push_at, add_action, add_stiffness, moments_of_shape
+   public :: beam_element_type, wall_push_type, contact_places, contact_xi
+   public :: set_element, push_element, push_at, element_action, element_stiffness, add_action, add_stiffness, moments_of_shape
 
    !> Places of an element at which the wall is felt. A node has an offset and a slope to each side; more places
    !> than two would leave a string that lies on the wall no freedom to bend along it.
@@ -26,7 +27,7 @@ module dg_bending_element
    type :: beam_element_type
       ! set by who makes the beam
       type(gap_law_type) :: law          !< of a metre of wall (stiffnesses in N/m2)
-      real(wp) :: contact = 0.0_wp, maximum = 0.0_wp  !< its stiffnesses as Newton's steps take them [N/m2]
+      type(gap_law_type) :: press        !< the same law, no stiffer than Newton's steps bear
       real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards the wall then stands at the places of contact [m]
       real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
       real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
@@ -42,11 +43,11 @@ module dg_bending_element
       real(wp) :: load(8) = 0.0_wp       !< of weight and bends, (y_1, y_2, y_1', y_2') at the upper, then the lower node [N, N.m]
    end type beam_element_type
 
-   !> How the wall presses at a node.
+   !> How the wall presses at a node, or on the half of an element that belongs to a place.
    type :: wall_push_type
-      real(wp) :: force = 0.0_wp         !< R; 0 where nothing touches, and the others are then not set [N/m, or N]
-      real(wp) :: stiffness = 0.0_wp     !< derivative of R by the distance from the hole axis [N/m2, or N/m]
-      real(wp) :: turning = 0.0_wp       !< R over that distance [N/m2, or N/m]
+      real(wp) :: force = 0.0_wp         !< R; 0 where nothing touches, and the others are then not set [N]
+      real(wp) :: stiffness = 0.0_wp     !< derivative of R by the distance from the hole axis [N/m]
+      real(wp) :: turning = 0.0_wp       !< R over that distance [N/m]
       real(wp) :: n(2) = 0.0_wp          !< outwards
    end type wall_push_type
 
@@ -93,26 +94,120 @@ contains
    pure subroutine push_element(load, element)
       real(wp), intent(in) :: load(2)     !< [N/m]
       type(beam_element_type), intent(inout) :: element
-      associate (length => element%length)
-         element%load = element%load + [0.5_wp*length*load, length**2/12.0_wp*load, 0.5_wp*length*load, -length**2/12.0_wp*load]
-      end associate
+      real(wp) :: line(4)
+      line = hermite_line_load(element%length)
+      element%load = element%load + [line(1)*load, line(2)*load, line(3)*load, line(4)*load]
    end subroutine push_element
 
-   !> How the wall presses where the string touches, by the law of dg_gap_state. A law for a metre of wall gives it per metre.
-   pure subroutine push_at(law, moved, offset, square, push)
+   !> Forces and couples that an element's nodes must be held with at a shape, and how the wall presses. Over the elements they add
+   !> up to zero at equilibrium: those of the upper node are added to what is there.
+   pure subroutine element_action(element, upper, lower, push, at_upper, at_lower)
+      type(beam_element_type), intent(in) :: element
+      real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of its nodes [m, -]
+      type(wall_push_type), intent(inout) :: push(contact_places)
+      real(wp), intent(inout) :: at_upper(4)           !< [N, N.m]
+      real(wp), intent(out) :: at_lower(4)
+      real(wp) :: value(4), slope(4), force(2), couple(2), twisted(2)
+      integer :: p
+      associate (d => upper(1:2) - lower(1:2), u => upper(3:4), v => lower(3:4), torque => element%torque)
+         force = element%shear*d + element%turn(1)*u + element%turn(2)*v - turned(torque(2)*(u - v))
+         twisted = turned(torque(2)*d + torque(1)*(u + v))
+         at_upper(1:2) = at_upper(1:2) + (force - element%load(1:2))
+         at_upper(3:4) = at_upper(3:4) &
+                         + (element%turn(1)*d + element%couple(1)*u + element%couple(2)*v + twisted - element%load(3:4))
+         at_lower(1:2) = -force - element%load(5:6)
+         at_lower(3:4) = element%turn(2)*d + element%couple(2)*u + element%couple(3)*v - twisted - element%load(7:8)
+      end associate
+      do p = 1, contact_places
+         call shapes_at(element, p, value, slope)
+         call push_at(element%press, element%moved(p), 0.5_wp*element%length, &
+                      value(1)*upper(1:2) + value(2)*upper(3:4) + value(3)*lower(1:2) + value(4)*lower(3:4), push(p))
+         if (.not. push(p)%force > 0.0_wp) cycle
+         force = push(p)%force*push(p)%n
+         couple = element%lever*force
+         force = force + element%around*turned(force)
+         at_upper(1:2) = at_upper(1:2) + (value(1)*force + slope(1)*couple)
+         at_upper(3:4) = at_upper(3:4) + (value(2)*force + slope(2)*couple)
+         at_lower(1:2) = at_lower(1:2) + (value(3)*force + slope(3)*couple)
+         at_lower(3:4) = at_lower(3:4) + (value(4)*force + slope(4)*couple)
+      end do
+   end subroutine element_action
+
+   !> Derivatives of that by offsets and slopes, where the wall presses so. What couples an unknown in both directions with another
+   !> is a number in each direction. By torque it is another one from the first on the second, and minus that from the second on the
+   !> first.
+   pure subroutine element_stiffness(element, push, k)
+      type(beam_element_type), intent(in) :: element
+      type(wall_push_type), intent(in) :: push(contact_places)
+      real(wp), intent(out) :: k(2, 4, 2, 4)       !< (direction, unknown) of row, then of column [N/m, N, N.m]
+      real(wp) :: straight(4, 4), across(4, 4), stiffness(2, 2), sideways(2, 2), pushed(2, 4, 2), value(4), slope(4)
+      integer :: i, j, p
+      associate (s => element%shear, t => element%turn, c => element%couple)
+         straight(:, 1) = [s, t(1), -s, t(2)]
+         straight(:, 2) = [t(1), c(1), -t(1), c(2)]
+         straight(:, 3) = -straight(:, 1)
+         straight(:, 4) = [t(2), c(2), -t(2), c(3)]
+      end associate
+      associate (twist => element%torque(1), turn => element%torque(2))
+         across(:, 1) = [0.0_wp, turn, 0.0_wp, -turn]
+         across(:, 2) = [-turn, twist, turn, -twist]
+         across(:, 3) = -across(:, 1)
+         across(:, 4) = [turn, twist, -turn, -twist]
+      end associate
+      k(1, :, 1, :) = straight
+      k(2, :, 1, :) = across
+      k(1, :, 2, :) = -across
+      k(2, :, 2, :) = straight
+      do p = 1, contact_places
+         if (.not. push(p)%force > 0.0_wp) cycle
+         call shapes_at(element, p, value, slope)
+         stiffness = stiffness_of(push(p))
+         sideways(1, :) = stiffness(1, :) - element%around*stiffness(2, :)
+         sideways(2, :) = stiffness(2, :) + element%around*stiffness(1, :)
+         do i = 1, 4
+            pushed(:, i, :) = value(i)*sideways + (slope(i)*element%lever)*stiffness
+         end do
+         do j = 1, 4
+            k(:, :, :, j) = k(:, :, :, j) + value(j)*pushed
+         end do
+      end do
+   end subroutine element_stiffness
+
+   !> Shape functions of an element's unknowns at a place of contact, and their slopes.
+   pure subroutine shapes_at(element, p, value, slope)
+      type(beam_element_type), intent(in) :: element
+      integer, intent(in) :: p
+      real(wp), intent(out) :: value(4), slope(4)
+      value = contact_value(:, p)*[1.0_wp, element%length, 1.0_wp, element%length]
+      slope = contact_slope(:, p)*[element%per_length, 1.0_wp, element%per_length, 1.0_wp]
+   end subroutine shapes_at
+
+   !> A vector across the hole, turned by a right angle.
+   pure function turned(vector) result(other)
+      real(wp), intent(in) :: vector(2)
+      real(wp) :: other(2)
+      other(1) = -vector(2)
+      other(2) = vector(1)
+   end function turned
+
+   !> How the wall presses, by the law of dg_gap_state.
+   pure subroutine push_at(law, moved, length, offset, push)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: moved       !< how far inwards the wall stands [m]
-      real(wp), intent(in) :: offset(2)   !< not zero [m]
-      real(wp), intent(in) :: square      !< of its length [m2]
+      real(wp), intent(in) :: length      !< of the wall that presses there, of a law for a metre of wall [m]; else 1
+      real(wp), intent(in) :: offset(2)   !< from the hole axis [m]
       type(wall_push_type), intent(inout) :: push
-      real(wp) :: distance, beyond
+      real(wp) :: square, distance, beyond
+      push%force = 0.0_wp
+      square = offset(1)**2 + offset(2)**2
+      if (.not. square > (law%clearance - moved)**2) return
       distance = sqrt(square)
-      push%stiffness = law%contact
-      push%force = law%contact*(distance + moved - law%clearance)
+      push%stiffness = length*law%contact
+      push%force = push%stiffness*(distance + moved - law%clearance)
       beyond = distance + moved - (1.0_wp + law%eps_nmax)*law%clearance
       if (beyond > 0.0_wp) then
-         push%stiffness = law%maximum
-         push%force = push%force + (law%maximum - law%contact)*beyond
+         push%stiffness = length*law%maximum
+         push%force = push%force + length*(law%maximum - law%contact)*beyond
       end if
       push%turning = push%force/distance
       push%n = offset/distance

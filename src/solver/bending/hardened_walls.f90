@@ -34,7 +34,7 @@ contains
       logical :: reached
       found = .false.
       call soften_walls(huge(1.0_wp), firm, beam)
-      hardest = maxval(beam%element%maximum)
+      hardest = maxval(beam%element%press%maximum)
       stiffness = max(softest, hardening*begin)
       harder = y
       do

@@ -37,8 +37,8 @@ contains
       call find_forces(beam, y, bent)
       call soften_walls(huge(1.0_wp), firmer*at_place, beam)
       do e = 1, size(beam%element)
-         associate (element => beam%element(e), press => softened(beam%element(e)%law, beam%element(e)%maximum))
-            if (.not. element%maximum < element%law%maximum) cycle
+         associate (element => beam%element(e), press => beam%element(e)%press)
+            if (.not. press%maximum < element%law%maximum) cycle
             do p = 1, contact_places
                if (bent%pressed(p, e) > 0.0_wp) &
                   element%moved(p) = yielding(element%law, press, contact_places*bent%pressed(p, e)/element%length)
@@ -58,8 +58,7 @@ contains
       integer :: e
       do e = 1, size(beam%element)
          associate (element => beam%element(e), most => min(stiffness, contact_places*at_place/beam%element(e)%length))
-            element%contact = min(element%law%contact, most)
-            element%maximum = min(element%law%maximum, most)
+            element%press = softened(element%law, most)
             element%moved = 0.0_wp
          end associate
       end do
