@@ -46,6 +46,7 @@ contains
       call suite%addTest(TestMethod('bow_springs', test_bows))
       call suite%addTest(TestMethod('flat_bow_springs', test_flat_bows))
       call suite%addTest(TestMethod('friction', test_friction))
+      call suite%addTest(TestMethod('body_between', test_body_between))
       call suite%addTest(TestMethod('running_force', test_running_force))
    end function centralizers_suite
 
@@ -271,6 +272,42 @@ contains
          end do
       end do
    end subroutine test_friction
+
+   !> Centralizers so far apart that the body sags to the wall between them: it rubs, they do not. The part of the load that it
+   !> carries, by the strings on the axis and by beams. Bows yield, too.
+   subroutine test_body_between()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      real(wp), parameter :: of_hole = 0.4_wp, long = 40.0_wp*span, apart(3) = span*[2.0_wp, 2.5_wp, 5.0_wp]
+      real(wp), parameter :: pull(3) = [0.0_wp, 4.0e5_wp, -1.0e5_wp]
+      !> Of the whole load: seen 0.008. The ends of the row are free.
+      real(wp), parameter :: tolerance = 0.01_wp
+      real(wp) :: parts(beams)
+      integer :: i, j, k, bow
+      do bow = 0, 1
+         do j = 1, size(apart)
+            do k = 1, size(pull)
+               call new_well(model, [0.0_wp, long], [90.0_wp, 90.0_wp], [40.0_wp, 40.0_wp], hole, of_hole, pipe(w, od, bore))
+               model%numerics%moments = .true.
+               model%strings(1)%components(1)%centralizer = centralizer_type(present=.true., bow=bow == 1, od=blades, &
+                  spacing=apart(j), first=0.5_wp*apart(j), rated_hole=hole, restoring_force=w*apart(j), friction_axial=0.0_wp, &
+                  friction_rotary=0.0_wp)
+               model%cases(1)%wob = -pull(k)
+               do i = soft, beams
+                  call solve_by(model, i, operation_trip_out, result)
+                  parts(i) = -result%friction/(of_hole*w*long)
+               end do
+               call note('part on the body, beams', parts(beams))
+               do i = soft, mixed
+                  call note('less that of the beams', parts(i) - parts(beams))
+                  call assertEqual(parts(beams), parts(i), tolerance, message='part on the body')
+               end do
+               call solve_by(model, soft, operation_rotate_off_bottom, result)
+               call assertEqual(parts(soft), result%torque/(of_hole*w*long*0.5_wp*od), tolerance, message='torque')
+            end do
+         end do
+      end do
+   end subroutine test_body_between
 
    !> Each bow that is wider than its hole drags, against the motion, along the hole alone.
    subroutine test_running_force()

@@ -17,7 +17,7 @@ module dg_rigid_string_loads
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: largest_angle, longest_step, runaway_force, soft_totals_type
-   use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type
+   use dg_string_piece, only: at_offset, climbed, layout_of, layout_type, piece_above, piece_type, share_contact
    use dg_trajectory, only: point_on_arc
    use dg_vector, only: cross
    implicit none
@@ -84,7 +84,7 @@ contains
    !> Integrates up a piece of string from `position` to `target`: weight as difference of vertical depth, friction
    !> and shear by the classical Runge-Kutta method, with short steps at changes of curvature.
    pure subroutine climb(piece, changes, target, position, force, moment, sums)
-      type(piece_type), intent(in) :: piece
+      type(piece_type), intent(inout) :: piece
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: target           !< [m]
       real(wp), intent(inout) :: position      !< [m]
@@ -107,6 +107,10 @@ contains
          middle = force + piece%weight*(z1 - z2)
          ahead = force + piece%weight*(z1 - z3)
          call rates(piece, changes, position, side, force, moment, n1, d1)
+         if (piece%spans%present) then
+            call share_contact(piece, n1, force)
+            call rates(piece, changes, position, side, force, moment, n1, d1)
+         end if
          call rates(piece, changes, side, side, middle + 0.5_wp*step*d1, moment, n2, d2)
          call rates(piece, changes, side, side, middle + 0.5_wp*step*d2, moment, n3, d3)
          call rates(piece, changes, upper, side, ahead + step*d3, moment, n4, d4)
@@ -135,6 +139,7 @@ contains
       integer :: j, above
       step = position - target
       if (piece%arc%curvature > 0.0_wp) step = min(step, longest_step, largest_angle/piece%arc%curvature)
+      if (piece%spans%present) step = min(step, longest_step)
       ! from the nearest changes on, as far as distance alone does not leave the step as it is
       above = changes_above(changes, position)
       do j = above, 1, -1

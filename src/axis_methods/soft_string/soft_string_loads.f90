@@ -7,7 +7,7 @@
 !>     dT/ds' = w g.t + f n,      dM/ds' = m r n                     (s' up the hole)
 !> with effective tension T, curvature vector k = dt/ds, unit vector down g, buoyed weight w, radius of contact r,
 !> and the signed shares f, m of friction along and around the hole (friction_split). Running forces of bow springs per length are
-!> added to f n. Where a component has centralisers all contact is theirs.
+!> added to f n. Where a component has centralizers they share the contact with the body between them (dg_centralized_contact).
 !> Brett et al. 1989 (the paper's flexible type) use the same balance.
 !>
 !> Asked for `coiled`, compression F beyond the coiling load presses the string on the wall all around, by c F^2/(4 EI) per metre
@@ -21,7 +21,7 @@ module dg_soft_string_loads
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
    use dg_snake, only: snake_contact, snake_swing
-   use dg_string_piece, only: climbed, layout_of, layout_type, piece_above, piece_type
+   use dg_string_piece, only: climbed, layout_of, layout_type, piece_above, piece_type, share_contact
    use dg_trajectory, only: point_on_arc, turn_of, turn_type
    implicit none
    private
@@ -144,7 +144,7 @@ contains
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
    !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
    pure subroutine climb(piece, target, position, place, force, moment, sums)
-      type(piece_type), intent(in) :: piece
+      type(piece_type), intent(inout) :: piece
       real(wp), intent(in) :: target             !< [m]
       real(wp), intent(inout) :: position        !< [m]
       type(place_type), intent(inout) :: place   !< at `position`
@@ -165,7 +165,7 @@ contains
       end if
       angle = step*piece%arc%curvature
       steps = 1
-      if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp)) &
+      if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp) .or. piece%spans%present) &
          steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
       bent = angle > 0.0_wp
@@ -183,6 +183,7 @@ contains
          offset = offset - step
          middle = force + piece%weight*(place%depth - half_way%depth) + 0.5_wp*step*piece%drag
          n1 = pressed(piece, place, force)
+         if (piece%spans%present) call share_contact(piece, n1, force)
          upper = force + piece%weight*(place%depth - there%depth) + step*piece%drag
          if (.not. bent .and. (.not. piece%coils .or. min(force, upper + step*piece%axial*n1) >= 0.0_wp)) then
             normal = step*n1      ! the load across a straight hole knows no axial force

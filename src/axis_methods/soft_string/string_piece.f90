@@ -2,6 +2,7 @@
 !> and the stiff string are integrated over them.
 module dg_string_piece
    use dg_kinds, only: wp
+   use dg_centralized_contact, only: body_share, spans_of, spans_type
    use dg_coiling, only: least_coiling_load
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
    use dg_contact_friction, only: find_friction, running_drag
@@ -13,7 +14,7 @@ module dg_string_piece
    use dg_vector, only: cross
    implicit none
    private
-   public :: layout_type, layout_of, piece_type, piece_above, at_offset, climbed, breakpoints
+   public :: layout_type, layout_of, piece_type, piece_above, share_contact, at_offset, climbed, breakpoints
 
    !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths, and no row of a
    !> table worth printing.
@@ -26,6 +27,13 @@ module dg_string_piece
       real(wp), allocatable :: heights(:)     !< of the tops of its components, from the bit up: minus their depths [m]
       real(wp), allocatable :: fluids(:)      !< depths at which a fluid begins, ascending [m]
    end type layout_type
+
+   !> Friction of a contact.
+   type :: rubbing_type
+      real(wp) :: axial = 0.0_wp    !< f of the balance in dg_soft_string_loads [-]
+      real(wp) :: rotary = 0.0_wp   !< m of it [-]
+      real(wp) :: radius = 0.0_wp   !< [m]
+   end type rubbing_type
 
    !> A piece of string of constant properties in one arc and one hole section.
    type :: piece_type
@@ -42,6 +50,8 @@ module dg_string_piece
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
       real(wp) :: least_coiling = 0.0_wp !< coiling load of a string that nothing presses [N]
       logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
+      type(spans_type) :: spans     !< between centralizers
+      type(rubbing_type) :: rubbing(2) !< of centralizers, of the body between them; set with spans
    end type piece_type
 
 contains
@@ -93,13 +103,35 @@ contains
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
-         if (part%centralizer%present) piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case) &
-                                                    /part%centralizer%spacing
+         if (part%centralizer%present) then
+            piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing
+            piece%spans = spans_of(part, model%holes(hole)%diameter, max(piece%clearance, 0.0_wp))
+            piece%rubbing(1) = rubbing_type(piece%axial, piece%rotary, piece%radius)
+            associate (body => piece%rubbing(2))
+               body%radius = 0.5_wp*contact_diameter(part, -layout%heights(i))
+               call find_friction(model%holes(hole), part, load_case, .false., body%radius, friction_scale, body%axial, body%rotary)
+            end associate
+         end if
       end associate
       if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
       if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
       if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
+
+   !> Shares the contact of a piece among its centralizers and the body between them: its friction is their mean by force.
+   pure subroutine share_contact(piece, load, axial)
+      type(piece_type), intent(inout) :: piece   !< with spans
+      real(wp), intent(in) :: load               !< across the hole [N/m]
+      real(wp), intent(in) :: axial              !< effective [N]
+      real(wp) :: parts(2)
+      parts(2) = body_share(piece%spans, load, axial)
+      parts(1) = 1.0_wp - parts(2)
+      piece%axial = dot_product(parts, piece%rubbing%axial)
+      piece%rotary = dot_product(parts, piece%rubbing%rotary)
+      piece%radius = dot_product(parts, piece%rubbing%radius)
+      if (piece%rotary > 0.0_wp) piece%radius = dot_product(parts, piece%rubbing%rotary*piece%rubbing%radius)/piece%rotary
+      if (piece%climb < 1.0_wp) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
+   end subroutine share_contact
 
    !> Position relative to the arc's start [m], weight across the hole [N/m] and curvature vector [1/m].
    pure subroutine at_offset(piece, offset, position, across, bend)
