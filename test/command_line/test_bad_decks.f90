@@ -243,6 +243,7 @@ contains
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5", 12, 'bend needs bend_position')
       call refuse("&boundary", "&steering side_cutting = 0.1 /"//newline//"&boundary", 15, 'side_cutting goes by weight on bit')
+      call refuse("&boundary", "&steering measured_dogleg = 3*5 /"//newline//"&boundary", 15, '3 values of measured_dogleg for')
       call refuse("&boundary", "&steering cases = 'nobody' /"//newline//"&boundary", 15, &
                   "group &steering: there is no load case 'nobody'")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5, bend_position = 120", 12, &

@@ -6,7 +6,7 @@ module dg_test_bent_housing
    use dg_beam_bend, only: add_bend, bend_moment, holding_moment
    use dg_beam_element, only: beam_force, beam_section_type, membrane_length
    use dg_case_result, only: case_result_type
-   use dg_component, only: component_type
+   use dg_component, only: closed_diameter, component_type
    use dg_constants, only: degree, pi
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
@@ -44,6 +44,7 @@ contains
       call suite%addTest(TestMethod('curved_hole', test_curved_hole))
       call suite%addTest(TestMethod('turning', test_turning))
       call suite%addTest(TestMethod('three_points', test_three_points))
+      call suite%addTest(TestMethod('measured_dogleg', test_measured_dogleg))
       call suite%addTest(TestMethod('no_side_force', test_no_side_force))
       call suite%addTest(TestMethod('full_gauge', test_full_gauge))
       call suite%addTest(TestMethod('fluids_at_depths', test_fluids))
@@ -287,11 +288,41 @@ contains
       do i = 1, size(toolfaces)
          call find_equilibrium_curvature(model, 1, toolfaces(i), 60.0_wp, optional_real(), found)
          call assertTrue(found%found, message='three points: '//found%message)
+         call assertRelativelyEqual(expected - (well%diameter - gauge)*(1.0_wp + (first + second)/first)/ &
+                                    ((first + second)*second), found%three_points, 1.0e-9_wp, message='three points')
          if (.not. found%found) cycle
          call note('off, over the curvature of three points', norm2(found%curvature/expected - direction(toolfaces(i))))
          call assertLessThan(norm2(found%curvature/expected - direction(toolfaces(i))), within, message='three points')
       end do
    end subroutine test_three_points
+
+   !> The side cutting that a measured dogleg gives is the one by which that dogleg was found. A hole enlarged above the bit is a
+   !> wider hole whose bit fills it.
+   subroutine test_measured_dogleg()
+      real(wp), parameter :: cut = 0.005_wp, enlargement = 0.006_wp
+      type(independent_well_type) :: well
+      type(model_type) :: model
+      type(steering_result_type) :: drilled, fitted, enlarged
+      well = straight(40.0_wp, 1.5_wp, 0.0_wp)
+      call build(well, 0.2127_wp, model)
+      model%cases(1)%operation = operation_static
+      model%cases(1)%wob = well%wob
+      call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, given(cut), drilled)
+      call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, optional_real(), fitted, measured=drilled%curvature(1))
+      call assertTrue(drilled%found .and. fitted%found, message='found')
+      call note('side cutting over the true one - 1', fitted%side_cutting/cut - 1.0_wp)
+      call assertRelativelyEqual(cut, fitted%side_cutting, 0.02_wp, message='side cutting')
+      call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, optional_real(), enlarged, enlargement=enlargement)
+      call note('curvature enlarged over in gauge', enlarged%curvature(1)/fitted%curvature(1))
+      call assertTrue(abs(enlarged%curvature(1) - fitted%curvature(1)) > 0.01_wp*fitted%curvature(1), message='enlargement counts')
+      associate (bit => model%strings(1)%components(1))
+         bit%joint_od = closed_diameter(bit) + enlargement
+      end associate
+      model%holes(1)%diameter = model%holes(1)%diameter + enlargement
+      call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, optional_real(), fitted)
+      call assertRelativelyEqual(fitted%curvature(1), enlarged%curvature(1), 1.0e-9_wp, message='enlarged hole')
+      call assertRelativelyEqual(fitted%three_points, enlarged%three_points, 1.0e-9_wp, message='three points')
+   end subroutine test_measured_dogleg
 
    !> A motor as it is: in the hole as it is force and tilt are the independent string's. In a hole of the curvature found that
    !> string's bit has no side force, to a five-hundredth of what it has in the straight hole; where it cuts sideways, tilt and cut

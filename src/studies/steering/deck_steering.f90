@@ -19,6 +19,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(steering_type), allocatable, intent(out) :: steering
       type(fault_list_type), intent(inout) :: faults
+      character(15) :: key
       integer :: i, k
       do i = 1, size(groups)
          if (groups(i)%name /= 'steering') cycle
@@ -26,16 +27,22 @@ contains
          call take_cases(draft, groups(i), steering%cases, faults)
          allocate (steering%toolfaces, source=reals_of(groups(i), 'toolfaces'))
          steering%length = real_of(groups(i), 'length', steering%length)
+         steering%hole_enlargement = real_of(groups(i), 'hole_enlargement', 0.0_wp)
+         allocate (steering%measured, source=reals_of(groups(i), 'measured_dogleg'))
+         if (all(size(steering%measured) /= [0, 1, size(steering%cases)])) call add_fault(faults, draft%path, &
+            line_of(groups(i), 'measured_dogleg'), 'group &steering: '//to_text(size(steering%measured))// &
+            ' values of measured_dogleg for '//to_text(size(steering%cases))//' cases; needs one, or one a case')
          if (is_sound(groups(i), 'side_cutting')) steering%side_cutting = given(real_of(groups(i), 'side_cutting', 0.0_wp))
          if (.not. draft%boundary%bit_centred) call add_fault(faults, draft%path, groups(i)%line, &
             'group &steering: the bit is free; its side force needs bit_lateral = ''centred'' in &boundary')
-         if (.not. steering%side_cutting%present) return
+         if (.not. steering%side_cutting%present .and. size(steering%measured) == 0) return
+         key = merge('side_cutting   ', 'measured_dogleg', steering%side_cutting%present)
          do k = 1, size(steering%cases)
             associate (case => draft%cases(steering%cases(k)))
                if (.not. case%sound .or. case%load_case%wob > 0.0_wp) cycle
-               call add_fault(faults, draft%path, line_of(groups(i), 'side_cutting'), 'group &steering: side_cutting goes by '// &
+               call add_fault(faults, draft%path, line_of(groups(i), trim(key)), 'group &steering: '//trim(key)//' goes by '// &
                   'weight on bit, and load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
-                  ') has none; needs wob > 0 or no side_cutting')
+                  ') has none; needs wob > 0 or no '//trim(key))
             end associate
          end do
          return

@@ -12,7 +12,7 @@
 module dg_equilibrium_curvature
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: has_bend
+   use dg_component, only: closed_diameter, has_bend, is_bit
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
    use dg_fluid, only: shift_mud
@@ -24,6 +24,7 @@ module dg_equilibrium_curvature
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_solve_case, only: solve_case
    use dg_steering_result, only: steering_result_type
+   use dg_three_points, only: three_point_dogleg
    use dg_trajectory, only: arc_at, azimuth_of, high_side, inclination_of, interpolation_minimum_curvature, new_trajectory, &
                             point_on_arc
    use dg_vector, only: cross
@@ -63,18 +64,25 @@ contains
 
    !> Fills a result of a load case at a toolface [rad]. It is marked as not found where the string has no equilibrium in such a
    !> hole, or Newton's method no end.
-   subroutine find_equilibrium_curvature(model, case_index, toolface, length, side_cutting, result)
+   subroutine find_equilibrium_curvature(model, case_index, toolface, length, side_cutting, result, enlargement, &
+                                         measured)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: toolface
       real(wp), intent(in) :: length                    !< of the string above the bit that is solved [m]
       type(optional_real), intent(in) :: side_cutting   !< s [-]; > 0 wants a weight on bit
       type(steering_result_type), intent(out) :: result
+      real(wp), intent(in), optional :: enlargement     !< of the hole above the bit, in diameter; absent: none [m]
+      real(wp), intent(in), optional :: measured        !< dogleg towards the toolface; absent or missing: not measured [1/m]
       type(probe_type) :: probe
       real(wp) :: k(2), f(2), push(2), tilt(2), slope(2, 2), step(2)
       logical :: sound
       integer :: iteration
       call new_probe(model, case_index, toolface, length, side_cutting, probe, result)
+      if (present(enlargement)) call enlarge_hole(probe, enlargement)
+      if (.not. is_missing(result%toolface)) result%three_points = three_point_dogleg(probe%model%strings( &
+         string_index(model%strings, model%cases(case_index)%string)), model%cases(case_index)%bit_depth, &
+         probe%model%holes(1)%diameter)
       if (result%inclination < least_inclination .or. result%inclination > pi - least_inclination) then
          result%message = 'the hole is vertical there, to 2 deg: it has no high side'
          return
@@ -95,6 +103,7 @@ contains
             if (.not. sound) exit
          end do
       end if
+      if (present(measured)) call fit_side_cutting(probe, measured, toolface, result%side_cutting)
       result%solutions = probe%solutions
       if (result%found) then
          result%curvature = k + step
@@ -147,6 +156,37 @@ contains
       result%hole = [dot_product(curvature, probe%up), dot_product(curvature, probe%right)]
       result%message = ''
    end subroutine new_probe
+
+   !> Widens the hole above the bit. A bit that fills its hole goes on to do so.
+   pure subroutine enlarge_hole(probe, enlargement)
+      type(probe_type), intent(inout) :: probe
+      real(wp), intent(in) :: enlargement   !< of the diameter [m]
+      integer :: i
+      if (.not. enlargement > 0.0_wp) return
+      probe%model%holes(1)%diameter = probe%model%holes(1)%diameter + enlargement
+      do i = 1, size(probe%model%strings)
+         associate (bit => probe%model%strings(i)%components(1))
+            if (is_bit(bit)) bit%joint_od = closed_diameter(bit) + enlargement
+         end associate
+      end do
+   end subroutine enlarge_hole
+
+   !> Side cutting s [-] that makes a(k) + s F(k)/W = 0 towards the toolface in a hole of the measured dogleg; missing where none
+   !> above 0 does.
+   subroutine fit_side_cutting(probe, measured, toolface, side_cutting)
+      type(probe_type), intent(inout) :: probe
+      real(wp), intent(in) :: measured          !< [1/m]; missing: not known
+      real(wp), intent(in) :: toolface          !< [rad]
+      real(wp), intent(inout) :: side_cutting
+      real(wp) :: f(2), push(2), tilt(2)
+      logical :: sound
+      if (is_missing(measured) .or. .not. probe%wob > 0.0_wp) return
+      call evaluate(probe, measured*direction(toolface), f, sound, push, tilt)
+      if (.not. sound) return
+      push(1) = dot_product(push, direction(toolface))
+      tilt(1) = dot_product(tilt, direction(toolface))
+      if (push(1)*tilt(1) < 0.0_wp) side_cutting = -tilt(1)*probe%wob/push(1)
+   end subroutine fit_side_cutting
 
    !> What must be nothing, of the string in a hole of curvature k; with its parts where they are asked for.
    subroutine evaluate(probe, k, f, sound, push, tilt)

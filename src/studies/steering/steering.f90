@@ -10,6 +10,8 @@ module dg_steering
       integer, allocatable :: cases(:)         !< numbers of load cases
       real(wp), allocatable :: toolfaces(:)    !< [rad]; none: that of each load case
       real(wp) :: length = 150.0_wp            !< of the string above the bit that is solved [m]
+      real(wp) :: hole_enlargement = 0.0_wp    !< of the diameter above the bit [m]
+      real(wp), allocatable :: measured(:)     !< doglegs towards the toolface that were measured, one or one a case [1/m]
       type(optional_real) :: side_cutting      !< penetration of the bit sideways over that ahead, for the same force [-]
    end type steering_type
 end module dg_steering

@@ -18,7 +18,7 @@ module dg_steering_file
    real(wp), parameter :: no_angle = 1.0e-9_wp
 
    !> New ones are added at the end only.
-   type(column_type), parameter :: steering_columns(16) = [ &
+   type(column_type), parameter :: steering_columns(18) = [ &
       column_type('case', quantity_text, 'name of the load case'), &
       column_type('toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns'), &
       column_type('inclination', quantity_angle, 'of the hole at the bit'), &
@@ -35,7 +35,9 @@ module dg_steering_file
       column_type('dogleg_clock', quantity_angle, 'to which the hole bends, from the high side clockwise looking down the hole'), &
       column_type('status', quantity_text, 'converged, or not_converged: then there is no curvature'), &
       column_type('solutions', quantity_none, 'of the string that it took'), &
-      column_type('message', quantity_text, 'why there is none, or why it may be off')]
+      column_type('message', quantity_text, 'why there is none, or why it may be off'), &
+      column_type('three_point_dogleg', quantity_curvature, 'of a stiff bent assembly that touches at bit and two more points'), &
+      column_type('fitted_side_cutting', quantity_none, 'side_cutting that gives the measured dogleg')]
 
 contains
 
@@ -85,6 +87,8 @@ contains
       end if
       call put(row, result%solutions)
       call put(row, result%message)
+      call put(row, result%three_points)
+      call put(row, result%side_cutting)
    end subroutine steering_fields
 
    !> Change of azimuth per length of a hole that curves to the right [rad/m].

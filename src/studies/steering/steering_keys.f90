@@ -2,7 +2,7 @@
 module dg_steering_keys
    use dg_kinds, only: wp
    use dg_deck_schema, only: group_rule_type, key_rule_type, kind_text
-   use dg_unit_kind, only: unit_angle, unit_length
+   use dg_unit_kind, only: unit_angle, unit_curvature, unit_diameter, unit_length
    implicit none
    private
    public :: steering_rule, steering_keys
@@ -11,12 +11,16 @@ module dg_steering_keys
       group_rule_type('steering', &
                       meaning='where assemblies drill to: bit side force, tilt, build and turn rate')
 
-   type(key_rule_type), parameter :: steering_keys(4) = [ &
+   type(key_rule_type), parameter :: steering_keys(6) = [ &
       key_rule_type('steering', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
       key_rule_type('steering', 'toolfaces', unit=unit_angle, array=.true., low=-360.0_wp, high=360.0_wp, &
          meaning='each case at each of them; default the toolface of the case'), &
       key_rule_type('steering', 'length', unit=unit_length, low=10.0_wp, high=1.0e3_wp, default='150', &
          meaning='of the string above the bit that is solved'), &
       key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
-         meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone')]
+         meaning='penetration of the bit sideways over that ahead for the same force; default: it goes by side force alone'), &
+      key_rule_type('steering', 'hole_enlargement', unit=unit_diameter, low=0.0_wp, high=200.0_wp, default='0', &
+         meaning='of the diameter of the hole above the bit'), &
+      key_rule_type('steering', 'measured_dogleg', unit=unit_curvature, array=.true., low=-60.0_wp, high=60.0_wp, &
+         meaning='measured in a slide, towards the toolface, one or one a case: finds the side_cutting that gives it')]
 end module dg_steering_keys

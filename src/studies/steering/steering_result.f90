@@ -15,6 +15,8 @@ module dg_steering_result
       real(wp) :: side_force(2) = missing     !< of the bit on the formation in that hole [N]
       real(wp) :: tilt(2) = missing           !< to which the bit points there, against the hole axis [rad]
       real(wp) :: curvature(2) = missing      !< at which the hole goes on [1/m]
+      real(wp) :: three_points = missing      !< curvature of a stiff assembly on three points [1/m]; missing: it has no bend
+      real(wp) :: side_cutting = missing      !< that gives the measured dogleg [-]; missing: none was measured, or none does
       integer :: solutions = 0                !< of the string
       logical :: found = .false.
       character(:), allocatable :: message    !< why not

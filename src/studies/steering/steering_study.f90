@@ -13,7 +13,7 @@ module dg_steering_study
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
    use dg_steering, only: steering_type
@@ -123,10 +123,18 @@ contains
       do row = 1, size(results)
          k = steering%cases((row - 1)/each + 1)
          call find_equilibrium_curvature(run%model, k, toolface_of(k, modulo(row - 1, each) + 1), steering%length, &
-                                         steering%side_cutting, results(row))
+                                         steering%side_cutting, results(row), steering%hole_enlargement, &
+                                         measured_of((row - 1)/each + 1))
       end do
       !$omp end parallel do
    contains
+      pure function measured_of(place) result(dogleg)
+         integer, intent(in) :: place
+         real(wp) :: dogleg
+         dogleg = missing
+         if (size(steering%measured) > 0) dogleg = steering%measured(min(place, size(steering%measured)))
+      end function measured_of
+
       pure function toolface_of(case_index, number) result(toolface)
          integer, intent(in) :: case_index, number
          real(wp) :: toolface

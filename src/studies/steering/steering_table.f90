@@ -9,7 +9,7 @@ module dg_steering_table
    use dg_column, only: quantity_curvature, quantity_force, unit_size, unit_text
    use dg_steering_file, only: dogleg_clock, turn_rate
    use dg_steering_result, only: steering_result_type
-   use dg_text, only: append_text, text_type
+   use dg_text, only: append_text, text_type, to_text
    implicit none
    private
    public :: steering_table
@@ -56,6 +56,7 @@ contains
          end associate
       end do
       call append_text(lines, rule)
+      call add_ranges(job, model, results, lines)
    contains
       !> A clock angle that one decimal shows below 360.
       pure function turned(angle) result(shown)
@@ -79,4 +80,34 @@ contains
          if (.not. is_missing(value)) text = fixed_cell(value/unit, width, decimals)
       end function cell
    end function steering_table
+
+   !> A line for each load case with a bent housing, from three points to zero side force, and for each side cutting found.
+   subroutine add_ranges(job, model, results, lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(steering_result_type), intent(in) :: results(:)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(:), allocatable :: name, unit
+      real(wp) :: curvature, least, most
+      integer :: i, k
+      curvature = unit_size(quantity_curvature, job%units)
+      unit = ' '//unit_text(quantity_curvature, job%units)
+      do k = 1, size(model%cases)
+         name = model%cases(k)%name
+         least = huge(least)
+         most = 0.0_wp
+         do i = 1, size(results)
+            if (results(i)%case_index /= k .or. .not. results(i)%found .or. is_missing(results(i)%three_points)) cycle
+            least = min(least, results(i)%three_points, norm2(results(i)%curvature))
+            most = max(most, results(i)%three_points, norm2(results(i)%curvature))
+         end do
+         if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': '// &
+            trim(adjustl(fixed_cell(least/curvature, width, 1)))//' to '//trim(adjustl(fixed_cell(most/curvature, width, 1)))// &
+            unit//', from three-point geometry to the curvature above')
+         do i = 1, size(results)
+            if (results(i)%case_index == k .and. .not. is_missing(results(i)%side_cutting)) call append_text(lines, &
+               'Measured dogleg of '//name//' fits side_cutting = '//to_text(results(i)%side_cutting, 3))
+         end do
+      end do
+   end subroutine add_ranges
 end module dg_steering_table
