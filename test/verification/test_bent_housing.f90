@@ -13,6 +13,7 @@ module dg_test_bent_housing
    use dg_fluid, only: fluid_type, standing_mud
    use dg_kinds, only: wp
    use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_soft_string_loads, only: soft_string_at
@@ -312,6 +313,9 @@ contains
       call assertTrue(drilled%found .and. fitted%found, message='found')
       call note('side cutting over the true one - 1', fitted%side_cutting/cut - 1.0_wp)
       call assertRelativelyEqual(cut, fitted%side_cutting, 0.02_wp, message='side cutting')
+      call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, optional_real(), enlarged, measured=2.0_wp*drilled%curvature(1))
+      call assertTrue(is_missing(enlarged%side_cutting), message='sharper than without side force')
+      call assertEqual('no side_cutting above 0 gives the measured dogleg', enlarged%message)
       call find_equilibrium_curvature(model, 1, 0.0_wp, well%bit, optional_real(), enlarged, enlargement=enlargement)
       call note('curvature enlarged over in gauge', enlarged%curvature(1)/fitted%curvature(1))
       call assertTrue(abs(enlarged%curvature(1) - fitted%curvature(1)) > 0.01_wp*fitted%curvature(1), message='enlargement counts')

@@ -108,6 +108,10 @@ contains
       if (result%found) then
          result%curvature = k + step
          if (probe%rough) result%message = rough_message
+         if (present(measured)) then
+            if (.not. is_missing(measured) .and. is_missing(result%side_cutting)) &
+               result%message = 'no side_cutting above 0 gives the measured dogleg'
+         end if
       else if (sound) then
          result%message = 'no curvature found in which the bit wants to go nowhere else'
       else
