@@ -2,12 +2,13 @@
 module dg_test_picture_drawing
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_chart, only: cut_text
    use dg_child_process, only: child_type, end_child, find_program, start_child, wait_for_child
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: delete_file, write_text_file
    use dg_folder, only: make_folder
-   use dg_gnuplot_script, only: cut_text, row_tics, spelled
+   use dg_gnuplot_script, only: row_tics, spelled
    use dg_kinds, only: wp
    use dg_picture_drawing, only: draw_pictures
    use dg_text, only: append_text, c_text, plain_utf8, text_list, text_type, to_text

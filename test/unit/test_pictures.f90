@@ -3,32 +3,35 @@ module dg_test_pictures
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_along_string, only: new_along_string
-   use dg_assembly_picture, only: assembly_script
-   use dg_case_result, only: case_result_type
+   use dg_assembly_picture, only: assembly_chart
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_chart, only: add_panel, chart_type, fit_range, new_chart
    use dg_column, only: column_type, csv_header, csv_row, field_absent, field_list_type, put, put_none, quantity_force, &
                         quantity_none, quantity_text
    use dg_component, only: component_type
    use dg_csv_reading, only: columns_in, csv_texts, ends_in_quotes, read_csv_row
-   use dg_forces_picture, only: forces_script
-   use dg_gnuplot_script, only: spelled, x_range
-   use dg_hole_section, only: hole_section_type
-   use dg_hookload_picture, only: hookload_script
+   use dg_forces_picture, only: forces_chart
+   use dg_gnuplot_script, only: chart_script, spelled
+   use dg_hookload_picture, only: hookload_chart
    use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe
    use dg_line_list, only: line_list_type
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
       optional_real
    use dg_limits_file, only: limits_columns
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_path_picture, only: path_script
+   use dg_path_picture, only: path_chart
    use dg_rig, only: rig_type
-   use dg_strength_picture, only: strength_script
-   use dg_study_picture, only: study_script
-   use dg_study_plan, only: study_plan_type
+   use dg_strength_picture, only: strength_chart
+   use dg_study_comparison, only: error_hookload, study_record_type
+   use dg_study_picture, only: study_chart
+   use dg_study_variant, only: variant_type
    use dg_sweep, only: sweep_type
-   use dg_sweep_picture, only: sweep_script
+   use dg_sweep_picture, only: sweep_chart
+   use dg_sweep_result, only: sweep_result_type
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
-   use dg_text, only: append_text, text_type
+   use dg_text, only: append_text, text_type, to_text
    use dg_units, only: field_units, unit_system_type
    implicit none
    private
@@ -74,10 +77,13 @@ contains
    function range_of(low, high) result(line)
       real(wp), intent(in) :: low, high
       character(:), allocatable :: line
-      type(text_type), allocatable :: lines(:)
-      allocate (lines(0))
-      call x_range(lines, low, high, 240.0_wp)
-      line = lines(1)%text
+      type(chart_type) :: chart
+      chart = new_chart('x', '', field_units(), 500, [0.8_wp, 0.9_wp])
+      call add_panel(chart, [0.1_wp, 0.1_wp + 240.0_wp/chart%width, 0.1_wp, 0.8_wp], '')
+      call fit_range(chart, [low, high])
+      associate (axis => chart%panels(1)%x)
+         line = 'set xrange ['//to_text(axis%ends(1), 8)//':'//to_text(axis%ends(2), 8)//']; set xtics '//axis%tics
+      end associate
    end function range_of
 
    subroutine test_html_text()
@@ -161,54 +167,61 @@ contains
       call assertEqual("<use xlink:href='#p3gpPt5' id='p3gpPt6'/>", page%lines(2)%text)
    end subroutine test_inline
 
-   !> A row a case in the deck's units; a case that did not converge leaves no mark.
+   !> A mark a case in the deck's units; a case that did not converge leaves none.
    subroutine test_hook_loads()
+      type(chart_type) :: chart
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
       allocate (results, source=sample_results())
-      call hookload_script('hookload', sample_job(), sample_model(), results, [.false., .true., .false., .true.], lines)
+      chart = hookload_chart(sample_job(), sample_model(), results, [.false., .true., .false., .true.])
+      call chart_script(chart, lines)
       call assertTrue(has_text(lines, "'i_down !' 2"), message='cannot be done')
       call assertTrue(has_text(lines, "'i_up' 1"), message='can be done')
-      call assertTrue(has_line(lines, '1 745 NaN NaN 733.4 1.557047 NaN'))
-      call assertTrue(has_line(lines, '3 564 NaN NaN 568.2 0.74468085 13.69'), message='torque of the one that rotates')
-      call assertTrue(has_line(lines, '4 NaN 524.3 NaN NaN NaN NaN'), message='not converged')
+      associate (panels => chart%panels)
+         call assertEqual([733.4_wp, 745.0_wp], [panels(1)%curves(1)%points(1, 1), panels(1)%curves(2)%points(1, 1)], 1.0e-9_wp)
+         call assertEqual(1.557047_wp, panels(2)%curves(1)%points(1, 1), 1.0e-6_wp, message='error')
+         call assertEqual([568.2_wp, 13.69_wp], [panels(1)%curves(1)%points(1, 3), panels(3)%curves(1)%points(1, 3)], 1.0e-9_wp, &
+                          message='torque of the one that rotates')
+         call assertTrue(is_missing(panels(3)%curves(1)%points(1, 1)), message='no torque going up')
+         call assertTrue(is_missing(panels(1)%curves(1)%points(1, 4)), message='not converged')
+         call assertEqual(524.3_wp, panels(1)%curves(3)%points(1, 4), 1.0e-9_wp, message='reference')
+      end associate
    end subroutine test_hook_loads
 
-   !> The scripts draw from the files of the case and name units.
+   !> The scripts draw what the case has and name units.
    subroutine test_case_scripts()
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
       type(model_type) :: model
       model = model_with_string()
       allocate (results, source=sample_results())
-      call forces_script('forces_i_up', sample_job(), model, results(:1), [new_along_string(2)], ' rigid', lines)
+      call chart_script(forces_chart(sample_job(), model, results(:1), [new_along_string(2)], ' rigid'), lines)
       call assertTrue(has_text(lines, 'up at 2075 m; no solution: rigid'))
       call assertTrue(has_line(lines, "set output 'forces_i_up.svg'.unfinished"))
-      call assertTrue(has_line(lines, "set xlabel 'effective axial force [kN]'"))
-      call assertTrue(has_line(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
-      call assertTrue(has_line(lines, 'set yrange [2075:0]'), message='depth downwards')
-      call assertTrue(has_text(lines, '$c1 using 1:2'))
-      call assertTrue(has_line(lines, "set xlabel 'side force on 9.5 m [kN]'"), message='on the length of a joint')
+      call assertTrue(has_text(lines, "set xlabel 'effective axial force [kN]'"))
+      call assertTrue(has_text(lines, "set xlabel 'bending moment [kN.m]'"), message='no torque going up')
+      call assertTrue(has_text(lines, 'set yrange [2075:0]'), message='depth downwards')
+      call assertTrue(has_text(lines, '$c1 with lines'))
+      call assertTrue(has_text(lines, "set xlabel 'side force on 9.5 m [kN]'"), message='on the length of a joint')
       call assertTrue(has_text(lines, 'from graph 0, first 1000 to graph 1, first 1000 nohead'), message='the shoe')
-      call assertTrue(has_text(lines, 'set label 101 '//spelled("9-5/8 in 'casing'")//' at'), message='a text of the deck')
-      call strength_script('strength_i_up', sample_job(), model, results(:1), [new_along_string(2)], lines)
-      call assertTrue(has_line(lines, "set xlabel 'bending stress [MPa]'"))
+      call assertTrue(has_text(lines, 'set label '//spelled("9-5/8 in 'casing'")//' at'), message='a text of the deck')
+      call chart_script(strength_chart(sample_job(), model, results(:1), [new_along_string(2)]), lines)
+      call assertTrue(has_text(lines, "set xlabel 'bending stress [MPa]'"))
       call assertFalse(has_text(lines, 'make-up torque'), message='no torque going up')
       call assertFalse(has_text(lines, 'safety factor'), message='no yield strength')
       results(1)%bit_side_force = 14.2e3_wp
-      call assembly_script('assembly_i_up', sample_job(), model, results(1), lines)
+      call chart_script(assembly_chart(sample_job(), model, results(1)), lines)
       call assertTrue(has_text(lines, 'model mcge; bit presses 14.2 kN'))
       call assertTrue(has_text(lines, "set label 'pipe' at first 20"), message='the part by name')
       call assertTrue(has_text(lines, 'set xrange [40:0]'), message='the bit at the right')
-      call path_script('path_i_up', sample_job(), model, results(1), lines)
-      call assertTrue(has_line(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
-      call assertTrue(has_text(lines, "touches('rigid', "))
-      call assertFalse(has_text(lines, '$wall'), message='no hole section is cased')
+      call chart_script(path_chart(sample_job(), model, results(1)), lines)
+      call assertTrue(has_text(lines, "set xlabel 'vertical section along azimuth 0 deg [m]'"))
+      call assertTrue(has_text(lines, 'rigid contact'))
+      call assertFalse(has_text(lines, 'casing (widths'), message='no hole section is cased')
       model%holes%cased = [.true., .false.]
       model%holes%diameter = [0.3_wp, 0.2_wp]
-      call path_script('path_i_up', sample_job(), model, results(1), lines)
-      call assertTrue(has_text(lines, '$wall using 1:2'))
-      call assertTrue(has_line(lines, '$wall << EOD'))
+      call chart_script(path_chart(sample_job(), model, results(1)), lines)
+      call assertTrue(has_text(lines, 'casing (widths'))
    end subroutine test_case_scripts
 
    !> The sample with pipe that has joints, in a cased hole.
@@ -229,18 +242,18 @@ contains
       model%holes(2)%name = 'open hole'
    end function model_with_string
 
-   !> A curve an operation and friction factor, from the rows of the model that converged.
+   !> A curve an operation and friction factor, of the points of the model that converged.
    subroutine test_sweep()
       type(text_type), allocatable :: lines(:)
+      type(chart_type) :: chart
       type(sweep_type) :: sweep
-      type(hole_section_type) :: holes(1)
-      type(rig_type) :: rig
+      type(model_type) :: model
+      type(sweep_result_type) :: points(16)
       type(unit_system_type) :: units
-      real(wp) :: field_force, field_moment
       integer :: i
       units = field_units()
-      field_force = units%force
-      field_moment = units%moment
+      model = sample_model()
+      allocate (model%holes(1))
       sweep%name = 'broom'
       sweep%models = [model_mcge, model_soft]
       sweep%operations = [operation_trip_out, operation_rotary_drilling]
@@ -248,57 +261,79 @@ contains
       sweep%depths = [100.0_wp, 2000.0_wp]
       allocate (sweep%measured(1))
       sweep%measured(1)%operation = operation_trip_out
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
-      call assertTrue(has_text(lines, "stringcolumn('model') eq 'soft'"))
-      call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.25) < 1e-9, column('hookload_klbf'))"))
-      call assertTrue(has_text(lines, "every ::10::11 using (pick('trip_out', abs(column('friction') - 0.25) < 1e-9, "), &
-                      message='its rows of the file, from 0 on: after the eight of the other model and two of the other factor')
-      call assertTrue(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('measured_hookload_klbf'))"))
-      call assertFalse(has_text(lines, "pick('trip_out', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"), &
-                       message='no torque going up')
-      call assertTrue(has_text(lines, "pick('rotary_drilling', abs(column('friction') - 0.1) < 1e-9, column('torque_kftlbf'))"))
-      call assertTrue(has_line(lines, 'set yrange [6561.6798:0]'))
-      sweep%frictions = [optional_real()]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
-      call assertTrue(has_text(lines, "pick('trip_out', stringcolumn('friction') eq '', "), message='friction of the hole')
+      sweep%measured(1)%hookload = given(200.0_wp*units%force)
+      points%status = result_converged
+      points%hookload = [(i*units%force, i=1, size(points))]
+      points%torque = [(i*units%moment, i=1, size(points))]
+      points(12)%status = result_locked_up
+      chart = sweep_chart(units, sweep, 2, model, points)
+      call chart_script(chart, lines)
+      call assertEqual('sweep_broom_soft', chart%name)
+      associate (curves => chart%panels(1)%curves)
+         call assertEqual([9.0_wp, 10.0_wp], curves(1)%points(1, :), 1.0e-9_wp, message='after the eight of the other model')
+         call assertEqual(11.0_wp, curves(3)%points(1, 1), 1.0e-9_wp, message='after two of the other factor')
+         call assertTrue(is_missing(curves(3)%points(1, 2)), message='locked up')
+         call assertEqual(0, size(curves(2)%points), message='can be done')
+         call assertEqual([0.0_wp, 2000.0_wp/units%length], curves(4)%points(:, 1), 1.0e-9_wp, message='at an empty hook')
+         call assertEqual(200.0_wp, curves(9)%points(1, 1), 1.0e-9_wp, message='measured')
+         call assertEqual(9, size(curves))
+      end associate
+      call assertEqual(2, size(chart%panels(2)%curves), message='no torque going up')
+      call assertEqual(13.0_wp, chart%panels(2)%curves(1)%points(1, 1), 1.0e-9_wp)
+      call assertTrue(has_text(lines, 'set yrange [6561.6798:0]'))
+      call assertTrue(has_text(lines, "title 'friction 0.25'"))
       call assertFalse(has_text(lines, 'limit of the rig'))
+      sweep%frictions = [optional_real()]
+      call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
+      call assertTrue(has_text(lines, "title 'friction of the hole'"))
       ! sheaves that do not rub: one line at what the rig may carry; one of torque
-      rig = rig_type(given=.true., block_weight=50.0_wp*field_force, max_hookload=given(400.0_wp*field_force), &
-                     max_torque=given(30.0_wp*field_moment))
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
-      call assertTrue(has_text(lines, "'../sweep_broom.csv' using (400):(column('bit_depth_ft'))"), message='hook load')
-      call assertTrue(has_text(lines, "'../sweep_broom.csv' using (30):(column('bit_depth_ft'))"), message='torque')
+      model%rig = rig_type(given=.true., block_weight=50.0_wp*units%force, max_hookload=given(400.0_wp*units%force), &
+                           max_torque=given(30.0_wp*units%moment))
+      call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
+      call assertTrue(has_text(lines, 'from first 400, graph 0 to first 400, graph 1'), message='hook load')
+      call assertTrue(has_text(lines, 'from first 30, graph 0 to first 30, graph 1'), message='torque')
       call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
       ! what the rig shows when the string yields: the block's 50 klbf above hook load and overpull
       call assertFalse(has_text(lines, 'yield in the string'), message='no yield strength')
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .true., lines)
+      points%overpull_margin = 5.0_wp*units%force
+      chart = sweep_chart(units, sweep, 1, model, points)
+      call chart_script(chart, lines)
       call assertTrue(has_text(lines, 'yield in the string, up'))
-      call assertTrue(has_text(lines, "50 + 1*(column('hookload_klbf') + column('overpull_margin_klbf'))"))
+      call assertEqual(56.0_wp, chart%panels(1)%curves(5)%points(1, 1), 1.0e-9_wp)
       ! sheaves that rub: the indicator shows less or more than the load as blocks move
-      rig%lines = 8
-      rig%sheave_efficiency = 0.98_wp
+      model%rig%lines = 8
+      model%rig%sheave_efficiency = 0.98_wp
       sweep%operations = [operation_trip_out, operation_trip_in]
-      call sweep_script('sweep_broom_soft', field_units(), sweep, model_soft, rig, holes, .false., lines)
-      call assertFalse(has_text(lines, 'using (400):'))
+      call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
+      call assertFalse(has_text(lines, 'from first 400'))
       call assertTrue(has_text(lines, 'klbf, up'' at first 3'), message='less is shown going up')
       call assertTrue(has_text(lines, 'klbf, down'' at first 4'), message='more going down')
-      call assertEqual(2, count([(index(lines(i)%text, 'using (3') + index(lines(i)%text, 'using (4') > 0, i=1, size(lines))]))
+      call assertEqual(2, count([(index(lines(i)%text, 'from first 3') + index(lines(i)%text, 'from first 4') > 0, &
+                                  i=1, size(lines))]))
    end subroutine test_sweep
 
-   !> One picture a case, of the models of the study, without torque where nothing turns.
+   !> Errors of the models of the study in per cent, without torque where nothing turns.
    subroutine test_study()
       type(text_type), allocatable :: lines(:)
-      type(study_plan_type) :: study
+      type(chart_type) :: chart
+      type(variant_type) :: variants(2)
+      type(study_record_type) :: records(2)
       type(model_type) :: model
       model = sample_model()
-      study%models = [model_soft]
-      call study_script('study_i_up', sample_job(), model%cases(1), study, lines)
-      call assertTrue(has_text(lines, "stringcolumn('case') eq 'i_up'"))
-      call assertTrue(has_text(lines, "made('soft', column('hookload_error_pct'))"))
-      call assertFalse(has_text(lines, "made('mcge', "))
-      call assertFalse(has_text(lines, 'torque_error_pct'))
-      call study_script('study_i_rotary', sample_job(), model%cases(3), study, lines)
-      call assertTrue(has_text(lines, 'torque_error_pct'))
+      variants%model = model_soft
+      records%status = result_converged
+      records%seconds = [1.0_wp, 2.0_wp]
+      records(:)%errors(error_hookload) = [0.02_wp, 0.0_wp]
+      chart = study_chart(field_units(), model%cases(1), [model_soft], variants, records)
+      call chart_script(chart, lines)
+      call assertEqual([1.0_wp, 2.0_wp], chart%panels(1)%curves(1)%points(:, 1), 1.0e-9_wp, message='2 % in 1 s')
+      call assertEqual(2, size(chart%panels(1)%curves(1)%points), message='the finest has no mark')
+      call assertTrue(has_text(lines, "title 'soft'"))
+      call assertFalse(has_text(lines, "title 'mcge'"))
+      call assertFalse(has_text(lines, 'error of torque'))
+      call chart_script(study_chart(field_units(), model%cases(3), [model_soft], variants, records), lines)
+      call assertTrue(has_text(lines, 'error of torque'))
+      call assertTrue(has_text(lines, 'set xrange [0.1:1]; set yrange [0.1:1]'), message='a panel without marks')
    end subroutine test_study
 
    pure function has_line(lines, line) result(has)

@@ -2,10 +2,11 @@
 module dg_test_opened_tools
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_assembly_picture, only: assembly_script
+   use dg_assembly_picture, only: assembly_chart
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: component_type
    use dg_error, only: error_type
+   use dg_gnuplot_script, only: chart_script
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out, optional_real
@@ -208,8 +209,8 @@ contains
          do i = 1, 2
             call solve_by(models(i), size(methods), operation_trip_out, results(i))
          end do
-         call assembly_script('a', job, models(1), results(1), lines)
-         call assembly_script('a', job, models(2), results(2), wanted)
+         call chart_script(assembly_chart(job, models(1), results(1)), lines)
+         call chart_script(assembly_chart(job, models(2), results(2)), wanted)
          call assertEqual(size(wanted), size(lines))
          do i = 1, min(size(wanted), size(lines))
             if (lines(i)%text /= wanted(i)%text) call assertEqual(wanted(i)%text, lines(i)%text)

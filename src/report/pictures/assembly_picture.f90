@@ -3,29 +3,26 @@
 module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
+   use dg_chart, only: add_curve, add_key, add_note, add_panel, add_points, chart_type, cut_text, new_chart, round_step
    use dg_column, only: quantity_moment, quantity_width, unit_text
    use dg_component, only: contact_diameter, has_blades, has_joints
-   use dg_depth_panels, only: add_points
+   use dg_curve_look, only: colour_of, line_style
    use dg_drillstring, only: all_centralizer_ends, component_at, component_tops, drillstring_type, joint_ends
-   use dg_gnuplot_script, only: add_series, colour_of, cut_text, dash_of, end_script, legend, panel, plot, series_type, spelled, &
-                                start_script, y_range
    use dg_hole_section, only: hole_section_at, hole_section_type
    use dg_job, only: job_type, model_name
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: assembly_script, shown_length
+   public :: assembly_chart, shown_length
 
-   integer, parameter :: digits = 8
-   integer, parameter :: width = 1120, height = 700   !< [px]
-   real(wp), parameter :: left = 0.085_wp, right = 0.985_wp
-   !> Ends of the three panels, from the top down, and of the legend, in parts of the height.
-   real(wp), parameter :: bottoms(3) = [0.50_wp, 0.295_wp, 0.09_wp], tops(3) = [0.86_wp, 0.475_wp, 0.27_wp], legend_top = 0.94_wp
+   !> Places of the three panels from the top down, in parts of the picture.
+   real(wp), parameter :: places(4, 3) = reshape([0.085_wp, 0.985_wp, 0.50_wp, 0.86_wp, 0.085_wp, 0.985_wp, 0.295_wp, 0.475_wp, &
+                                                  0.085_wp, 0.985_wp, 0.09_wp, 0.27_wp], [4, 3])
    !> Length of string that is drawn [m]: bit, motor and two or three stabilisers.
    real(wp), parameter :: shown_length = 40.0_wp
    !> Room above and below the hole, of its diameter [-]: for the forces.
@@ -33,44 +30,46 @@ module dg_assembly_picture
    !> Contacts with less than this part of the greatest force have no number [-].
    real(wp), parameter :: least_told = 0.02_wp
    !> Points at which the body is drawn between places where its diameter changes.
-   integer, parameter :: places = 161
+   integer, parameter :: many = 161
    character(*), parameter :: body_look = "with filledcurves closed fs solid border lc rgb '#333333' fc rgb '#b9c4cc'", &
                               blade_look = "with filledcurves closed fs solid border lc rgb '#333333' fc rgb '#56707f'"
 
-   !> The picture while it is made.
-   type :: sheet_type
-      type(unit_system_type) :: units
-      real(wp) :: bit = 0.0_wp                    !< measured depth of the bit [m]
-      real(wp) :: shown = 0.0_wp                  !< length of string that is drawn [m]
-      type(text_type), allocatable :: body(:)     !< commands of the panels
-      type(series_type), allocatable :: key(:)    !< what the legend names
-      type(series_type), allocatable :: series(:) !< of the panel that is being made
-      real(wp) :: ends(2) = 0.0_wp                !< of its axis, in the deck's units
-   end type sheet_type
+   !> What is drawn.
+   type :: view_type
+      type(hole_section_type), allocatable :: holes(:)
+      type(profile_type) :: profile
+      real(wp) :: bit = 0.0_wp       !< measured depth of the bit [m]
+      real(wp) :: shown = 0.0_wp     !< length of string that is drawn [m]
+      real(wp) :: half = 0.0_wp      !< of the widest hole [m]
+   end type view_type
 
 contains
 
    !> `result` has a profile with the place of the string in the hole.
-   subroutine assembly_script(name, job, model, result, lines)
-      character(*), intent(in) :: name      !< of the picture
+   function assembly_chart(job, model, result) result(chart)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(text_type), allocatable, intent(out) :: lines(:)
-      type(sheet_type) :: sheet
-      sheet%units = job%units
-      sheet%bit = model%cases(result%case_index)%bit_depth
-      sheet%shown = min(shown_length, sheet%bit - result%profile%md(1))
-      allocate (sheet%key(0), sheet%body(0))
-      call draw_view(sheet, model%holes, model%strings(string_index(model%strings, model%cases(result%case_index)%string)), result)
-      call draw_moment(sheet, result%profile)
-      call draw_offset(sheet, result%profile)
-      call start_script(lines, name, width, height)
-      call legend(lines, case_title(job%units, model%cases(result%case_index))//', model '// &
-                  trim(model_name(result%model))//bit_text(job%units, result), sheet%key, tops(1) + 0.02_wp, legend_top)
-      lines = [lines, sheet%body]
-      call end_script(lines)
-   end subroutine assembly_script
+      type(chart_type) :: chart
+      type(view_type) :: view
+      associate (load_case => model%cases(result%case_index), units => job%units, profile => result%profile)
+         chart = new_chart('assembly_'//load_case%name, case_title(units, load_case)//', model '// &
+                           trim(model_name(result%model))//bit_text(units, result), units, 700, [places(4, 1) + 0.02_wp, 0.94_wp])
+         view%holes = model%holes
+         view%profile = profile
+         view%bit = load_case%bit_depth
+         view%shown = min(shown_length, view%bit - profile%md(1))
+         call add_view(chart, view, model%strings(string_index(model%strings, load_case%string)), result)
+         call add_low_panel(chart, view, 'moment ['//unit_text(quantity_moment, units)//']', '', &
+                            reshape(profile%bending/units%moment, [size(profile%md), 1]))
+         call add_low_panel(chart, view, 'offset ['//unit_text(quantity_width, units)//']', &
+                            'distance above the bit ['//trim(units%length_label)//']', &
+                            reshape([profile%displacement*cos(profile%clock), profile%displacement*sin(profile%clock)]/ &
+                                    units%diameter, [size(profile%md), 2]))
+         call add_key(chart, line_style(1), 'moment; offset to the high side')
+         call add_key(chart, line_style(2), 'offset to the right')
+      end associate
+   end function assembly_chart
 
    !> What the bit does.
    pure function bit_text(units, result) result(text)
@@ -92,84 +91,69 @@ contains
    end function bit_text
 
    !> Seen from the side, the high side up: distance above the bit against offset, the bit at the right.
-   subroutine draw_view(sheet, holes, string, result)
-      type(sheet_type), intent(inout) :: sheet
-      type(hole_section_type), intent(in) :: holes(:)
+   subroutine add_view(chart, view, string, result)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(inout) :: view
       type(drillstring_type), intent(in) :: string
       type(case_result_type), intent(in) :: result
       character(*), parameter :: wall = "with lines lw 2.5 lc rgb '#8c6d46'"
-      real(wp) :: x(places), axis(places), half
+      real(wp) :: x(many), axis(many)
       integer :: i
-      if (allocated(sheet%series)) deallocate (sheet%series)
-      allocate (sheet%series(0))
-      x = sheet%shown*[(real(i, wp)/(places - 1), i=0, places - 1)]
-      do i = 1, places
-         axis(i) = 0.5_wp*holes(hole_section_at(holes, sheet%bit - x(i)))%diameter
+      x = view%shown*[(real(i, wp)/(many - 1), i=0, many - 1)]
+      do i = 1, many
+         axis(i) = 0.5_wp*view%holes(hole_section_at(view%holes, view%bit - x(i)))%diameter
       end do
-      half = maxval(axis)
-      associate (along => sheet%units%length, across => sheet%units%diameter)
-         call add_points(sheet%body, '$high', x/along, axis/across)
-         call add_points(sheet%body, '$low', x/along, -axis/across)
-         call append_text(sheet%body, 'unset arrow; unset label; unset object')
-         call add_string(sheet, holes, string, result%profile, half)
-         call add_series(sheet%series, '$high using 1:2', wall, '')
-         call add_series(sheet%series, '$low using 1:2', wall, '')
-         call add_series(sheet%series, '0', "with lines lw 0.8 dt (12,4,2,4) lc rgb '#777777'", '')
-         call add_contacts(sheet, result, half)
-         call add_series(sheet%key, 'NaN', wall, 'wall of the hole')
-         call add_series(sheet%key, 'NaN', body_look, 'body')
-         call add_series(sheet%key, 'NaN', blade_look, 'blades, joints, centralisers')
-         call add_series(sheet%key, 'NaN', "with lines lw 2.5 lc rgb '"//colour_of(2)//"'", 'contact, force in '// &
-                         trim(sheet%units%force_label))
-         call panel(sheet%body, left, right, bottoms(1), tops(1), '', side_label(result%inclination)//' ['// &
-                    unit_text(quantity_width, sheet%units)//']')
-         call append_text(sheet%body, "set xrange ["//to_text(sheet%shown/along, digits)//":0]; set format x ''; set yrange ["// &
-                          to_text(-half*(1.0_wp + 2.0_wp*air)/across, digits)//':'// &
-                          to_text(half*(1.0_wp + 2.0_wp*air)/across, digits)//']; set ytics autofreq')
+      view%half = maxval(axis)
+      associate (along => chart%units%length, across => chart%units%diameter)
+         call add_panel(chart, places(:, 1), '', side_label(result%inclination)//' ['//unit_text(quantity_width, chart%units)//']')
+         call add_string(chart, view, string)
+         call add_curve(chart, x/along, axis/across, wall, 'wall of the hole')
+         call add_curve(chart, x/along, -axis/across, wall, '')
+         call add_curve(chart, [0.0_wp, view%shown]/along, [0.0_wp, 0.0_wp], "with lines lw 0.8 dt (12,4,2,4) lc rgb '#777777'", '')
+         call add_key(chart, body_look, 'body')
+         call add_key(chart, blade_look, 'blades, joints, centralisers')
+         call add_key(chart, "with lines lw 2.5 lc rgb '"//colour_of(2)//"'", 'contact, force in '//trim(chart%units%force_label))
+         call add_contacts(chart, view, result)
+         associate (panel => chart%panels(1))
+            panel%x%ends = [view%shown, 0.0_wp]/along
+            panel%x%numbered = .false.
+            panel%y%ends = [-1.0_wp, 1.0_wp]*view%half*(1.0_wp + 2.0_wp*air)/across
+         end associate
       end associate
-      call plot(sheet%body, sheet%series)
-      call append_text(sheet%body, 'unset arrow; unset label')
-   end subroutine draw_view
+   end subroutine add_view
 
    !> The string from the bit up, with its names; what is bent is drawn bent.
-   subroutine add_string(sheet, holes, string, profile, half)
-      type(sheet_type), intent(inout) :: sheet
-      type(hole_section_type), intent(in) :: holes(:)
+   subroutine add_string(chart, view, string)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(in) :: view
       type(drillstring_type), intent(in) :: string
-      type(profile_type), intent(in) :: profile
-      real(wp), intent(in) :: half             !< of the widest hole [m]
       real(wp), allocatable :: part_tops(:), joints(:), rings(:)
       real(wp) :: ends(2), free_from, touching
       integer :: i, k
-      allocate (part_tops, source=component_tops(string, sheet%bit - profile%md(1)))
+      allocate (part_tops, source=component_tops(string, view%bit - view%profile%md(1)))
       free_from = 0.0_wp
       do k = 1, size(string%components)
          associate (part => string%components(k))
             ends = [0.0_wp, part_tops(k)]
             if (k > 1) ends(1) = part_tops(k - 1)
-            if (ends(1) >= sheet%shown .or. ends(2) <= ends(1)) cycle
-            touching = contact_diameter(part, sheet%bit - part_tops(k))
-            ends(2) = min(ends(2), sheet%shown)
-            call add_piece(sheet, profile, '$body'//to_text(k), ends, 0.5_wp*part%od, body_look)
+            if (ends(1) >= view%shown .or. ends(2) <= ends(1)) cycle
+            touching = contact_diameter(part, view%bit - part_tops(k))
+            call add_piece(chart, view, ends, part%od, body_look)
             if (has_blades(part) .or. (touching > part%od .and. .not. has_joints(part))) &
-               call add_piece(sheet, profile, '$blade'//to_text(k), ends, 0.5_wp*touching, blade_look)
-            call name_part(sheet, part%name, ends, half, free_from)
+               call add_piece(chart, view, ends, touching, blade_look)
+            call name_part(chart, view, part%name, [ends(1), min(ends(2), view%shown)], free_from)
          end associate
       end do
       allocate (joints, source=joint_ends(string, part_tops))
       allocate (rings, source=all_centralizer_ends(string, part_tops))
       do i = 1, size(rings) - 1, 2
-         if (rings(i) >= sheet%shown .or. rings(i + 1) <= rings(i)) cycle
          k = component_at(part_tops, 0.5_wp*(rings(i) + rings(i + 1)))
-         call add_piece(sheet, profile, '$ring'//to_text(i), [rings(i), min(rings(i + 1), sheet%shown)], &
-                        0.5_wp*min(string%components(k)%centralizer%od, &
-                                   holes(hole_section_at(holes, sheet%bit - rings(i)))%diameter), blade_look)
+         call add_piece(chart, view, rings(i:i + 1), min(string%components(k)%centralizer%od, &
+                        view%holes(hole_section_at(view%holes, view%bit - rings(i)))%diameter), blade_look)
       end do
       do i = 1, size(joints) - 1, 2
-         if (joints(i) >= sheet%shown .or. joints(i + 1) <= joints(i)) cycle
          k = component_at(part_tops, 0.5_wp*(joints(i) + joints(i + 1)))
-         call add_piece(sheet, profile, '$joint'//to_text(i), [joints(i), min(joints(i + 1), sheet%shown)], &
-                        0.5_wp*string%components(k)%joint_od, blade_look)
+         call add_piece(chart, view, joints(i:i + 1), string%components(k)%joint_od, blade_look)
       end do
    end subroutine add_string
 
@@ -183,23 +167,23 @@ contains
    end function side_label
 
    !> A piece of the string between two distances above the bit, as an outline that follows its axis.
-   subroutine add_piece(sheet, profile, block, ends, radius, look)
-      type(sheet_type), intent(inout) :: sheet
-      type(profile_type), intent(in) :: profile
-      character(*), intent(in) :: block
-      real(wp), intent(in) :: ends(2), radius    !< [m]
+   subroutine add_piece(chart, view, ends, diameter, look)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: ends(2), diameter    !< [m]
       character(*), intent(in) :: look
       integer, parameter :: most = 40
-      real(wp) :: x(most), middle(most)
+      real(wp) :: x(most), middle(most), length
       integer :: i, n
-      n = max(2, min(most, 1 + ceiling((ends(2) - ends(1))/0.25_wp)))
-      x(:n) = ends(1) + (ends(2) - ends(1))*[(real(i, wp)/(n - 1), i=0, n - 1)]
+      if (ends(1) >= view%shown .or. ends(2) <= ends(1)) return
+      length = min(ends(2), view%shown) - ends(1)
+      n = max(2, min(most, 1 + ceiling(length/0.25_wp)))
+      x(:n) = ends(1) + length*[(real(i, wp)/(n - 1), i=0, n - 1)]
       do i = 1, n
-         middle(i) = offset_at(profile, sheet%bit - x(i))
+         middle(i) = offset_at(view%profile, view%bit - x(i))
       end do
-      call add_points(sheet%body, block, [x(:n), x(n:1:-1)]/sheet%units%length, &
-                      [middle(:n) + radius, middle(n:1:-1) - radius]/sheet%units%diameter)
-      call add_series(sheet%series, block//' using 1:2', look, '')
+      call add_curve(chart, [x(:n), x(n:1:-1)]/chart%units%length, &
+                     [middle(:n) + 0.5_wp*diameter, middle(n:1:-1) - 0.5_wp*diameter]/chart%units%diameter, look, '')
    end subroutine add_piece
 
    !> Towards the high side, of the string's axis off that of the hole [m].
@@ -219,120 +203,80 @@ contains
    end function offset_at
 
    !> The name of a part above the hole; of one too short for it below, where the part below it has left room.
-   subroutine name_part(sheet, name, ends, half, free_from)
-      type(sheet_type), intent(inout) :: sheet
+   subroutine name_part(chart, view, name, ends, free_from)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(in) :: view
       character(*), intent(in) :: name
-      real(wp), intent(in) :: ends(2), half
+      real(wp), intent(in) :: ends(2)
       real(wp), intent(inout) :: free_from      !< distance above the bit from which on names below the hole have room [m]
       real(wp), parameter :: small_letter = 6.0_wp
       real(wp) :: letter, height_of_name, middle, half_name
       integer :: most
-      letter = small_letter*sheet%shown/((right - left)*width)
-      height_of_name = half*(1.0_wp + 1.65_wp*air)
+      letter = small_letter*view%shown/((places(2, 1) - places(1, 1))*chart%width)
+      height_of_name = view%half*(1.0_wp + 1.65_wp*air)
       middle = 0.5_wp*sum(ends)
       most = int((ends(2) - ends(1))/letter)
       if (len(name) > most) then
          height_of_name = -height_of_name
          half_name = 0.5_wp*letter*len(name)
          most = len(name)
-         if (middle + half_name < free_from .or. free_from + 2.0_wp*half_name > sheet%shown) return
+         if (middle + half_name < free_from .or. free_from + 2.0_wp*half_name > view%shown) return
          middle = max(middle, free_from + half_name)
          free_from = middle + half_name + 2.0_wp*letter
       end if
-      call append_text(sheet%body, 'set label '//spelled(cut_text(name, most))//' at first '// &
-                       to_text(middle/sheet%units%length, digits)//', first '// &
-                       to_text(height_of_name/sheet%units%diameter, digits)//" center font ',9' textcolor rgb '#333333'")
+      call add_note(chart, cut_text(name, most), [middle/chart%units%length, height_of_name/chart%units%diameter], &
+                    "center font ',9' textcolor rgb '#333333'", [.false., .false.])
    end subroutine name_part
 
    !> Arrows where the wall presses, with their forces; on the side on which it does, seen from here.
-   subroutine add_contacts(sheet, result, half)
-      type(sheet_type), intent(inout) :: sheet
+   subroutine add_contacts(chart, view, result)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(in) :: view
       type(case_result_type), intent(in) :: result
-      real(wp), intent(in) :: half
       real(wp) :: greatest, side, x
       integer :: i
-      character(:), allocatable :: at
       if (.not. allocated(result%contacts)) return
-      greatest = 0.0_wp
+      greatest = maxval(result%contacts%force, mask=view%bit - result%contacts%md <= view%shown)
       do i = 1, size(result%contacts)
-         if (sheet%bit - result%contacts(i)%md <= sheet%shown) greatest = max(greatest, result%contacts(i)%force)
-      end do
-      do i = 1, size(result%contacts)
-         associate (contact => result%contacts(i), across => sheet%units%diameter)
-            x = sheet%bit - contact%md
-            if (x > sheet%shown .or. contact%force < least_told*greatest .or. .not. contact%force > 0.0_wp) cycle
-            side = sign(1.0_wp, cos(contact%clock))
-            at = to_text(max(x, 0.0_wp)/sheet%units%length, digits)//', first '
-            call append_text(sheet%body, 'set arrow from first '//at//to_text(side*half*(1.0_wp + 1.1_wp*air)/across, digits)// &
-                             ' to first '//at//to_text(side*half/across, digits)//" head filled size screen 0.008,20 lw 2.5 "// &
-                             "lc rgb '"//colour_of(2)//"' front")
-            call append_text(sheet%body, 'set label '//spelled(to_text(contact%force/sheet%units%force, 3))//' at first '//at// &
-                             to_text(side*half*(1.0_wp + 0.7_wp*air)/across, digits)// &
-                             " right offset -0.6,0 font ',10' textcolor rgb '"//colour_of(2)//"' front")
+         associate (contact => result%contacts(i), along => chart%units%length, across => chart%units%diameter)
+            x = max(view%bit - contact%md, 0.0_wp)/along
+            if (view%bit - contact%md > view%shown .or. contact%force < least_told*greatest .or. .not. contact%force > 0.0_wp) cycle
+            side = sign(view%half/across, cos(contact%clock))
+            call add_points(chart, reshape([x, side*(1.0_wp + 1.1_wp*air), 0.0_wp, -side*1.1_wp*air], [4, 1]), &
+                            "with vectors head filled size screen 0.008,20 lw 2.5 lc rgb '"//colour_of(2)//"'")
+            call add_note(chart, to_text(contact%force/chart%units%force, 3), [x, side*(1.0_wp + 0.7_wp*air)], &
+                          "right offset -0.6,0 font ',10' textcolor rgb '"//colour_of(2)//"' front", [.false., .false.])
          end associate
       end do
    end subroutine add_contacts
 
-   subroutine draw_moment(sheet, profile)
-      type(sheet_type), intent(inout) :: sheet
-      type(profile_type), intent(in) :: profile
-      call start_row(sheet)
-      call add_row(sheet, profile%md, '$moment', profile%bending/sheet%units%moment, 1)
-      call draw_row(sheet, 2, 'moment ['//unit_text(quantity_moment, sheet%units)//']', '')
-   end subroutine draw_moment
-
-   !> Off the axis, towards the high side and to the right of it.
-   subroutine draw_offset(sheet, profile)
-      type(sheet_type), intent(inout) :: sheet
-      type(profile_type), intent(in) :: profile
-      call start_row(sheet)
-      call add_row(sheet, profile%md, '$up', profile%displacement*cos(profile%clock)/sheet%units%diameter, 1)
-      call add_row(sheet, profile%md, '$right', profile%displacement*sin(profile%clock)/sheet%units%diameter, 2)
-      call add_series(sheet%key, 'NaN', row_look(1), 'moment; offset to the high side')
-      call add_series(sheet%key, 'NaN', row_look(2), 'offset to the right')
-      call draw_row(sheet, 3, 'offset ['//unit_text(quantity_width, sheet%units)//']', &
-                    'distance above the bit ['//trim(sheet%units%length_label)//']')
-   end subroutine draw_offset
-
-   subroutine start_row(sheet)
-      type(sheet_type), intent(inout) :: sheet
-      if (allocated(sheet%series)) deallocate (sheet%series)
-      allocate (sheet%series(0))
-      sheet%ends = 0.0_wp
-   end subroutine start_row
-
-   subroutine add_row(sheet, md, block, values, number)
-      type(sheet_type), intent(inout) :: sheet
-      real(wp), intent(in) :: md(:)            !< [m]
-      character(*), intent(in) :: block
-      real(wp), intent(in) :: values(:)        !< as many, in the deck's units
-      integer, intent(in) :: number
-      logical :: near(size(values))
-      near = sheet%bit - md <= sheet%shown
-      sheet%ends(1) = min(sheet%ends(1), minval(values, mask=near))
-      sheet%ends(2) = max(sheet%ends(2), maxval(values, mask=near))
-      call add_points(sheet%body, block, (sheet%bit - pack(md, near))/sheet%units%length, pack(values, near))
-      call add_series(sheet%series, block//' using 1:2', row_look(number), '')
-   end subroutine add_row
-
-   pure function row_look(number) result(look)
-      integer, intent(in) :: number
-      character(:), allocatable :: look
-      look = "with lines lw 1.8 lc rgb '"//colour_of(number)//"' dt "//dash_of(number)
-   end function row_look
-
-   subroutine draw_row(sheet, number, label, x_label)
-      type(sheet_type), intent(inout) :: sheet
-      integer, intent(in) :: number
+   !> A low panel of curves along the string, as they are shown: all and 0 lie in it with some air, about four steps apart.
+   subroutine add_low_panel(chart, view, label, x_label, values)
+      type(chart_type), intent(inout) :: chart
+      type(view_type), intent(in) :: view
       character(*), intent(in) :: label, x_label
-      call panel(sheet%body, left, right, bottoms(number), tops(number), x_label, label)
-      call append_text(sheet%body, 'set xrange ['//to_text(sheet%shown/sheet%units%length, digits)//':0]')
-      call y_range(sheet%body, sheet%ends(1), sheet%ends(2))
-      if (x_label == '') then
-         call append_text(sheet%body, "set format x ''")
-      else
-         call append_text(sheet%body, "set format x '% h'")
-      end if
-      call plot(sheet%body, sheet%series)
-   end subroutine draw_row
+      real(wp), intent(in) :: values(:, :)      !< of each row of the profile, a curve a column
+      real(wp), parameter :: spare = 0.08_wp, steps = 4.0_wp
+      integer, parameter :: digits = 8
+      logical :: near(size(values, 1))
+      real(wp) :: low, high
+      integer :: k
+      near = view%bit - view%profile%md <= view%shown
+      low = min(0.0_wp, minval(values, mask=spread(near, 2, size(values, 2))))
+      high = max(0.0_wp, maxval(values, mask=spread(near, 2, size(values, 2))))
+      call add_panel(chart, places(:, size(chart%panels) + 1), x_label, label)
+      do k = 1, size(values, 2)
+         call add_curve(chart, (view%bit - pack(view%profile%md, near))/chart%units%length, pack(values(:, k), near), &
+                        line_style(k), '')
+      end do
+      associate (panel => chart%panels(size(chart%panels)))
+         panel%x%ends = [view%shown/chart%units%length, 0.0_wp]
+         panel%x%numbered = x_label /= ''
+         panel%y%ends = [-1.0_wp, 1.0_wp]
+         panel%y%tics = '1'
+         if (.not. high - low > tiny(low)) return
+         panel%y%ends = [low, high] + spare*(high - low)*[-1.0_wp, 1.0_wp]
+         panel%y%tics = to_text(round_step((high - low)/steps), digits)
+      end associate
+   end subroutine add_low_panel
 end module dg_assembly_picture

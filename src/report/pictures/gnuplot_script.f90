@@ -1,33 +1,20 @@
-!> The common part of all pictures: lines of a gnuplot script, one look for all. Colours are those of Okabe & Ito (2008),
-!> which colour-blind readers tell apart; dashes and marks differ too, for print in black and white.
+!> Turns a chart into a script for gnuplot, which draws it.
 !>
 !> No text of a deck becomes part of a script but through `spelled`: gnuplot runs what stands in its scripts.
 module dg_gnuplot_script
    use dg_kinds, only: wp
-   use dg_text, only: append_text, letter_end, plain_utf8, text_type, to_text
+   use dg_chart, only: axis_type, chart_type, curve_type, cut_text, panel_type
+   use dg_curve_look, only: band_look, colour_of, letter_width
+   use dg_depth_curve, only: bands_of, kept_points
+   use dg_missing, only: is_missing
+   use dg_number_text, only: put_csv_number
+   use dg_ten_digits, only: longest_number
+   use dg_text, only: append_text, plain_utf8, put_piece, text_type, to_text
    implicit none
    private
-   public :: colour_of, dash_of, mark_of
-   public :: start_script, end_script, panel, legend, plot, x_range, y_range, line_style, mark_style, marked_line_style, &
-             row_tics, spelled, results_file, cut_text, style_count, series_type, add_series
-   public :: colour_grey, colour_black, colour_measured, limit_dash, letter_width, ending_variable
-
-   !> Different curves that can be told apart.
-   integer, parameter :: style_count = 7
-   character(*), parameter :: colours(style_count) = [character(7) :: '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', &
-      '#56B4E9', '#000000']
-   character(*), parameter :: dashes(style_count) = [character(14) :: '1', '(12,4)', '(3,3)', '(12,4,3,4)', '(20,5)', '(6,3)', &
-      '(12,3,3,3,3,3)']
-   integer, parameter :: marks(style_count) = [7, 5, 9, 13, 11, 15, 3]
-   character(*), parameter :: colour_grey = '#999999', colour_black = '#000000'
-   !> Of measured points, whatever the curves.
-   character(*), parameter :: colour_measured = '#000000'
-   !> Of limits, whatever the curves.
-   character(*), parameter :: limit_dash = '(3,3)'
+   public :: chart_script, row_tics, spelled, ending_variable
 
    character(*), parameter :: font = 'sans-serif,12'
-   !> Width of a letter of the font [px], a little more than the mean.
-   real(wp), parameter :: letter_width = 8.0_wp
    !> Letters of a title: more would end beyond the picture.
    integer, parameter :: most_of_title = 200
    !> Variable of gnuplot that is put behind the name of the picture's file: drillgap draws under another name first. Not set where
@@ -37,231 +24,208 @@ module dg_gnuplot_script
    integer, parameter :: longest_format = 49
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
-
-   !> One curve of a panel: what stands behind `plot`, and its name in the legend ('' for none).
-   type :: series_type
-      character(:), allocatable :: using   !< data and columns
-      character(:), allocatable :: look    !< with ...
-      character(:), allocatable :: title
-   end type series_type
+   !> How far a drawn line may be from the curve, of the width of its panel [-]: a third of a pixel.
+   real(wp), parameter :: fineness = 1.5e-3_wp
+   !> A curve of more points than this goes to and fro so often that it hides itself: it is drawn as a band of so many parts.
+   integer, parameter :: most_points = 500, band_parts = 150
 
 contains
 
-   !> First lines of a script that draws `<name>.svg` [pixels at 96 dpi]; `name` is safe as a file's (is_separator_free).
-   pure subroutine start_script(lines, name, width, height)
+   !> The script that draws `<name>.svg` of a chart, whose name is safe as a file's (is_separator_free).
+   pure subroutine chart_script(chart, lines)
+      type(chart_type), intent(in) :: chart
       type(text_type), allocatable, intent(out) :: lines(:)
-      character(*), intent(in) :: name
-      integer, intent(in) :: width, height
-      allocate (lines(0))
-      call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
-      call append_text(lines, 'reset')
-      call append_text(lines, 'if (!exists('//spelled(ending_variable)//')) '//ending_variable//" = ''")
-      call append_text(lines, "set terminal svg noenhanced size "//to_text(width)//','//to_text(height)// &
-                       " dynamic font '"//font//"' background '#ffffff' name "//spelled(plain(name)))
-      call append_text(lines, 'set output '//spelled(name//'.svg')//'.'//ending_variable)
-      call append_text(lines, 'set encoding utf8')
-      ! a row is never a comment, whatever name it begins with
-      call append_text(lines, "set datafile separator ','; set datafile commentschars ''")
-      call append_text(lines, 'set multiplot')
-   end subroutine start_script
-
-   !> Last lines of a script.
-   pure subroutine end_script(lines)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      call append_text(lines, 'unset multiplot')
-      call append_text(lines, 'unset output')
-   end subroutine end_script
-
-   !> Title and legend in a strip of their own, of parts of the picture's height, so that they never cover a curve.
-   pure subroutine legend(lines, title, series, bottom, top)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      character(*), intent(in) :: title
-      type(series_type), intent(in) :: series(:)
-      real(wp), intent(in) :: bottom, top
-      type(series_type), allocatable :: empty(:)
+      type(text_type), allocatable :: panels(:)
+      logical :: banded
       integer :: i
-      allocate (empty, source=series)
-      do i = 1, size(empty)
-         empty(i)%using = 'NaN'
+      allocate (lines(0), panels(0))
+      banded = .false.
+      do i = 1, size(chart%panels)
+         call put_panel(panels, chart%panels(i), chart%width, banded)
       end do
-      call append_text(lines, 'unset border; unset tics; unset grid; unset xlabel; unset ylabel')
-      call append_text(lines, 'set label 1 '//spelled(cut_text(title, most_of_title))//' at screen 0.012, screen '// &
-                       to_text(top, digits)//" offset 0,1.1 left font ',14'")
-      call margins(lines, 0.02_wp, 0.98_wp, bottom, top)
+      associate (name => chart%name)
+         call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
+         call append_text(lines, 'reset')
+         call append_text(lines, 'if (!exists('//spelled(ending_variable)//')) '//ending_variable//" = ''")
+         call append_text(lines, 'set terminal svg noenhanced size '//to_text(chart%width)//','//to_text(chart%height)// &
+                          " dynamic font '"//font//"' background '#ffffff' name "//spelled(plain(name)))
+         call append_text(lines, 'set output '//spelled(name//'.svg')//'.'//ending_variable)
+      end associate
+      call append_text(lines, "set encoding utf8; set datafile separator ','; set multiplot")
+      call put_legend(lines, chart, banded)
+      lines = [lines, panels]
+      call append_text(lines, 'unset multiplot; unset output')
+   end subroutine chart_script
+
+   !> Title and legend in a strip of their own, so that they never cover a curve.
+   pure subroutine put_legend(lines, chart, banded)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(chart_type), intent(in) :: chart
+      logical, intent(in) :: banded           !< a curve is drawn as a band
+      integer :: i
+      call append_text(lines, 'unset border; unset tics')
+      call append_text(lines, 'set label 1 '//spelled(cut_text(chart%title, most_of_title))//' at screen 0.012, screen '// &
+                       to_text(chart%legend(2), digits)//" offset 0,1.1 left font ',14'")
+      call append_text(lines, margins([0.02_wp, 0.98_wp, chart%legend]))
       call append_text(lines, 'set key center center horizontal Left reverse samplen 3 width 1')
       call append_text(lines, 'set xrange [0:1]; set yrange [0:1]')
-      call plot(lines, empty)
+      call append_text(lines, 'plot \')
+      do i = 1, size(chart%keys)
+         call append_text(lines, entry_of(chart%keys(i)%look, chart%keys(i)%text))
+      end do
+      if (banded) call append_text(lines, entry_of(band_look(colour_of(1)), 'least to greatest, mean as line'))
+      call append_text(lines, '     NaN notitle')
       call append_text(lines, 'unset label 1; set key off')
       call append_text(lines, "set border 31 lw 0.8 lc rgb '#444444'; set grid lc rgb '#d8d8d8' lw 0.6")
-      call append_text(lines, 'set xtics; set ytics; set tics nomirror; set autoscale')
-   end subroutine legend
+      call append_text(lines, 'set xtics; set ytics; set tics nomirror')
+   contains
+      pure function entry_of(look, text) result(line)
+         character(*), intent(in) :: look, text
+         character(:), allocatable :: line
+         line = '     NaN '//look//' title '//spelled(text)//', \'
+      end function entry_of
+   end subroutine put_legend
 
-   !> Where the next panel stands, in parts of the picture, and what its axes are called.
-   pure subroutine panel(lines, left, right, bottom, top, x_label, y_label)
+   !> A panel with all that is in it.
+   pure subroutine put_panel(lines, panel, width, banded)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      real(wp), intent(in) :: left, right, bottom, top
-      character(*), intent(in) :: x_label
-      character(*), intent(in) :: y_label   !< '': the axis of the panel to the left holds here too
-      call margins(lines, left, right, bottom, top)
-      call append_text(lines, 'set autoscale x; set xtics autofreq')
-      call append_text(lines, 'set xlabel '//spelled(x_label))
-      if (y_label == '') then
-         call append_text(lines, "unset ylabel; set format y ''")
-      else
-         call append_text(lines, "set ylabel "//spelled(y_label)//"; set format y '% h'")
-      end if
-   end subroutine panel
-
-   !> Range of the x axis of the panel [shown units], with round steps between its tics: five or as many as labels have room for.
-   pure subroutine x_range(lines, low, high, room)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      real(wp), intent(in) :: low, high
-      real(wp), intent(in) :: room        !< width of the panel [px]
-      !> Most steps and fewest: two labels tell a scale.
-      integer, parameter :: most = 5, fewest = 2
-      !> Letters between two labels.
-      integer, parameter :: blank = 2
-      real(wp) :: step
-      integer :: intervals, letters
-      if (.not. high - low > tiny(step)) then
-         call append_text(lines, 'set xrange [-1:1]; set xtics 1')
-         return
-      end if
-      do intervals = most, fewest, -1
-         step = round_step((high - low)/real(intervals, wp))
-         letters = max(len(to_text(step*aint(high/step), digits)), len(to_text(step*aint(low/step), digits)), &
-                       len(to_text(step, digits))) + blank
-         if (((high - low)/step)*letters*letter_width <= room) exit
-      end do
-      call append_text(lines, 'set xrange ['//to_text(low, digits)//':'//to_text(high, digits)//']; set xtics '// &
-                       to_text(step, digits))
-   end subroutine x_range
-
-   !> Range of the y axis of a low panel [shown units] with some air, and about four round steps between its tics.
-   pure subroutine y_range(lines, low, high)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      real(wp), intent(in) :: low, high
-      real(wp), parameter :: air = 0.08_wp, steps = 4.0_wp
-      if (.not. high - low > tiny(low)) then
-         call append_text(lines, 'set yrange [-1:1]; set ytics 1')
-      else
-         call append_text(lines, 'set yrange ['//to_text(low - air*(high - low), digits)//':'// &
-                          to_text(high + air*(high - low), digits)//']; set ytics '// &
-                          to_text(round_step((high - low)/steps), digits))
-      end if
-   end subroutine y_range
-
-   !> The next larger of 1, 2 and 5 times a power of ten.
-   pure function round_step(least) result(step)
-      real(wp), intent(in) :: least       !< > 0
-      real(wp) :: step
-      real(wp), parameter :: round(4) = [1.0_wp, 2.0_wp, 5.0_wp, 10.0_wp]
-      real(wp) :: power
+      type(panel_type), intent(in) :: panel
+      integer, intent(in) :: width               !< of the picture [px]
+      logical, intent(inout) :: banded           !< a curve is drawn as a band
+      type(text_type), allocatable :: plots(:)
+      character(:), allocatable :: at
+      logical :: known
       integer :: i
-      power = 10.0_wp**floor(log10(least))
-      do i = 1, size(round)
-         step = round(i)*power
-         if (least <= step) return
+      allocate (plots(0))
+      known = .false.
+      do i = 1, size(panel%curves)
+         call put_curve(lines, plots, panel, panel%curves(i), '$c'//to_text(i), banded)
+         known = known .or. .not. all(is_missing(panel%curves(i)%points))
       end do
-   end function round_step
-
-   pure subroutine margins(lines, left, right, bottom, top)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      real(wp), intent(in) :: left, right, bottom, top
-      call append_text(lines, 'set lmargin at screen '//to_text(left, digits)//'; set rmargin at screen '// &
-                       to_text(right, digits)//'; set bmargin at screen '//to_text(bottom, digits)// &
-                       '; set tmargin at screen '//to_text(top, digits))
-   end subroutine margins
-
-   !> One plot command of all curves.
-   pure subroutine plot(lines, series, may_lack)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(series_type), intent(in) :: series(:)
-      !> Data may lack, all of them, where nothing converged, and the panel has no range of its own: gnuplot fails at a panel
-      !> without a number, unless a function is among its curves.
-      logical, intent(in), optional :: may_lack
-      character(:), allocatable :: line
-      logical :: function_too
-      integer :: i
-      function_too = .false.
-      if (present(may_lack)) function_too = may_lack
-      do i = 1, size(series)
-         line = '     '
-         if (i == 1) line = 'plot '
-         line = line//series(i)%using//' '//series(i)%look
-         if (series(i)%title == '') then
-            line = line//' notitle'
+      call append_text(lines, 'unset label; unset arrow; '//margins(panel%place))
+      do i = 1, size(panel%lines)
+         at = 'first '//to_text(panel%lines(i)%at, digits)
+         if (panel%lines(i)%upright) then
+            at = 'from '//at//', graph 0 to '//at//', graph 1'
          else
-            line = line//' title '//spelled(series(i)%title)
+            at = 'from graph 0, '//at//' to graph 1, '//at
          end if
-         if (i < size(series) .or. function_too) line = line//', \'
-         call append_text(lines, line)
+         call append_text(lines, 'set arrow '//at//' nohead '//panel%lines(i)%look)
       end do
-      if (function_too) call append_text(lines, '     NaN notitle')
-   end subroutine plot
+      do i = 1, size(panel%notes)
+         associate (note => panel%notes(i))
+            call append_text(lines, 'set label '//spelled(note%text)//' at '//trim(merge('graph', 'first', note%of_panel(1)))// &
+                             ' '//to_text(note%at(1), digits)//', '//trim(merge('graph', 'first', note%of_panel(2)))//' '// &
+                             to_text(note%at(2), digits)//' '//note%look)
+         end associate
+      end do
+      call put_axis(lines, panel%x, 'x', width)
+      call put_axis(lines, panel%y, 'y', width)
+      if (panel%logarithmic) then
+         call append_text(lines, "set logscale xy; set format xy '%g'")
+         ! gnuplot fails at a panel without a number
+         if (.not. known) call append_text(lines, 'set xrange [0.1:1]; set yrange [0.1:1]')
+      else if (panel%air(1) > 0.0_wp .and. is_missing(panel%x%ends(1))) then
+         call append_text(lines, 'set autoscale xfix')
+      end if
+      at = 'set offsets'
+      do i = 1, 2
+         at = at//repeat(' graph '//to_text(panel%air(i), digits)//',', 2)
+      end do
+      call append_text(lines, at(:len(at) - 1))
+      call append_text(lines, 'plot \')
+      lines = [lines, plots]
+      ! so it does where data lack, all of them, unless a function is among the curves
+      call append_text(lines, '     NaN notitle')
+   end subroutine put_panel
 
-   !> Appends a curve.
-   pure subroutine add_series(list, using, look, title)
-      type(series_type), allocatable, intent(inout) :: list(:)
-      character(*), intent(in) :: using, look, title
-      type(series_type), allocatable :: longer(:)
-      integer :: n
-      n = 0
-      if (allocated(list)) n = size(list)
-      allocate (longer(n + 1))
-      if (n > 0) longer(:n) = list
-      longer(n + 1)%using = using
-      longer(n + 1)%look = look
-      longer(n + 1)%title = title
-      call move_alloc(longer, list)
-   end subroutine add_series
+   pure subroutine put_axis(lines, axis, letter, width)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(axis_type), intent(in) :: axis
+      character, intent(in) :: letter            !< x or y
+      integer, intent(in) :: width               !< of the picture [px]
+      character(:), allocatable :: tics, label
+      tics = axis%tics
+      if (tics == '') tics = 'autofreq'
+      if (allocated(axis%rows)) tics = '('//row_tics(axis%rows, axis%room, width)//')'
+      label = 'unset '//letter//'label'
+      if (axis%label /= '') label = 'set '//letter//'label '//spelled(axis%label)
+      call append_text(lines, label//'; set format '//letter//' '//spelled(trim(merge('% h', '   ', axis%numbered)))// &
+                       '; set '//letter//'range ['//ending(axis%ends(1))//':'//ending(axis%ends(2))//']; set '//letter// &
+                       'tics '//tics)
+   contains
+      pure function ending(value) result(text)
+         real(wp), intent(in) :: value
+         character(:), allocatable :: text
+         text = '*'
+         if (.not. is_missing(value)) text = to_text(value, digits)
+      end function ending
+   end subroutine put_axis
 
-   !> Colour, dash and mark of the n-th of several curves.
-   pure function colour_of(n) result(text)
-      integer, intent(in) :: n
+   !> Points of a curve as a block of data, and what plots it. Of one along the depth those that can be seen; it becomes a band from
+   !> least to greatest with the mean in it where it goes to and fro too often.
+   pure subroutine put_curve(lines, plots, panel, curve, block, banded)
+      type(text_type), allocatable, intent(inout) :: lines(:), plots(:)
+      type(panel_type), intent(in) :: panel
+      type(curve_type), intent(in) :: curve
+      character(*), intent(in) :: block       !< name, with its $
+      logical, intent(inout) :: banded
+      logical :: kept(size(curve%points, 2))
+      real(wp) :: least(band_parts), mean(band_parts), greatest(band_parts), middle(band_parts)
+      integer, allocatable :: shown(:)
+      integer :: i, n
+      n = size(kept)
+      kept = .true.
+      associate (x => curve%points(1, :), y => curve%points(2, :))
+         if (curve%along_depth) kept = kept_points(y, x, fineness*(panel%x%ends(2) - panel%x%ends(1)))
+         if (count(kept) > most_points .and. curve%band /= '' .and. .not. any(is_missing(x))) then
+            banded = .true.
+            call bands_of(y, x, least, mean, greatest)
+            middle = y(1) + (y(n) - y(1))*[(real(i, wp) - 0.5_wp, i=1, band_parts)]/band_parts
+            call put_points(lines, block//'b', reshape([least, greatest(band_parts:1:-1), middle, middle(band_parts:1:-1)], &
+                                                       [2, 2*band_parts], order=[2, 1]))
+            call append_text(plots, '     '//block//'b '//band_look(curve%band)//' notitle, \')
+            call put_points(lines, block, reshape([mean, middle], [2, band_parts], order=[2, 1]))
+         else
+            shown = pack([(i, i=1, n)], kept)
+            call put_points(lines, block, curve%points(:, shown))
+         end if
+      end associate
+      if (n > 0) call append_text(plots, '     '//block//' '//curve%look//' notitle, \')
+   end subroutine put_curve
+
+   !> A block of data within the script.
+   pure subroutine put_points(lines, block, points)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: block       !< name, with its $
+      real(wp), intent(in) :: points(:, :)    !< a row of the block a column
+      character(:), allocatable :: room
+      integer :: i, k, filled
+      allocate (character(size(points)*(longest_number + 1)) :: room)
+      filled = 0
+      do i = 1, size(points, 2)
+         do k = 1, size(points, 1)
+            if (k > 1) call put_piece(room, filled, ',')
+            if (is_missing(points(k, i))) then
+               call put_piece(room, filled, 'NaN')
+            else
+               call put_csv_number(room, filled, points(k, i))
+            end if
+         end do
+         call put_piece(room, filled, new_line('a'))
+      end do
+      call append_text(lines, block//' << EOD')
+      if (filled > 0) call append_text(lines, room(:filled - 1))
+      call append_text(lines, 'EOD')
+   end subroutine put_points
+
+   !> Ends of a panel, in parts of the picture.
+   pure function margins(place) result(text)
+      real(wp), intent(in) :: place(4)        !< left, right, bottom, top
       character(:), allocatable :: text
-      text = trim(colours(1 + mod(n - 1, style_count)))
-   end function colour_of
-
-   !> Dash of the n-th of several curves.
-   pure function dash_of(n) result(text)
-      integer, intent(in) :: n
-      character(:), allocatable :: text
-      text = trim(dashes(1 + mod(n - 1, style_count)))
-   end function dash_of
-
-   !> Mark of the n-th of several curves, gnuplot's number.
-   pure function mark_of(n) result(number)
-      integer, intent(in) :: n
-      integer :: number
-      number = marks(1 + mod(n - 1, style_count))
-   end function mark_of
-
-   !> Look of the n-th of several lines.
-   pure function line_style(n) result(look)
-      integer, intent(in) :: n
-      character(:), allocatable :: look
-      look = "with lines lw 1.8 lc rgb '"//colour_of(n)//"' dt "//dash_of(n)
-   end function line_style
-
-   !> Look of the n-th of several kinds of points; `size` 1 is gnuplot's own.
-   pure function mark_style(n, size) result(look)
-      integer, intent(in) :: n
-      real(wp), intent(in) :: size
-      character(:), allocatable :: look
-      look = 'with points pt '//to_text(mark_of(n))//' ps '//to_text(size, digits)//" lc rgb '"//colour_of(n)//"'"
-   end function mark_style
-
-   !> Look of the n-th of several lines with its marks here and there, for print without colours: in a panel of `points` points.
-   pure function marked_line_style(n, points, width, dash) result(look)
-      integer, intent(in) :: n, points
-      real(wp), intent(in) :: width          !< of the line; 1 is gnuplot's own
-      character(*), intent(in) :: dash
-      character(:), allocatable :: look
-      integer, parameter :: marks_each = 8
-      look = 'with linespoints lw '//to_text(width, digits)//' dt '//dash//' pt '//to_text(mark_of(n))//' ps 0.6 pi '// &
-         to_text(max(1, points/marks_each))//" lc rgb '"//colour_of(n)//"'"
-   end function marked_line_style
+      text = 'set lmargin at screen '//to_text(place(1), digits)//'; set rmargin at screen '//to_text(place(2), digits)// &
+             '; set bmargin at screen '//to_text(place(3), digits)//'; set tmargin at screen '//to_text(place(4), digits)
+   end function margins
 
    !> What stands at the rows of a panel, as the tics of its axis; longer names are cut so that they fit `room`, a part of
    !> a picture so many pixels wide.
@@ -286,27 +250,6 @@ contains
       end do
    end function row_tics
 
-   !> A text of at most `most` letters: of a longer one the beginning and '...'.
-   pure function cut_text(text, most) result(short)
-      character(*), intent(in) :: text
-      integer, intent(in) :: most
-      character(:), allocatable :: short
-      integer :: letters, last, kept
-      letters = 0
-      kept = 0
-      last = 0
-      do while (last < len(text))
-         letters = letters + 1
-         if (letters > most) then
-            short = text(:kept)//'...'
-            return
-         end if
-         last = max(last + 1, letter_end(text, last + 1))
-         if (letters == most - len('...')) kept = last
-      end do
-      short = text
-   end function cut_text
-
    !> A text as the label of a tic, in which gnuplot takes '%' for the beginning of a number's format.
    pure function without_format(text) result(label)
       character(*), intent(in) :: text
@@ -318,13 +261,6 @@ contains
          label = label//text(i:i)
       end do
    end function without_format
-
-   !> A file of results, which stands beside the folder of scripts, as a script names it; `name` is safe as a file's.
-   pure function results_file(name) result(literal)
-      character(*), intent(in) :: name
-      character(:), allocatable :: literal
-      literal = spelled('../'//name//'.csv')
-   end function results_file
 
    !> A text as gnuplot takes it literally, the only way of a deck's text into a script. Control bytes, which would end a line or
    !> spoil the picture, become blanks; bytes that make no letter become '?'.

@@ -1,26 +1,22 @@
-!> Picture of one load case: the well with its casing and the contact of the string, drawn from the profile file beside it.
+!> Picture of one load case: the well with its casing and the contact of the string.
 module dg_path_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_column, only: column_header, column_named
-   use dg_depth_panels, only: add_points
+   use dg_chart, only: add_curve, add_note, add_panel, chart_type, cut_text, new_chart
+   use dg_curve_look, only: colour_black, colour_grey, letter_width, mark_style
    use dg_drillstring, only: component_tops
-   use dg_gnuplot_script, only: add_series, colour_black, colour_grey, cut_text, end_script, legend, letter_width, mark_style, &
-                                panel, plot, results_file, series_type, spelled, start_script
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_label
    use dg_missing, only: missing
    use dg_model, only: model_type, string_index
-   use dg_profile, only: profile_type
-   use dg_profile_columns, only: profile_columns
-   use dg_text, only: append_text, text_type, to_text
+   use dg_profile, only: profile_type, state_elastic, state_rigid
+   use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: path_script, case_title
+   public :: path_chart, case_title
 
-   integer, parameter :: digits = 8
    !> Most marks of a kind in a panel: more make a band and a large file, and tell no more.
    integer, parameter :: most_marks = 300
    !> Most points of a line: more than pixels on paper, and a page of many cases can still be mailed.
@@ -29,7 +25,6 @@ module dg_path_picture
    integer, parameter :: width = 1120
    !> The two views of a well.
    integer, parameter :: section = 1, plan = 2
-   character(*), parameter :: view_mark(2) = ['1', '2']
 
    !> Both views of a well, and where they stand in the picture.
    type :: views_type
@@ -46,44 +41,29 @@ module dg_path_picture
 contains
 
    !> Vertical section and plan, neither distorted, with the state of contact along the string. `result` has a profile.
-   subroutine path_script(name, job, model, result, lines)
-      character(*), intent(in) :: name      !< of the picture
+   function path_chart(job, model, result) result(chart)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: series(:)
+      type(chart_type) :: chart
       type(views_type) :: views
       real(wp), allocatable :: shoes(:), joins(:)   ! depths of hole sections' ends and of parts of the string [m]
-      character(:), allocatable :: unit, data, across
+      character(:), allocatable :: unit
       associate (load_case => model%cases(result%case_index), units => job%units)
          unit = ' ['//trim(units%length_label)//']'
-         data = results_file('profile_'//load_case%name//'_'//trim(model_name(result%model)))
          call lay_out(result%profile, views)
-         across = '(('//to_text(cos(views%azimuth), digits)//')*'//file_value('north', units)//'+('// &
-                  to_text(sin(views%azimuth), digits)//')*'//file_value('east', units)//')'
          call find_places(model, load_case, views%md(1), shoes, joins)
-         call start_script(lines, name, width, views%height)
-         call add_places(lines, units, model%holes, views, shoes, joins)
-         call append_text(lines, "touches(state, value) = stringcolumn('gap_state') eq state ? value : NaN")
-         call add_curves(series, data, across, file_value('tvd', units), size(views%md))
-         call add_marks(series, section, size(shoes), size(joins), any(model%holes%cased))
-         call legend(lines, case_title(units, load_case)//', model '//trim(model_name(result%model)), series, &
-                     views%legend_bottom, views%title)
-         call open_panel(lines, units, views, section, 'vertical section along azimuth '// &
+         chart = new_chart('path_'//load_case%name, case_title(units, load_case)//', model '//trim(model_name(result%model)), &
+                           units, views%height, [views%legend_bottom, views%title])
+         call open_panel(chart, views, section, 'vertical section along azimuth '// &
                          to_text(real(nint(modulo(views%azimuth/units%angle, 360.0_wp)), wp))//' deg'//unit, &
                          'true vertical depth'//unit)
-         call name_places(lines, units, model, load_case, views, joins)
-         call plot(lines, series)
-         call append_text(lines, 'unset label')
-         deallocate (series)
-         call add_curves(series, data, file_value('east', units), file_value('north', units), size(views%md))
-         call add_marks(series, plan, size(shoes), size(joins), .false.)
-         call open_panel(lines, units, views, plan, 'east'//unit, 'north'//unit)
-         call plot(lines, series)
-         call end_script(lines)
+         call add_curves(chart, views, section, result%profile%gap_state, shoes, joins, model%holes)
+         call name_places(chart, model, load_case, views, joins)
+         call open_panel(chart, views, plan, 'east'//unit, 'north'//unit)
+         call add_curves(chart, views, plan, result%profile%gap_state, shoes, joins, model%holes)
       end associate
-   end subroutine path_script
+   end function path_chart
 
    !> Both views of a profile. Panels stand side by side, or one above the other for wells much wider than deep.
    pure subroutine lay_out(profile, views)
@@ -137,38 +117,56 @@ contains
       end associate
    end subroutine find_places
 
-   !> Blocks of points in both views: ends of hole sections, where parts of the string begin; walls of cased sections in the first.
-   pure subroutine add_places(lines, units, holes, views, shoes, joins)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
-      type(hole_section_type), intent(in) :: holes(:)
+   !> The hole, marks where the string touches, where hole sections end and parts of the string begin; walls of cased sections in
+   !> the vertical section. What the legend names is in this one.
+   subroutine add_curves(chart, views, view, states, shoes, joins, holes)
+      type(chart_type), intent(inout) :: chart
       type(views_type), intent(in) :: views
-      real(wp), intent(in) :: shoes(:), joins(:)
-      real(wp) :: there(2, max(size(shoes), size(joins)))
-      integer :: view, i
-      do view = 1, 2
-         do i = 1, size(shoes)
-            there(:, i) = place_at(views, view, shoes(i))/units%length
-         end do
-         call add_points(lines, '$shoe'//view_mark(view), there(1, :size(shoes)), there(2, :size(shoes)))
-         do i = 1, size(joins)
-            there(:, i) = place_at(views, view, joins(i))/units%length
-         end do
-         call add_points(lines, '$join'//view_mark(view), there(1, :size(joins)), there(2, :size(joins)))
-      end do
-      if (any(holes%cased)) call add_walls(lines, units, holes, views)
-   end subroutine add_places
+      integer, intent(in) :: view
+      integer, intent(in) :: states(:)             !< of contact, as many as rows of the profile
+      real(wp), intent(in) :: shoes(:), joins(:)   !< [m]
+      type(hole_section_type), intent(in) :: holes(:)
+      integer :: i, n
+      n = size(states)
+      call add(views%place(:, ::step(most_points), view), "with lines lw 1.5 lc rgb '"//colour_grey//"'", &
+               'hole; no mark: string free')
+      associate (rows => [(i, i=1, n, step(most_marks))])
+         call add(views%place(:, pack(rows, states(rows) == state_elastic), view), mark_style(1, 0.4_wp), 'elastic contact')
+         call add(views%place(:, pack(rows, states(rows) == state_rigid), view), mark_style(2, 0.6_wp), 'rigid contact')
+      end associate
+      if (any(holes%cased) .and. view == section) call add(walls(views, holes), "with lines lw 1.4 lc rgb '"//colour_black//"'", &
+                                                           'casing (widths not to scale)')
+      call add(places_at(views, view, shoes), "with points pt 9 ps 1.0 lc rgb '"//colour_black//"'", 'hole section ends')
+      call add(places_at(views, view, joins), "with points pt 1 ps 1.0 lw 1.6 lc rgb '"//colour_black//"'", &
+               'part of the string begins')
+   contains
+      !> Of so many points each so-manyeth is drawn.
+      pure integer function step(most)
+         integer, intent(in) :: most
+         step = (n + most - 1)/most
+      end function step
+
+      subroutine add(places, look, name)
+         real(wp), intent(in) :: places(:, :)      !< [m]
+         character(*), intent(in) :: look, name
+         real(wp) :: shown(2, size(places, 2))
+         if (size(places) == 0 .and. index(name, 'contact') == 0) return
+         shown = missing
+         where (places > missing) shown = places/chart%units%length
+         call add_curve(chart, shown(1, :), shown(2, :), look, trim(merge(name, repeat(' ', len(name)), view == section)))
+      end subroutine add
+   end subroutine add_curves
 
    !> Walls of cased sections in the vertical section, out of scale: the narrowest hole is some pixels wide, others in proportion.
-   pure subroutine add_walls(lines, units, holes, views)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
-      type(hole_section_type), intent(in) :: holes(:)
+   pure function walls(views, holes) result(wall)
       type(views_type), intent(in) :: views
+      type(hole_section_type), intent(in) :: holes(:)
+      real(wp), allocatable :: wall(:, :)           !< [m]; `missing` breaks the line
       real(wp), parameter :: narrowest = 3.0_wp     !< half the width of the narrowest hole [px]
       integer, parameter :: parts = 60              !< of a wall
-      real(wp) :: wall(2, (parts + 2)*2*count(holes%cased)), point(2), along(2), step, half, top, bottom
+      real(wp) :: along(2), step, half, top, bottom
       integer :: i, k, n, side
+      allocate (wall(2, (parts + 2)*2*count(holes%cased)))
       n = 0
       do i = 1, size(holes)
          if (.not. holes(i)%cased) cycle
@@ -179,84 +177,42 @@ contains
          step = (bottom - top)/parts
          do side = -1, 1, 2
             do k = 0, parts
-               point = place_at(views, section, top + k*step)
                along = place_at(views, section, min(top + (k + 0.5_wp)*step, bottom)) - &
                        place_at(views, section, max(top + (k - 0.5_wp)*step, top))
                along = along/max(norm2(along), tiny(step))
                n = n + 1
-               wall(:, n) = (point + side*half*[along(2), -along(1)])/units%length
+               wall(:, n) = place_at(views, section, top + k*step) + side*half*[along(2), -along(1)]
             end do
             n = n + 1
-            wall(:, n) = missing         ! the line breaks
-            wall(2, n) = wall(2, n - 1)
+            wall(:, n) = missing
          end do
       end do
-      call add_points(lines, '$wall', wall(1, :n), wall(2, :n))
-   end subroutine add_walls
-
-   !> The hole, and marks where the string touches.
-   pure subroutine add_curves(series, data, x, y, n)
-      type(series_type), allocatable, intent(inout) :: series(:)
-      character(*), intent(in) :: data      !< the profile file
-      character(*), intent(in) :: x, y      !< what stands to the right and up in the panel
-      integer, intent(in) :: n              !< rows of the file
-      character(:), allocatable :: thinned
-      thinned = thinning(n, most_marks)
-      call add_series(series, data//' using ('//x//'):('//y//')'//thinning(n, most_points), &
-                      "with lines lw 1.5 lc rgb '"//colour_grey//"'", 'hole; no mark: string free')
-      call add_series(series, data//" using (touches('elastic', "//x//')):('//y//')'//thinned, mark_style(1, 0.4_wp), &
-                      'elastic contact')
-      call add_series(series, data//" using (touches('rigid', "//x//')):('//y//')'//thinned, mark_style(2, 0.6_wp), &
-                      'rigid contact')
-   end subroutine add_curves
-
-   pure subroutine add_marks(series, view, shoes, joins, cased)
-      type(series_type), allocatable, intent(inout) :: series(:)
-      integer, intent(in) :: view
-      integer, intent(in) :: shoes, joins   !< so many
-      logical, intent(in) :: cased          !< there are walls
-      character(*), parameter :: shoe = "with points pt 9 ps 1.0 lc rgb '"//colour_black//"'", &
-                                 join = "with points pt 1 ps 1.0 lw 1.6 lc rgb '"//colour_black//"'", &
-                                 wall = "with lines lw 1.4 lc rgb '"//colour_black//"'"
-      if (cased) call add_series(series, '$wall using 1:2', wall, 'casing (widths not to scale)')
-      if (shoes > 0) call add_series(series, '$shoe'//view_mark(view)//' using 1:2', shoe, 'hole section ends')
-      if (joins > 0) call add_series(series, '$join'//view_mark(view)//' using 1:2', join, 'part of the string begins')
-   end subroutine add_marks
+      wall = wall(:, :n)
+   end function walls
 
    !> A panel with its axes: values in its middle, true vertical depth from a little above the first on downwards.
-   pure subroutine open_panel(lines, units, views, view, x_label, y_label)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
+   pure subroutine open_panel(chart, views, view, x_label, y_label)
+      type(chart_type), intent(inout) :: chart
       type(views_type), intent(in) :: views
       integer, intent(in) :: view
       character(*), intent(in) :: x_label, y_label
       real(wp), parameter :: little = 0.05_wp
-      real(wp) :: size_there(2), first(2), last(2)
+      real(wp) :: size_there(2), ends(2, 2)
       size_there = views%scale(view)*[views%wide*width, views%tall*views%height]
-      first = 0.5_wp*(minval(views%place(:, :, view), dim=2) + maxval(views%place(:, :, view), dim=2) - size_there)
-      if (view == section) first(2) = minval(views%place(2, :, view)) - little*size_there(2)
-      last = (first + size_there)/units%length
-      first = first/units%length
-      call panel(lines, views%left(view), views%left(view) + views%wide, views%bottom(view), views%bottom(view) + views%tall, &
-                 x_label, y_label)
-      if (view == section) then
-         call append_text(lines, 'set xrange ['//window(first(1), last(1))//']; set yrange ['//window(last(2), first(2))//']')
-      else
-         call append_text(lines, 'set xrange ['//window(first(1), last(1))//']; set yrange ['//window(first(2), last(2))//']')
-      end if
-   contains
-      pure function window(from, to) result(text)
-         real(wp), intent(in) :: from, to
-         character(:), allocatable :: text
-         text = to_text(from, digits)//':'//to_text(to, digits)
-      end function window
+      ends(:, 1) = 0.5_wp*(minval(views%place(:, :, view), dim=2) + maxval(views%place(:, :, view), dim=2) - size_there)
+      if (view == section) ends(2, 1) = minval(views%place(2, :, view)) - little*size_there(2)
+      ends(:, 2) = ends(:, 1) + size_there
+      if (view == section) ends(2, :) = ends(2, 2:1:-1)
+      call add_panel(chart, [views%left(view), views%left(view) + views%wide, views%bottom(view), &
+                             views%bottom(view) + views%tall], x_label, y_label)
+      chart%panels(view)%x%ends = ends(1, :)/chart%units%length
+      chart%panels(view)%y%ends = ends(2, :)/chart%units%length
    end subroutine open_panel
 
    !> Names in the vertical section: of hole sections to the left of the hole, of parts to its right. Where they would lie over
    !> each other the upper of two stays.
-   subroutine name_places(lines, units, model, load_case, views, joins)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
+   subroutine name_places(chart, model, load_case, views, joins)
+      type(chart_type), intent(inout) :: chart
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(views_type), intent(in) :: views
@@ -265,7 +221,7 @@ contains
       integer :: i, names
       names = 0
       do i = 1, size(model%holes) - 1
-         associate (md => model%holes(i)%md_bottom)
+         associate (md => model%holes(i)%md_bottom, units => chart%units)
             if (md >= load_case%bit_depth .or. md <= views%md(1)) cycle
             call put_name(model%holes(i)%name//', '//to_text(md/units%length, 6)//' '//trim(units%length_label), &
                           place_at(views, section, md), 'right offset -1.2,-0.8')
@@ -287,11 +243,21 @@ contains
                  abs(taken(2, :names) - at(2)) < row*views%scale(section))) return
          names = names + 1
          taken(:, names) = at
-         call append_text(lines, 'set label '//spelled(cut_text(text, longest))//' at first '// &
-                          to_text(at(1)/units%length, digits)//', first '//to_text(at(2)/units%length, digits)//' '// &
-                          where_to//" font ',10'")
+         call add_note(chart, cut_text(text, longest), at/chart%units%length, where_to//" font ',10'", [.false., .false.])
       end subroutine put_name
    end subroutine name_places
+
+   !> Where depths [m] stand in a view [m], a place a column.
+   pure function places_at(views, view, md) result(places)
+      type(views_type), intent(in) :: views
+      integer, intent(in) :: view
+      real(wp), intent(in) :: md(:)
+      real(wp) :: places(2, size(md))
+      integer :: i
+      do i = 1, size(md)
+         places(:, i) = place_at(views, view, md(i))
+      end do
+   end function places_at
 
    !> Where a depth [m] stands in a view [m].
    pure function place_at(views, view, md) result(place)
@@ -321,20 +287,4 @@ contains
       if (abs(load_case%wob) > 0.0_wp) title = title//', weight on bit '//to_text(load_case%wob/units%force, few)//' '// &
          trim(units%force_label)
    end function case_title
-
-   !> A column of a profile file in a gnuplot expression.
-   pure function file_value(column, units) result(text)
-      character(*), intent(in) :: column
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = "column('"//column_header(column_named(profile_columns, column), units)//"')"
-   end function file_value
-
-   !> Draws every so many of `n` points, so that no more than `most` are drawn; '' draws all.
-   pure function thinning(n, most) result(text)
-      integer, intent(in) :: n, most
-      character(:), allocatable :: text
-      text = ''
-      if (n > most) text = ' every '//to_text((n + most - 1)/most)
-   end function thinning
 end module dg_path_picture

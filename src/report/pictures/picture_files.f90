@@ -2,23 +2,23 @@
 !> them, and tells which are there. Without gnuplot the scripts stay, to be drawn elsewhere.
 module dg_picture_files
    use dg_along_string, only: along_string_type
-   use dg_assembly_picture, only: assembly_script, shown_length
+   use dg_assembly_picture, only: assembly_chart, shown_length
    use dg_case_result, only: case_result_type, result_converged
    use dg_child_process, only: find_program
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder
-   use dg_forces_picture, only: forces_script
+   use dg_forces_picture, only: forces_chart
    use dg_gnuplot_script, only: spelled
-   use dg_hookload_picture, only: hookload_script
+   use dg_hookload_picture, only: hookload_chart
    use dg_job, only: job_type, model_mcge, model_name
    use dg_model, only: model_type
-   use dg_path_picture, only: path_script
+   use dg_path_picture, only: path_chart
    use dg_picture_data, only: rows_along, rows_of_contacts, rows_of_file
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
-   use dg_picture_list, only: add_picture, folder_in, free_name, new_picture, picture_list_type
+   use dg_picture_list, only: add_picture, folder_in, picture_list_type
    use dg_result_name, only: case_file, contacts_file, picture_folder, profile_file
-   use dg_strength_picture, only: strength_script
+   use dg_strength_picture, only: strength_chart
    use dg_summary_file, only: summary_columns
    use dg_text, only: text_list, text_type
    use dg_written_files, only: check_picture_folder, note_file
@@ -49,15 +49,12 @@ contains
       logical, intent(in) :: marked(:)                      !< as many: cannot be done, or no solution
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
       allocate (list%pictures(0))
       call make_folder(folder_in(job), error)
       if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
       if (allocated(error) .or. size(results) == 0) return
-      call hookload_script('hookload', job, model, results, marked, lines)
-      call add_picture(list, job, new_picture('hookload', 'Hook load of all cases', 0, &
-                                     rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list())), &
-                       lines, error)
+      call add_picture(list, job, hookload_chart(job, model, results, marked), 'Hook load of all cases', 0, &
+                       rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list()), error)
    end subroutine begin_pictures
 
    !> Adds those along the string of each load case, and has all drawn. `error` also where gnuplot fails or the program is asked to
@@ -90,8 +87,7 @@ contains
       logical, intent(in) :: marked(:)                      !< as many
       type(along_string_type), intent(in) :: alongs(:)      !< as many
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name, left_out, file, answer
+      character(:), allocatable :: left_out, file, answer
       integer, allocatable :: rows(:)
       integer :: k
       rows = pack([(k, k=1, size(results))], results%case_index == case_index .and. results%status == result_converged)
@@ -108,26 +104,18 @@ contains
       if (marked(k)) answer = '. Cannot be done'
       associate (load_case => model%cases(case_index))
          file = case_file(profile_file, load_case%name, results(k)%model)
-         name = free_name(list, 'path_'//load_case%name)
-         call path_script(name, job, model, results(k), lines)
-         call add_picture(list, job, new_picture(name, 'Well path with contact of the string'//answer, case_index, &
-                                        rows_along(file, path_columns, results(k), alongs(k))), lines, error)
-         name = free_name(list, 'forces_'//load_case%name)
-         call forces_script(name, job, model, results(rows), alongs(rows), left_out, lines)
-         call add_picture(list, job, new_picture(name, 'Along the string'//answer, case_index, &
-                                        rows_along(file, forces_columns, results(k), alongs(k))), lines, error)
-         name = free_name(list, 'strength_'//load_case%name)
-         call strength_script(name, job, model, results(rows), alongs(rows), lines)
-         call add_picture(list, job, new_picture(name, 'Stress, safety factor and torque against what the string bears'// &
-                                        answer, case_index, &
-                                        rows_along(file, strength_columns, results(k), alongs(k))), lines, error)
+         call add_picture(list, job, path_chart(job, model, results(k)), 'Well path with contact of the string'//answer, &
+                          case_index, rows_along(file, path_columns, results(k), alongs(k)), error)
+         call add_picture(list, job, forces_chart(job, model, results(rows), alongs(rows), left_out), 'Along the string'//answer, &
+                          case_index, rows_along(file, forces_columns, results(k), alongs(k)), error)
+         call add_picture(list, job, strength_chart(job, model, results(rows), alongs(rows)), &
+                          'Stress, safety factor and torque against what the string bears'//answer, case_index, &
+                          rows_along(file, strength_columns, results(k), alongs(k)), error)
          if (results(k)%model /= model_mcge) return
-         name = free_name(list, 'assembly_'//load_case%name)
-         call assembly_script(name, job, model, results(k), lines)
-         call add_picture(list, job, new_picture(name, &
-            'The lowest part of the string in its hole; forces across it, angles as clock angles'//answer, case_index, &
-            rows_of_contacts(case_file(contacts_file, load_case%name, results(k)%model), results(k), &
-                             load_case%bit_depth - shown_length)), lines, error)
+         call add_picture(list, job, assembly_chart(job, model, results(k)), &
+                          'The lowest part of the string in its hole; forces across it, angles as clock angles'//answer, &
+                          case_index, rows_of_contacts(case_file(contacts_file, load_case%name, results(k)%model), results(k), &
+                                                       load_case%bit_depth - shown_length), error)
       end associate
    end subroutine add_case
 

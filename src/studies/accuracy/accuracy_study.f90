@@ -17,7 +17,7 @@ module dg_accuracy_study
    use dg_model, only: model_type
    use dg_numerics, only: fidelity_name, numerics_type, set_fidelity, solver_banded
    use dg_picture_data, only: rows_of_file
-   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
    use dg_progress, only: end_progress, progress_type, start_progress
@@ -26,7 +26,7 @@ module dg_accuracy_study
    use dg_study, only: run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
    use dg_study_file, only: study_columns, write_study
-   use dg_study_picture, only: study_script
+   use dg_study_picture, only: study_chart
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_table, only: study_table
    use dg_study_variant, only: set_variant, study_variants, variant_type
@@ -38,6 +38,8 @@ module dg_accuracy_study
    type, extends(study_type) :: accuracy_study_type
       private
       type(study_plan_type), allocatable :: plan
+      type(variant_type), allocatable :: variants(:)
+      type(study_record_type), allocatable :: records(:, :)   !< of variants and cases
    contains
       procedure :: add_groups
       procedure :: read => read_plan
@@ -106,34 +108,32 @@ contains
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: failure
-      type(variant_type), allocatable :: variants(:)
-      type(study_record_type), allocatable :: records(:, :)
       type(text_type), allocatable :: lines(:)
       type(model_type) :: varied
       integer :: i, j, whole, done
       type(progress_type) :: progress
-      call study_variants(self%plan, run%model%numerics, variants)
-      allocate (records(size(variants), size(self%plan%cases)))
+      call study_variants(self%plan, run%model%numerics, self%variants)
+      allocate (self%records(size(self%variants), size(self%plan%cases)))
       whole = 0
-      call start_progress(progress, 'study', to_text(size(records))//' solutions', run%job%quiet)
+      call start_progress(progress, 'study', to_text(size(self%records))//' solutions', run%job%quiet)
       cases: do j = 1, size(self%plan%cases)
-         do i = 1, size(variants)
+         do i = 1, size(self%variants)
             varied = run%model
-            call set_variant(variants(i), varied)
-            call solve_and_measure(varied, variants(i)%model, self%plan%cases(j), records(i, j))
+            call set_variant(self%variants(i), varied)
+            call solve_and_measure(varied, self%variants(i)%model, self%plan%cases(j), self%records(i, j))
             if (is_interrupted()) exit cases
-            done = (j - 1)*size(variants) + i
-            call progress%show(real(done, wp)/real(size(records), wp), 0.0_wp, &
-                               to_text(done)//' of '//to_text(size(records))//' solutions')
+            done = (j - 1)*size(self%variants) + i
+            call progress%show(real(done, wp)/real(size(self%records), wp), 0.0_wp, &
+                               to_text(done)//' of '//to_text(size(self%records))//' solutions')
          end do
-         call compare_case(variants, records(:, j))
-         call write_study(run%job%output_dir//'/'//file, run%job, run%model, self%plan, variants, records, j, failure)
+         call compare_case(self%variants, self%records(:, j))
+         call write_study(run%job%output_dir//'/'//file, run%job, run%model, self%plan, self%variants, self%records, j, failure)
          if (allocated(failure)) exit cases
          whole = j
       end do cases
       call end_progress(progress)
       if (whole > 0 .and. .not. allocated(failure)) then
-         allocate (lines, source=study_table(run%job, run%model, self%plan, variants, records(:, :whole)))
+         allocate (lines, source=study_table(run%job, run%model, self%plan, self%variants, self%records(:, :whole)))
          call print_and_keep(run%printed, lines)
       end if
       call note_failure(failure, run%status)
@@ -209,22 +209,19 @@ contains
    end subroutine add_need
 
    !> A picture for each case.
-   subroutine add_pictures(self, job, model, list, error)
+   subroutine add_pictures(self, run, list, error)
       class(accuracy_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name
       integer :: k
-      if (job%merge > 0) return
+      if (.not. allocated(self%records)) return
       do k = 1, size(self%plan%cases)
-         associate (load_case => model%cases(self%plan%cases(k)))
-            name = free_name(list, 'study_'//load_case%name)
-            call study_script(name, job, load_case, self%plan, lines)
-            call add_picture(list, job, new_picture(name, 'Error against the finest way to compute it, and what it costs', &
-               self%plan%cases(k), rows_of_file(job, file, study_columns, shown, text_list('case', load_case%name))), lines, error)
+         associate (load_case => run%model%cases(self%plan%cases(k)))
+            call add_picture(list, run%job, study_chart(run%job%units, load_case, self%plan%models, self%variants, &
+                                                        self%records(:, k)), &
+                             'Error against the finest way to compute it, and what it costs', self%plan%cases(k), &
+                             rows_of_file(run%job, file, study_columns, shown, text_list('case', load_case%name)), error)
          end associate
       end do
    end subroutine add_pictures

@@ -1,23 +1,24 @@
-!> What accuracy costs in one load case: error of hook load, torque, contact force and bending moment against seconds, from
-!> study.csv, one mark a way to compute it, both axes logarithmic. The finest way has no error and no mark.
+!> What accuracy costs in one load case: error of hook load, torque, contact force and bending moment against seconds, one mark a
+!> way to compute it, both axes logarithmic. The finest way has no error and no mark.
 module dg_study_picture
    use dg_kinds, only: wp
-   use dg_gnuplot_script, only: add_series, colour_black, end_script, legend, mark_style, panel, plot, results_file, series_type, &
-                                spelled, start_script
-   use dg_job, only: job_type, model_name
+   use dg_case_result, only: result_converged
+   use dg_chart, only: add_curve, add_panel, chart_type, new_chart
+   use dg_curve_look, only: colour_black, mark_style
+   use dg_job, only: model_name
    use dg_load_case, only: load_case_type, rotates
-   use dg_study_plan, only: study_plan_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_numerics, only: fidelity_name
+   use dg_study_comparison, only: error_bending, error_hookload, error_normal_force, error_torque, study_record_type
+   use dg_study_variant, only: variant_type
+   use dg_text, only: to_text
+   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: study_script
+   public :: study_chart
 
-   integer, parameter :: width = 1120, height = 860
-   !> Columns of study.csv, and what their panels are called.
-   integer, parameter :: panels = 4
-   character(*), parameter :: columns(panels) = [character(22) :: 'hookload_error_pct', 'torque_error_pct', &
-      'normal_force_error_pct', 'bending_error_pct']
-   character(*), parameter :: names(panels) = [character(20) :: 'hook load', 'torque', 'contact force', 'bending moment']
+   !> Errors in the order of their panels, and what these are called.
+   integer, parameter :: errors(4) = [error_hookload, error_torque, error_normal_force, error_bending]
+   character(*), parameter :: names(4) = [character(20) :: 'hook load', 'torque', 'contact force', 'bending moment']
 
    !> Ways that the picture calls by name, in its legend: they lie too close together for names beside their marks.
    character(*), parameter :: told(3) = [character(8) :: 'auto', 'fast', 'standard']
@@ -28,90 +29,54 @@ module dg_study_picture
 
 contains
 
-   !> Script of the picture of a study's errors against seconds, for one of its cases.
-   subroutine study_script(name, job, load_case, study, lines)
-      character(*), intent(in) :: name      !< of the picture
-      type(job_type), intent(in) :: job
+   !> Errors of the variants of a study against seconds, for one of its cases.
+   function study_chart(units, load_case, models, variants, records) result(chart)
+      type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
-      type(study_plan_type), intent(in) :: study
-      type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: series(:)
-      real(wp), parameter :: left(2) = [0.085_wp, 0.58_wp], wide = 0.40_wp, bottom(2) = [0.525_wp, 0.085_wp], tall = 0.355_wp, &
-                             legend_bottom = 0.89_wp, legend_top = 0.955_wp
-      integer, allocatable :: models(:)
-      integer :: i, k, drawn, row, column
-      if (size(study%models) > 0) then
-         allocate (models, source=study%models)
-      else
-         allocate (models, source=job%models)
-      end if
-      call start_script(lines, name, width, height)
-      call append_text(lines, "this(value) = stringcolumn('case') eq "//spelled(load_case%name)// &
-                       " && stringcolumn('status') eq 'converged' && value > 0 ? (value > "// &
-                       to_text(least_error)//' ? value : '//to_text(least_error)//') : NaN')
-      call append_text(lines, "made(model, value) = stringcolumn('model') eq model ? this(value) : NaN")
-      call append_text(lines, "best(value) = stringcolumn('pareto') eq 'yes' ? this(value) : NaN")
-      call append_text(lines, "told(name, value) = stringcolumn('fidelity') eq name ? this(value) : NaN")
-      do i = 1, size(models)
-         call add_series(series, 'NaN', mark_style(i, 0.8_wp), trim(model_name(models(i))))
-      end do
-      call add_series(series, 'NaN', best_look(), 'Pareto: none better and faster')
-      do i = 1, size(told)
-         call add_series(series, 'NaN', told_look(i), 'fidelity '//trim(told(i)))
-      end do
-      call legend(lines, 'Study of '//load_case%name//': error against the finest way, and what it costs', series, &
-                  legend_bottom, legend_top)
-      call append_text(lines, 'set logscale xy; set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05')
-      drawn = 0
-      do k = 1, panels
-         if (columns(k) == 'torque_error_pct' .and. .not. rotates(load_case%operation)) cycle
-         deallocate (series)
+      integer, intent(in) :: models(:)                      !< numbers of those of the study
+      type(variant_type), intent(in) :: variants(:)
+      type(study_record_type), intent(in) :: records(:)     !< as many
+      type(chart_type) :: chart
+      real(wp), parameter :: left(0:1) = [0.085_wp, 0.58_wp], wide = 0.40_wp, bottom(0:1) = [0.525_wp, 0.085_wp], tall = 0.355_wp
+      integer :: i, k, drawn
+      chart = new_chart('study_'//load_case%name, 'Study of '//load_case%name// &
+                        ': error against the finest way, and what it costs', units, 860, [0.89_wp, 0.955_wp])
+      do k = 1, size(errors)
+         if (errors(k) == error_torque .and. .not. rotates(load_case%operation)) cycle
+         drawn = size(chart%panels)
+         associate (x => left(mod(drawn, 2)), y => bottom(drawn/2))
+            call add_panel(chart, [x, x + wide, y, y + tall], 'solution time [s]', 'error of '//trim(names(k))//' [%]')
+         end associate
+         chart%panels(drawn + 1)%logarithmic = .true.
+         chart%panels(drawn + 1)%air = [0.03_wp, 0.05_wp]
          do i = 1, size(models)
-            call add_series(series, marks_of("made('"//trim(model_name(models(i)))//"', "//value(k)//')'), &
-                            mark_style(i, 0.7_wp), '')
+            call add(variants%model == models(i), mark_style(i, 0.7_wp), trim(model_name(models(i))))
          end do
-         call add_series(series, marks_of('best('//value(k)//')'), best_look(), '')
+         call add(records%in_pareto_set, "with points pt 6 ps 1.5 lw 1.0 lc rgb '"//colour_black//"'", &
+                  'Pareto: none better and faster')
          do i = 1, size(told)
-            call add_series(series, marks_of("told('"//trim(told(i))//"', "//value(k)//')'), told_look(i), '')
+            call add(is_told(variants%fidelity), 'with points pt '//to_text(told_marks(i))//" ps 1.6 lw 1.0 lc rgb '"// &
+                     colour_black//"'", 'fidelity '//trim(told(i)))
          end do
-         column = 1 + mod(drawn, 2)
-         row = 1 + drawn/2
-         drawn = drawn + 1
-         call panel(lines, left(column), left(column) + wide, bottom(row), bottom(row) + tall, &
-                    'solution time [s]', 'error of '//trim(names(k))//' [%]')
-         call append_text(lines, "set autoscale y; set format xy '%g'")
-         ! gnuplot fails at a panel without a number: one in which nothing converged, or no way differs, has axes of its own
-         call append_text(lines, 'n = 0; set table $none')
-         call append_text(lines, 'plot '//results_file('study')//' using (this('//value(k)//') > 0 ? (n = n + 1) : 0) with table')
-         call append_text(lines, 'unset table; if (n == 0) { set xrange [0.1:1]; set yrange [0.1:1] }')
-         call plot(lines, series)
       end do
-      call end_script(lines)
 
    contains
 
-      pure function value(k) result(text)
-         integer, intent(in) :: k
-         character(:), allocatable :: text
-         text = "column('"//trim(columns(k))//"')"
-      end function value
+      !> Marks of those that are solutions with an error.
+      subroutine add(which, look, name)
+         logical, intent(in) :: which(:)
+         character(*), intent(in) :: look, name
+         logical :: shown(size(which))
+         shown = which .and. records%status == result_converged .and. records%errors(errors(k)) > 0.0_wp
+         call add_curve(chart, pack(records%seconds, shown), max(100.0_wp*pack(records%errors(errors(k)), shown), least_error), &
+                        look, trim(merge(name, repeat(' ', len(name)), drawn == 0)))
+      end subroutine add
 
-      pure function marks_of(expression) result(using)
-         character(*), intent(in) :: expression
-         character(:), allocatable :: using
-         using = results_file('study')//" using (column('seconds')):("//expression//')'
-      end function marks_of
-   end subroutine study_script
-
-   !> Around the mark of the model.
-   pure function told_look(number) result(look)
-      integer, intent(in) :: number
-      character(:), allocatable :: look
-      look = 'with points pt '//to_text(told_marks(number))//" ps 1.6 lw 1.0 lc rgb '"//colour_black//"'"
-   end function told_look
-
-   pure function best_look() result(look)
-      character(:), allocatable :: look
-      look = "with points pt 6 ps 1.5 lw 1.0 lc rgb '"//colour_black//"'"
-   end function best_look
+      elemental function is_told(fidelity) result(is)
+         integer, intent(in) :: fidelity
+         logical :: is
+         is = fidelity > 0
+         if (is) is = fidelity_name(fidelity) == told(i)
+      end function is_told
+   end function study_chart
 end module dg_study_picture

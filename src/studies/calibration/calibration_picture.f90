@@ -1,69 +1,49 @@
-!> What a calibration found, from calibration.csv and calibration_data.csv: friction factors with their 95 % intervals beside
-!> those of the deck, the gauge's offsets where they were looked for, and the error of every load case before and after.
+!> What a calibration found: friction factors with their 95 % intervals beside those of the deck, the gauge's offsets where they
+!> were looked for, and the error of every load case before and after.
 module dg_calibration_picture
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type, unknown_type
+   use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: unknown_text
-   use dg_column, only: column_header, column_named
-   use dg_factor_columns, only: factor_columns
-   use dg_gnuplot_script, only: add_series, colour_grey, colour_of, end_script, legend, panel, plot, results_file, row_tics, &
-                                series_type, start_script
+   use dg_chart, only: add_curve, add_key, add_points, add_rows, chart_type, new_chart
+   use dg_comparison, only: percent_error
+   use dg_curve_look, only: colour_grey, colour_of
    use dg_job, only: model_name
+   use dg_least_squares, only: fit_done
+   use dg_load_case, only: given, optional_real
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: calibration_script
+   public :: calibration_chart
 
-   integer, parameter :: digits = 8
-   integer, parameter :: width = 1120, height = 560
+   character(*), parameter :: deck_look = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
 
 contains
 
    !> One calibration with one of its models.
-   subroutine calibration_script(name, units, model, calibrations, number, place, lines)
+   function calibration_chart(name, units, model, calibration, found) result(chart)
       character(*), intent(in) :: name      !< of the picture
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
-      type(calibration_type), intent(in) :: calibrations(:)
-      integer, intent(in) :: number         !< of the calibration in the deck
-      integer, intent(in) :: place          !< of the model in the calibration's
-      type(text_type), allocatable, intent(out) :: lines(:)
-      type(series_type), allocatable :: series(:)
-      real(wp), parameter :: left(2) = [0.21_wp, 0.67_wp], right(2) = [0.55_wp, 0.985_wp], bottom = 0.125_wp, top = 0.84_wp, &
-                             legend_top = 0.92_wp
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: found
+      type(chart_type) :: chart
+      real(wp), parameter :: left(2) = [0.21_wp, 0.67_wp], right(2) = [0.55_wp, 0.985_wp], bottom = 0.125_wp, top = 0.84_wp
       !> Height of an axis with its labels, between two panels.
       real(wp), parameter :: axis_height = 0.13_wp
-      character(:), allocatable :: factors, data, deck, found, interval
-      type(calibration_type) :: calibration
-      type(text_type), allocatable :: names(:)
+      character(:), allocatable :: found_look
+      type(text_type) :: names(size(calibration%data))
       real(wp) :: middle, share
-      integer, allocatable :: rows_of_factors(:), rows_of_data(:)   !< a calibration, by one model
-      integer :: i, rows, offsets
-      calibration = calibrations(number)
-      factors = results_file('calibration')
-      data = results_file('calibration_data')
-      deck = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
-      found = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
-      interval = "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'"
-      allocate (names(size(calibration%data)))
-      do i = 1, size(calibration%data)
-         names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
-      end do
-      call start_script(lines, name, width, height)
-      ! rows by their numbers, gnuplot's column 0: a name may be one that it does not read back as it is
-      rows_of_factors = [(size(calibrations(i)%unknowns), i=1, size(calibrations))]
-      rows_of_data = [(size(calibrations(i)%data), i=1, size(calibrations))]
-      call append_text(lines, 'mine(x) = '//is_mine(rows_of_factors))
-      call append_text(lines, 'row(name, value) = mine(0) && strlen(stringcolumn(name)) > 0 ? (n = n + 1, value) : NaN')
-      call append_text(lines, 'only(value) = mine(0) ? value : NaN')
-      call append_text(lines, 'datum(value) = '//is_mine(rows_of_data)//' ? (n = n + 1, value) : NaN')
-      call add_series(series, 'NaN', deck, 'before')
-      call add_series(series, 'NaN', found, 'after')
-      call add_series(series, 'NaN', "with lines lw 1.4 lc rgb '"//colour_of(1)//"'", '95 % interval')
-      call legend(lines, 'Calibration '//calibration%name//', model '//trim(model_name(calibration%models(place))), series, &
-                  top, legend_top)
+      integer :: i, n, offsets
+      found_look = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
+      chart = new_chart(name, 'Calibration '//calibration%name//', model '//trim(model_name(found%model)), units, 560, &
+                        [top, 0.92_wp])
+      call add_key(chart, deck_look, 'before')
+      call add_key(chart, found_look, 'after')
+      call add_key(chart, "with lines lw 1.4 lc rgb '"//colour_of(1)//"'", '95 % interval')
       ! friction above, offsets of the gauge below, each with the height that its rows ask for
       offsets = count(calibration%unknowns%is_offset)
       middle = bottom
@@ -71,72 +51,57 @@ contains
          share = real(offsets, wp)/real(size(calibration%unknowns), wp)
          middle = bottom + share*(top - bottom - axis_height) + axis_height
       end if
-      call draw_factors('friction factor', .false., 'value', 'lower', 'upper', middle, top)
-      if (offsets > 0) call draw_factors('offset of the gauge ['//trim(units%force_label)//']', .true., heading('offset'), &
-                                         heading('offset_lower'), heading('offset_upper'), bottom, middle - axis_height)
-      deallocate (series)
-      call add_series(series, 'n = 0, '//data//" using (datum(column('before_error_pct'))):(n)", deck, '')
-      call add_series(series, 'n = 0, '//data//" using (datum(column('after_error_pct'))):(n)", found, '')
-      call panel(lines, left(2), right(2), bottom, top, 'error against measurement [%]', ' ')
-      call append_text(lines, 'set xrange [0:*]')
-      call draw(size(calibration%data), row_tics(names, left(2) - right(1), width))
-      call end_script(lines)
+      call add_factors('friction factor', .false., 1.0_wp, middle, top)
+      call add_factors('offset of the gauge ['//trim(units%force_label)//']', .true., units%force, bottom, middle - axis_height)
+      n = size(names)
+      do i = 1, n
+         names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
+      end do
+      call add_rows(chart, [left(2), right(2), bottom, top], 'error against measurement [%]', names, left(2) - right(1))
+      chart%panels(size(chart%panels))%x%ends(1) = 0.0_wp
+      call add_errors(found%before, deck_look)
+      if (found%fit%status == fit_done) call add_errors(found%fit%values, found_look)
 
    contains
 
-      !> Whether a row is one of this calibration and model, in gnuplot's words.
-      pure function is_mine(rows) result(text)
-         integer, intent(in) :: rows(:)      !< of each calibration by one model
-         character(:), allocatable :: text
-         integer :: before, k
-         before = (place - 1)*rows(number)
-         do k = 1, number - 1
-            before = before + size(calibrations(k)%models)*rows(k)
-         end do
-         text = 'column(0) >= '//to_text(before)//' && column(0) < '//to_text(before + rows(number))
-      end function is_mine
-
       !> Factors of one kind, their intervals and, of friction, what the deck has.
-      subroutine draw_factors(label, is_offset, value, lower, upper, low, high)
+      subroutine add_factors(label, is_offset, unit, low, high)
          character(*), intent(in) :: label
          logical, intent(in) :: is_offset
-         character(*), intent(in) :: value, lower, upper   !< columns
+         real(wp), intent(in) :: unit
          real(wp), intent(in) :: low, high                 !< ends of the panel
+         type(text_type) :: shown(count(calibration%unknowns%is_offset .eqv. is_offset))
+         integer :: rows(size(shown))
+         real(wp) :: bars(4, size(shown))
          type(unknown_type) :: unknown
-         type(text_type) :: factors_shown(size(calibration%unknowns))
-         character(:), allocatable :: using
-         if (allocated(series)) deallocate (series)
-         rows = 0
-         do i = 1, size(calibration%unknowns)
-            unknown = calibration%unknowns(i)
-            if (unknown%is_offset .neqv. is_offset) cycle
+         if (size(shown) == 0) return
+         rows = pack([(i, i=1, size(calibration%unknowns))], calibration%unknowns%is_offset .eqv. is_offset)
+         do i = 1, size(rows)
+            unknown = calibration%unknowns(rows(i))
             unknown%is_offset = .false.    ! the axis says so
-            rows = rows + 1
-            factors_shown(rows)%text = unknown_text(units, model, unknown)
+            shown(i)%text = unknown_text(units, model, unknown)
          end do
-         if (rows == 0) return
-         using = 'n = 0, '//factors//" using (row('"//value//"', column('"
-         if (.not. is_offset) call add_series(series, using//"start'))):(n)", deck, '')
-         call add_series(series, using//value//"'))):(n)", found, '')
-         call add_series(series, using//value//"'))):(n):(only(column('"//lower//"'))):(only(column('"//upper//"')))", interval, '')
-         call panel(lines, left(1), right(1), low, high, label, ' ')
-         call draw(rows, row_tics(factors_shown(:rows), left(1), width))
-      end subroutine draw_factors
+         call add_rows(chart, [left(1), right(1), low, high], label, shown, left(1))
+         bars(2, :) = [(real(i, wp), i=1, size(rows))]
+         if (.not. is_offset) call add_curve(chart, found%start(rows), bars(2, :), deck_look, '')
+         associate (values => found%fit%unknowns(rows), half => found%statistics%half_width(rows))
+            call add_curve(chart, values/unit, bars(2, :), found_look, '')
+            bars(1, :) = values/unit
+            bars(3, :) = (values - half)/unit
+            bars(4, :) = (values + half)/unit
+            call add_points(chart, bars(:, pack([(i, i=1, size(rows))], .not. is_missing(half))), &
+                            "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'")
+         end associate
+      end subroutine add_factors
 
-      !> Heading of a column of calibration.csv.
-      pure function heading(column) result(text)
-         character(*), intent(in) :: column
-         character(:), allocatable :: text
-         text = column_header(column_named(factor_columns, column), units)
-      end function heading
-
-      !> The curves over so many named rows, the first on top.
-      subroutine draw(rows, tics)
-         integer, intent(in) :: rows
-         character(*), intent(in) :: tics
-         call append_text(lines, 'set yrange ['//to_text(real(rows, wp) + 0.6_wp, digits)//':0.4]; set ytics ('//tics// &
-                          '); unset ylabel')
-         call plot(lines, series, may_lack=.true.)
-      end subroutine draw
-   end subroutine calibration_script
+      !> Errors of what was calculated against what was measured.
+      subroutine add_errors(calculated, look)
+         real(wp), intent(in) :: calculated(:)
+         character(*), intent(in) :: look
+         type(optional_real) :: errors(n)
+         errors = percent_error(calculated, given(calibration%data%measured))
+         call add_curve(chart, merge(errors%value, missing, errors%present .and. .not. is_missing(calculated)), &
+                        [(real(i, wp), i=1, n)], look, '')
+      end subroutine add_errors
+   end function calibration_chart
 end module dg_calibration_picture

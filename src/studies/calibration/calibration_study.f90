@@ -4,7 +4,7 @@ module dg_calibration_study
       predicts
    use dg_calibration_echo, only: add_calibrations
    use dg_calibration_file, only: datum_columns, write_calibrations
-   use dg_calibration_picture, only: calibration_script
+   use dg_calibration_picture, only: calibration_chart
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: calibration_table
    use dg_case_memory, only: need_type
@@ -26,7 +26,7 @@ module dg_calibration_study
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
    use dg_picture_data, only: rows_of_file
-   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
    use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
@@ -40,6 +40,8 @@ module dg_calibration_study
       private
       type(calibration_type), allocatable :: calibrations(:)
       integer :: estimates = 0     !< of the run that are there before those of the first calibration
+      type(calibration_result_type), allocatable :: results(:)
+      integer, allocatable :: owner(:)              !< number of the calibration of each result
    contains
       procedure :: add_groups
       procedure :: read => read_calibrations
@@ -125,8 +127,6 @@ contains
       class(calibration_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
-      type(calibration_result_type), allocatable :: results(:)
-      integer, allocatable :: owner(:)     !< number of the calibration of each result
       type(text_type), allocatable :: lines(:)
       type(error_type), allocatable :: failure
       integer :: i, j, n, lost
@@ -136,18 +136,18 @@ contains
       do i = 1, size(self%calibrations)
          n = n + size(self%calibrations(i)%models)
       end do
-      allocate (results(n), owner(n))
+      allocate (self%results(n), self%owner(n))
       n = 0
       do i = 1, size(self%calibrations)
          associate (calibration => self%calibrations(i))
             if (divided .and. .not. calibration%apply) cycle
             lost = 0
             do j = 1, size(calibration%models)
-               call fit_calibration(run%job, run%given, calibration, j, results(n + 1))
+               call fit_calibration(run%job, run%given, calibration, j, self%results(n + 1))
                if (is_interrupted()) exit
                n = n + 1
-               owner(n) = i
-               associate (result => results(n))
+               self%owner(n) = i
+               associate (result => self%results(n))
                   if (result%fit%status /= fit_done) then
                      lost = lost + 1
                      call note_lost(run%printed%outcome, 'calibration '//calibration%name, result%model, &
@@ -175,13 +175,14 @@ contains
             if (lost > 0) run%status = graver(run%status, status_not_converged)
          end associate
       end do
+      self%owner = self%owner(:n)
       if (.not. divided) then
          call begin_factors(run%factors, run%job%units)
-         call write_calibrations(run%job, run%given, self%calibrations, owner(:n), results(:n), run%factors, failure)
+         call write_calibrations(run%job, run%given, self%calibrations, self%owner, self%results(:n), run%factors, failure)
          if (allocated(failure)) call move_alloc(failure, error)
       end if
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
-         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(results))//' done')
+         interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(self%results))//' done')
    end subroutine run_calibrations
 
    !> Tells others what a calibration has found out about friction.
@@ -231,28 +232,24 @@ contains
    end subroutine add_need
 
    !> A picture for each calibration and model.
-   subroutine add_pictures(self, job, model, list, error)
+   subroutine add_pictures(self, run, list, error)
       class(calibration_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name
-      integer :: i, k
-      if (job%merge > 0) return      ! a run that joins parts has not calibrated
-      do i = 1, size(self%calibrations)
-         associate (calibration => self%calibrations(i))
-            do k = 1, size(calibration%models)
-               name = to_text(i)             ! where its name is none for a file
-               if (is_separator_free(calibration%name)) name = calibration%name
-               name = free_name(list, 'calibration_'//name//'_'//trim(model_name(calibration%models(k))))
-               call calibration_script(name, job%units, model, self%calibrations, i, k, lines)
-               call add_picture(list, job, new_picture(name, 'Friction found from measurements, and the error before and after', &
-                  0, rows_of_file(job, 'calibration_data.csv', datum_columns, shown, &
-                               text_list('calibration', calibration%name, 'model', trim(model_name(calibration%models(k)))))), &
-                                lines, error)
-            end do
+      character(:), allocatable :: name, model
+      integer :: i
+      if (run%job%merge > 0 .or. .not. allocated(self%owner)) return      ! a run that joins parts has not calibrated
+      do i = 1, size(self%owner)
+         associate (calibration => self%calibrations(self%owner(i)))
+            name = to_text(self%owner(i))             ! where its name is none for a file
+            if (is_separator_free(calibration%name)) name = calibration%name
+            model = trim(model_name(self%results(i)%model))
+            call add_picture(list, run%job, calibration_chart('calibration_'//name//'_'//model, run%job%units, run%given, &
+                                                              calibration, self%results(i)), &
+                             'Friction found from measurements, and the error before and after', 0, &
+                             rows_of_file(run%job, 'calibration_data.csv', datum_columns, shown, &
+                                          text_list('calibration', calibration%name, 'model', model)), error)
          end associate
       end do
    end subroutine add_pictures

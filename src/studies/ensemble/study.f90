@@ -163,14 +163,12 @@ contains
    end subroutine finish_nothing
 
    !> Adds its pictures. Where there is an error already, nothing is done.
-   subroutine no_pictures(self, job, model, list, error)
+   subroutine no_pictures(self, run, list, error)
       class(study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      associate (none => self, of_these => job, changes => model, nor => list)
-         if (allocated(error)) return
+      associate (none => self, of_these => run, not_needed => list, nor => error)
       end associate
    end subroutine no_pictures
 end module dg_study

@@ -9,13 +9,12 @@ module dg_legacy_study
    use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy
-   use dg_legacy_picture, only: legacy_script
+   use dg_legacy_picture, only: legacy_chart
    use dg_legacy_report, only: legacy_report
    use dg_legacy_rows, only: add_legacy_rows, legacy_columns
    use dg_legacy_table, only: legacy_table_type
-   use dg_model, only: model_type
    use dg_picture_data, only: rows_of_file
-   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_legacy_keys, only: legacy_keys, legacy_rule
    use dg_study, only: run_type, study_type
@@ -137,22 +136,18 @@ contains
    end subroutine add_forms
 
    !> A picture for each table.
-   subroutine add_pictures(self, job, model, list, error)
+   subroutine add_pictures(self, run, list, error)
       class(legacy_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name
       integer :: i
-      if (job%merge > 0) return
+      if (run%job%merge > 0) return
       do i = 1, size(self%tables)
          associate (table => self%tables(i))
-            name = free_name(list, 'legacy_'//table%label)
-            call legacy_script(name, job, table, model%cases(table%case_index)%name, model%holes, lines)
-            call add_picture(list, job, new_picture(name, 'Our results and those of '//table%label, table%case_index, &
-                                           rows_of_file(job, file_of(table), legacy_columns, shown, text_list())), lines, error)
+            call add_picture(list, run%job, legacy_chart(run%job, run%model, table, run%results), &
+                             'Our results and those of '//table%label, table%case_index, &
+                             rows_of_file(run%job, file_of(table), legacy_columns, shown, text_list()), error)
          end associate
       end do
    end subroutine add_pictures

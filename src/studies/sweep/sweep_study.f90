@@ -1,6 +1,5 @@
 !> &sweep: hook load and torque over bit depth.
 module dg_sweep_study
-   use dg_column, only: field_real
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
@@ -12,8 +11,8 @@ module dg_sweep_study
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
-   use dg_picture_data, only: picture_data_type, rows_of_file
-   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_picture_data, only: rows_of_file
+   use dg_picture_list, only: add_picture, picture_list_type
    use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_range_text, only: range_text_type
    use dg_result_name, only: points_file
@@ -22,7 +21,7 @@ module dg_sweep_study
    use dg_sweep_echo, only: add_sweeps
    use dg_sweep_file, only: sweep_columns, write_sweep
    use dg_sweep_outcome, only: note_sweep
-   use dg_sweep_picture, only: sweep_script
+   use dg_sweep_picture, only: sweep_chart
    use dg_sweep_points, only: add_indicator, add_limits, add_margins, point_text, solve_points
    use dg_sweep_table, only: sweep_sentences, sweep_table
    use dg_text, only: text_list, text_type
@@ -167,27 +166,21 @@ contains
    end function place
 
    !> A broomstick for each sweep and model.
-   subroutine add_pictures(self, job, model, list, error)
+   subroutine add_pictures(self, run, list, error)
       class(sweep_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      type(picture_data_type) :: data
-      character(:), allocatable :: name
-      integer :: i, k, margin, row
-      margin = findloc(shown, 'overpull_margin', dim=1)
+      character(:), allocatable :: model
+      integer :: i, k
       do i = 1, size(self%sweeps)
          associate (sweep => self%sweeps(i))
             do k = 1, size(sweep%models)
-               name = free_name(list, 'sweep_'//sweep%name//'_'//trim(model_name(sweep%models(k))))
-               data = rows_of_file(job, points_file('sweep', sweep%name), sweep_columns, shown, &
-                                   text_list('model', trim(model_name(sweep%models(k)))))
-               call sweep_script(name, job%units, sweep, sweep%models(k), model%rig, model%holes, &
-                                 any([(data%rows(row)%fields(margin)%kind == field_real, row=1, size(data%rows))]), lines)
-               call add_picture(list, job, new_picture(name, 'Hook load and torque against bit depth, sweep '//sweep%name// &
-                                              ', model '//trim(model_name(sweep%models(k))), 0, data), lines, error)
+               model = trim(model_name(sweep%models(k)))
+               call add_picture(list, run%job, sweep_chart(run%job%units, sweep, k, run%model, self%ensembles(i)%points), &
+                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, &
+                                rows_of_file(run%job, points_file('sweep', sweep%name), sweep_columns, shown, &
+                                             text_list('model', model)), error)
             end do
          end associate
       end do

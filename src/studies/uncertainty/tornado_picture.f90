@@ -1,110 +1,92 @@
 !> What matters most at the deepest bit depth: a bar for each uncertain input, as long as the standard deviation that it makes by
-!> itself to either side of the mean, from uncertainty_<name>.csv.
+!> itself to either side of the mean.
 module dg_tornado_picture
    use dg_kinds, only: wp
-   use dg_column, only: column_header, column_named
-   use dg_gnuplot_script, only: add_series, colour_of, end_script, legend, panel, plot, results_file, row_tics, series_type, &
-                                start_script
+   use dg_chart, only: add_points, add_rows, chart_type, new_chart
+   use dg_curve_look, only: colour_of
    use dg_html_text, only: spaced
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, rotates
+   use dg_missing, only: is_missing
+   use dg_sample_statistics, only: distribution_type, point_statistics_type
    use dg_sweep, only: point_number, point_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: text_type
    use dg_uncertainty, only: uncertainty_type
-   use dg_uncertainty_file, only: share_column, uncertainty_columns
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    use dg_variance_shares, only: input_count, input_name, varies
    implicit none
    private
-   public :: tornado_script
+   public :: tornado_chart
 
-   integer, parameter :: digits = 8, depth_digits = 6, width = 1120, head = 110, row_height = 24
+   integer, parameter :: depth_digits = 6, head = 110, row_height = 24
    real(wp), parameter :: half_a_bar = 0.36_wp
 
 contains
 
    !> One model's bars, rows of all operations below each other.
-   subroutine tornado_script(name, units, uncertainty, place, lines)
-      character(*), intent(in) :: name      !< of the picture
+   function tornado_chart(units, uncertainty, place, statistics) result(chart)
       type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
       integer, intent(in) :: place          !< of the model in the range's
-      type(text_type), allocatable, intent(out) :: lines(:)
+      type(point_statistics_type), intent(in) :: statistics(:)      !< of all points
+      type(chart_type) :: chart
       real(wp), parameter :: left(2) = [0.24_wp, 0.63_wp], right(2) = [0.6_wp, 0.99_wp]
-      type(series_type), allocatable :: none(:)
-      type(text_type) :: names(input_count*size(uncertainty%range%operations))
-      integer :: rows, i, o, height
+      integer, dimension(input_count*size(uncertainty%range%operations)) :: inputs, operations   !< of each row
+      type(text_type) :: names(size(inputs))
+      character(:), allocatable :: name
+      real(wp) :: height
+      integer :: rows, i, o
       rows = 0
-      do o = 1, size(uncertainty%range%operations)
-         do i = 1, input_count
-            if (.not. varies(uncertainty, i)) cycle
-            rows = rows + 1
-            names(rows)%text = trim(operation_label(uncertainty%range%operations(o)))//': '//spaced(trim(input_name(i)))
+      associate (range => uncertainty%range)
+         do o = 1, size(range%operations)
+            do i = 1, input_count
+               if (.not. varies(uncertainty, i)) cycle
+               rows = rows + 1
+               inputs(rows) = i
+               operations(rows) = o
+               names(rows)%text = trim(operation_label(range%operations(o)))//': '//spaced(trim(input_name(i)))
+            end do
          end do
-      end do
-      height = head + row_height*rows
-      call start_script(lines, name, width, height)
-      call append_text(lines, 'set style fill solid 0.75 noborder')
-      associate (range => uncertainty%range, top => 1.0_wp - 45.0_wp/real(height, wp), bottom => 55.0_wp/real(height, wp))
-         call add_series(none, 'NaN', 'with lines', '')
-         call legend(lines, 'Uncertainty '//range%name//', model '//trim(model_name(range%models(place)))// &
-                     ': what matters most at '// &
-                     trim(in_units(units, unit_length, range%depths(size(range%depths)), depth_digits)), none, top, &
-                     1.0_wp - 25.0_wp/real(height, wp))
-         call panel(lines, left(1), right(1), bottom, top, 'hook load by one standard deviation ['// &
-                    trim(units%force_label)//']', ' ')
-         call draw('hookload', .false., row_tics(names(:rows), left(1), width))
-         call panel(lines, left(2), right(2), bottom, top, 'torque by one standard deviation ['// &
-                    unit_label(units, unit_moment)//']', ' ')
-         call draw('torque', .true., '')
+         height = real(head + row_height*rows, wp)
+         name = trim(model_name(range%models(place)))
+         associate (top => 1.0_wp - 45.0_wp/height, bottom => 55.0_wp/height)
+            chart = new_chart('tornado_'//range%name//'_'//name, 'Uncertainty '//range%name//', model '//name// &
+                              ': what matters most at '//trim(in_units(units, unit_length, range%depths(size(range%depths)), &
+                                                                       depth_digits)), units, nint(height), &
+                              [top, 1.0_wp - 25.0_wp/height])
+            call add_rows(chart, [left(1), right(1), bottom, top], 'hook load by one standard deviation ['// &
+                          trim(units%force_label)//']', names(:rows), left(1))
+            do i = 1, rows
+               associate (point => statistics(point_number(range, point_type(place, operations(i), 1, size(range%depths)))))
+                  call add_bar(point%hookload, point%hookload_shares(inputs(i)), units%force)
+               end associate
+            end do
+            call add_rows(chart, [left(2), right(2), bottom, top], 'torque by one standard deviation ['// &
+                          unit_label(units, unit_moment)//']', names(:rows), 0.0_wp)
+            do i = 1, rows
+               if (.not. rotates(range%operations(operations(i)))) cycle
+               associate (point => statistics(point_number(range, point_type(place, operations(i), 1, size(range%depths)))))
+                  call add_bar(point%torque, point%torque_shares(inputs(i)), units%moment)
+               end associate
+            end do
+         end associate
       end associate
-      call end_script(lines)
 
    contains
 
-      !> The bars of one result, the first row on top.
-      subroutine draw(result, turning, tics)
-         character(*), intent(in) :: result, tics
-         logical, intent(in) :: turning      !< operations that turn alone
-         type(series_type), allocatable :: bars(:)
-         integer :: row
-         row = 0
-         do o = 1, size(uncertainty%range%operations)
-            do i = 1, input_count
-               if (.not. varies(uncertainty, i)) cycle
-               row = row + 1
-               if (turning .and. .not. rotates(uncertainty%range%operations(o))) cycle
-               call add_series(bars, bar(result, row), "with boxxyerror lc rgb '"//colour_of(i)//"'", '')
-            end do
-         end do
-         if (.not. allocated(bars)) call add_series(bars, 'NaN', 'with lines', '')
-         call append_text(lines, 'set yrange ['//to_text(real(rows, wp) + 0.6_wp, digits)//':0.4]; set ytics ('//tics// &
-                          '); unset ylabel')
-         call plot(lines, bars, may_lack=.true.)
-      end subroutine draw
-
-      !> From its row of the file: mean, row, ends of the bar.
-      function bar(result, row) result(using)
-         character(*), intent(in) :: result
-         integer, intent(in) :: row
-         character(:), allocatable :: using
-         character(:), allocatable :: at, mean, effect
-         integer :: point
-         point = point_number(uncertainty%range, point_type(place, o, 1, size(uncertainty%range%depths))) - 1
-         at = to_text(row)
-         mean = "column('"//heading(result//'_mean')//"')"
-         effect = "column('"//heading(result//'_deviation')//"')*sqrt(column('"//heading(share_column(result, i))//"')/100)"
-         using = results_file('uncertainty_'//uncertainty%range%name)//' every ::'//to_text(point)//'::'//to_text(point)// &
-                 ' using ('//mean//'):('//at//'):('//mean//'-'//effect//'):('//mean//'+'//effect//'):('//at//'-'// &
-                 to_text(half_a_bar, digits)//'):('//at//'+'//to_text(half_a_bar, digits)//')'
-      end function bar
-
-      !> Heading of a column of the file.
-      pure function heading(column) result(text)
-         character(*), intent(in) :: column
-         character(:), allocatable :: text
-         text = column_header(column_named(uncertainty_columns, trim(column)), units)
-      end function heading
-   end subroutine tornado_script
+      !> The bar of row `i`, to either side of the mean.
+      subroutine add_bar(distribution, share, unit)
+         type(distribution_type), intent(in) :: distribution
+         real(wp), intent(in) :: share      !< of the variance [-]
+         real(wp), intent(in) :: unit
+         real(wp) :: mean, effect, row
+         if (is_missing(share) .or. is_missing(distribution%deviation)) return
+         mean = distribution%mean/unit
+         effect = distribution%deviation*sqrt(share)/unit
+         row = real(i, wp)
+         call add_points(chart, reshape([mean, row, mean - effect, mean + effect, row - half_a_bar, row + half_a_bar], [6, 1]), &
+                         "with boxxyerror fs solid 0.75 noborder lc rgb '"//colour_of(inputs(i))//"'")
+      end subroutine add_bar
+   end function tornado_chart
 end module dg_tornado_picture

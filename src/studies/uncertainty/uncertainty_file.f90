@@ -11,10 +11,9 @@ module dg_uncertainty_file
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_at, point_type
    use dg_uncertainty, only: uncertainty_type
-   use dg_variance_shares, only: input_name
    implicit none
    private
-   public :: uncertainty_columns, write_uncertainty, share_column
+   public :: uncertainty_columns, write_uncertainty
 
    !> New ones are added at the end only: others rely on the names and the order.
    type(column_type), parameter :: uncertainty_columns(29) = [ &
@@ -94,14 +93,6 @@ contains
          call put(row, in_percent(known(shares(i))))
       end do
    end subroutine put_shares
-
-   !> Name of the column with the share of an input in the variance of hook load or torque, blanks behind it.
-   pure function share_column(result, input) result(name)
-      character(*), intent(in) :: result     !< 'hookload' or 'torque'
-      integer, intent(in) :: input           !< number (dg_variance_shares)
-      character(40) :: name
-      name = result//'_share_'//input_name(input)
-   end function share_column
 
    pure subroutine put_distribution(row, distribution)
       type(field_list_type), intent(inout) :: row

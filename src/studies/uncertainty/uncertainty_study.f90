@@ -12,7 +12,7 @@ module dg_uncertainty_study
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
    use dg_picture_data, only: rows_of_file
-   use dg_picture_list, only: add_picture, free_name, new_picture, picture_list_type
+   use dg_picture_list, only: add_picture, picture_list_type
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
@@ -22,12 +22,12 @@ module dg_uncertainty_study
    use dg_sweep, only: point_count, sweep_type
    use dg_sweep_points, only: add_indicator
    use dg_text, only: quoted, text_list, text_type
-   use dg_tornado_picture, only: tornado_script
+   use dg_tornado_picture, only: tornado_chart
    use dg_uncertainty, only: friction_factor_of, piece_count, uncertainty_type
    use dg_uncertainty_echo, only: add_uncertainties
    use dg_uncertainty_file, only: uncertainty_columns, write_uncertainty
    use dg_uncertainty_outcome, only: note_uncertainty
-   use dg_uncertainty_picture, only: uncertainty_script
+   use dg_uncertainty_picture, only: uncertainty_chart
    use dg_uncertainty_table, only: uncertainty_table
    use dg_uncertainty_text, only: uncertainty_lines
    use dg_units, only: unit_system_type
@@ -196,14 +196,10 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
       type(point_statistics_type), allocatable :: statistics(:)
-      integer :: i
       associate (uncertainty => self%uncertainties(number), points => self%ensembles(number)%points)
          call note_uncertainty(run%printed%outcome, uncertainty, points)
          call add_indicator(run%model, uncertainty%range, uncertainty%samples, points)
-         allocate (statistics(point_count(uncertainty%range)))
-         do i = 1, size(statistics)
-            statistics(i) = find_point_statistics(uncertainty, i, points)
-         end do
+         statistics = statistics_of(self, number)
          call write_uncertainty(run%job%output_dir//'/'//points_file('uncertainty', uncertainty%range%name), run%job, &
                                 uncertainty, statistics, error)
          if (.not. allocated(error)) &
@@ -221,30 +217,41 @@ contains
    end function place
 
    !> A broomstick of quantiles for each range of depths and model.
-   subroutine add_pictures(self, job, model, list, error)
+   subroutine add_pictures(self, run, list, error)
       class(uncertainty_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+      type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: name
+      type(point_statistics_type), allocatable :: statistics(:)
+      character(:), allocatable :: model
       integer :: i, k
       do i = 1, size(self%uncertainties)
-         associate (range => self%uncertainties(i)%range)
+         associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range)
+            statistics = statistics_of(self, i)
             do k = 1, size(range%models)
-               name = free_name(list, 'uncertainty_'//range%name//'_'//trim(model_name(range%models(k))))
-               call uncertainty_script(name, job%units, range, range%models(k), model%rig, model%holes, lines)
-               call add_picture(list, job, new_picture(name, 'What uncertain data make of hook load and torque', 0, &
-                  rows_of_file(job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
-                               text_list('model', trim(model_name(range%models(k)))))), lines, error)
-               name = free_name(list, 'tornado_'//range%name//'_'//trim(model_name(range%models(k))))
-               call tornado_script(name, job%units, self%uncertainties(i), k, lines)
-               call add_picture(list, job, new_picture(name, 'What matters most: hook load and torque by one standard '// &
-                  'deviation of each input', 0, rows_of_file(job, points_file('uncertainty', range%name), uncertainty_columns, &
-                  shown_shares, text_list('model', trim(model_name(range%models(k)))))), lines, error)
+               model = trim(model_name(range%models(k)))
+               call add_picture(list, run%job, uncertainty_chart(run%job%units, range, k, run%model, statistics), &
+                                'What uncertain data make of hook load and torque', 0, &
+                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
+                                             text_list('model', model)), error)
+               call add_picture(list, run%job, tornado_chart(run%job%units, uncertainty, k, statistics), &
+                                'What matters most: hook load and torque by one standard deviation of each input', 0, &
+                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown_shares, &
+                                             text_list('model', model)), error)
             end do
          end associate
       end do
    end subroutine add_pictures
+
+   !> Statistics of all points of a range.
+   function statistics_of(self, number) result(statistics)
+      class(uncertainty_study_type), intent(in) :: self
+      integer, intent(in) :: number
+      type(point_statistics_type), allocatable :: statistics(:)
+      integer :: i
+      allocate (statistics(point_count(self%uncertainties(number)%range)))
+      do i = 1, size(statistics)
+         statistics(i) = find_point_statistics(self%uncertainties(number), i, self%ensembles(number)%points)
+      end do
+   end function statistics_of
 end module dg_uncertainty_study
