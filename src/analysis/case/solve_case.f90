@@ -1,6 +1,7 @@
 !> One load case by the model of a given number: the one place that knows the doors of all models.
 module dg_solve_case
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
+   use dg_confirm_lock_up, only: confirm_lock_up
    use dg_error, only: error_type, raise, status_failure
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
@@ -28,13 +29,17 @@ contains
       logical, intent(in), optional :: totals_only   !< .true.: no profile is asked for; models that save time so leave it out
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(stop_type) :: stopped
+      logical :: shortly
       integer, parameter :: nothing = 0
       if (present(stop)) stopped = stop
+      shortly = .false.
+      if (present(totals_only)) shortly = totals_only
       select case (merge(nothing, number, is_stopped(stopped)))
       case (nothing)
          result%message = 'not begun'
       case (model_mcge)
          call solve_static_analysis(model, case_index, result, error, totals_only, stop)
+         if (.not. shortly) call confirm_lock_up(model, case_index, stopped, result)
       case (model_soft)
          call solve_soft_string(model, case_index, result, error, totals_only)
       case (model_rigid)

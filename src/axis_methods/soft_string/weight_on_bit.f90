@@ -8,7 +8,7 @@ module dg_weight_on_bit
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: most_weight_on_bit, locks_up, find_reach
+   public :: most_load_at_bit, most_weight_on_bit, locks_up, find_reach
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -29,29 +29,49 @@ contains
       integer, intent(in) :: case_index
       logical, intent(in) :: coiled, pushed
       real(wp) :: wob
-      type(bracket_type) :: bracket
-      real(wp) :: left, value, high, narrowness
-      integer :: i
       wob = 0.0_wp
-      left = left_of(model, case_index, 0.0_wp, coiled, pushed)
-      if (left < 0.0_wp) return
-      high = max(left, first_guess)
-      do i = 1, doublings
-         value = left_of(model, case_index, high, coiled, pushed)
-         if (value < 0.0_wp) exit
-         wob = high
-         left = value
-         high = 2.0_wp*high
-      end do
-      if (i > doublings) return
-      bracket = new_bracket(wob, left, high, value)
-      narrowness = tolerance*high
-      do while (.not. is_narrow(bracket, narrowness))
-         wob = next_try(bracket, narrowness)
-         call narrow(bracket, wob, left_of(model, case_index, wob, coiled, pushed))
-      end do
-      wob = bracket%low
+      if (left_of(model, case_index, 0.0_wp, coiled, pushed) >= 0.0_wp) &
+         wob = most_load_at_bit(model, case_index, coiled, pushed)
    end function most_weight_on_bit
+
+   !> The same load, < 0 where the bit must be pulled down; 0 where no pull that is tried is enough, or no load too much.
+   pure function most_load_at_bit(model, case_index, coiled, pushed) result(load)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      logical, intent(in) :: coiled, pushed
+      real(wp) :: load
+      type(bracket_type) :: bracket
+      real(wp) :: left, here, other, value, narrowness, step
+      integer :: i
+      load = 0.0_wp
+      here = 0.0_wp
+      left = left_of(model, case_index, here, coiled, pushed)
+      step = max(left, first_guess)
+      if (left < 0.0_wp) step = -step
+      do i = 1, doublings
+         other = step
+         value = left_of(model, case_index, other, coiled, pushed)
+         if ((value < 0.0_wp) .neqv. (left < 0.0_wp)) exit
+         here = other
+         left = value
+         step = 2.0_wp*step
+      end do
+      if (i > doublings) then
+         if (here > 0.0_wp) load = here
+         return
+      end if
+      if (here < other) then
+         bracket = new_bracket(here, left, other, value)
+      else
+         bracket = new_bracket(other, value, here, left)
+      end if
+      narrowness = tolerance*abs(other)
+      do while (.not. is_narrow(bracket, narrowness))
+         load = next_try(bracket, narrowness)
+         call narrow(bracket, load, left_of(model, case_index, load, coiled, pushed))
+      end do
+      load = bracket%low
+   end function most_load_at_bit
 
    !> True where the string of a load case is lowered and its own weight does not bring it down. Friction of a coiled string counts.
    pure function locks_up(model, case_index) result(locks)

@@ -21,7 +21,7 @@ module dg_static_result
    use dg_trajectory, only: inclination_of, position_at, top_md
    use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_weight_on_bit, only: most_weight_on_bit
+   use dg_weight_on_bit, only: most_load_at_bit, most_weight_on_bit
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -296,7 +296,8 @@ contains
                        ', friction of helical buckling between surface and '// &
                        to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
                        ' takes up any push from surface. '
-      most = most_weight_on_bit(model, case_index, coiled=.true., pushed=.true.)
+      most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
+      result%lock_up_load = most
       if (most > 0.0_wp) then
          result%message = result%message//'No push brings more than '//trim(in_units(model%units, unit_force, most, shown))// &
                           ' to the bit. Without a push '// &
@@ -305,6 +306,8 @@ contains
                           ' reach it'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
+         if (most < 0.0_wp) result%message = result%message//'. With a pull of '// &
+                                             trim(in_units(model%units, unit_force, -most, shown))//' at the bit it would'
       end if
    end subroutine result_of_lock_up
 

@@ -1,0 +1,55 @@
+!> Confirms by beams that a load case locks up.
+!>
+!> The soft string with the friction of coils finds that a string locks up, and the greatest load that comes to its bit. Beams must
+!> find an equilibrium at a little less than this load. Else the case counts as not converged. Cases without a profile, as those of
+!> sweeps, are not confirmed: their neighbours are solved anyway.
+module dg_confirm_lock_up
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged
+   use dg_error, only: error_type
+   use dg_missing, only: is_missing
+   use dg_model, only: model_type
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_stopping, only: stop_type
+   use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_force
+   implicit none
+   private
+   public :: confirm_lock_up
+
+   !> How much less the load is, over the load [-].
+   real(wp), parameter :: less = 0.05_wp
+   !> Digits in a message.
+   integer, parameter :: shown = 4
+
+contains
+
+   !> Takes one more solution where the result is locked up. Its iterations and seconds are added.
+   subroutine confirm_lock_up(model, case_index, stop, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      type(model_type) :: eased
+      type(case_result_type) :: found
+      type(error_type), allocatable :: error
+      character(:), allocatable :: load
+      if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
+      eased = model
+      eased%cases(case_index)%wob = result%lock_up_load - less*abs(result%lock_up_load)
+      call solve_static_analysis(eased, case_index, found, error, totals_only=.true., stop=stop)
+      result%iterations = found%iterations
+      result%seconds = result%seconds + found%seconds
+      if (allocated(error)) then
+         found%status = result_not_converged
+      else if (found%status == result_converged) then
+         return
+      end if
+      load = 'a weight on bit of '
+      if (result%lock_up_load < 0.0_wp) load = 'a pull at the bit of '
+      load = load//trim(in_units(model%units, unit_force, abs(eased%cases(case_index)%wob), shown))
+      result%status = result_not_converged
+      result%message = 'No equilibrium found. The soft string locks up, but this is not confirmed: with '//load// &
+                       ', which should come down, none was found in '//to_text(found%iterations)//' iterations'
+   end subroutine confirm_lock_up
+end module dg_confirm_lock_up
