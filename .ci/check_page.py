@@ -3,7 +3,8 @@
 
 The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
-other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that the browser has no complaint.
+other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
+cut or lies on another; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -24,11 +25,31 @@ PARTS = (0.05, 0.31, 0.5, 0.72, 0.97)       # of the depth
 FIELD = {"ft": 1 / 0.3048, "klbf": 0.2248089431, "kft.lbf": 0.7375621493, "ksi": 0.1450377377}     # over m, kN, kN.m, MPa
 BIGGEST = 900_000           # bytes of the page
 
+WIDTHS = (1440, 500)        # px; Chromium without a screen is no narrower
+LABELS = r"""
+setTimeout(() => {
+   const found = new Set()
+   const look = view => { for (const svg of document.querySelectorAll('#live svg, .drawn svg')) {
+      const whole = svg.getBoundingClientRect(), name = svg.getAttribute('aria-label') ?? svg.querySelector('title')?.textContent
+      const texts = [...svg.querySelectorAll('text:not(.value)')].filter(t => t.textContent.trim() && whole.width)
+         .map(t => [t.textContent.trim(), t.getBoundingClientRect()])
+      texts.forEach(([t, a], i) => {
+         if (a.left < whole.left - 2 || a.right > whole.right + 2 || a.top < whole.top - 2 || a.bottom > whole.bottom + 2) found.add(`${view}, ${name}: ${t} is cut`)
+         for (const [u, b] of texts.slice(0, i)) if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+            Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.3 * Math.min(a.height, b.height)) found.add(`${view}, ${name}: ${t} lies on ${u}`)
+      })
+   } }
+   look('first')
+   for (const b of document.querySelectorAll('.lower button, .bar .tab')) { b.click(); look(b.textContent) }
+   document.title = 'FOUND' + JSON.stringify([...found])
+}, 500)
+"""
 
-def dom(page, view=""):
+
+def dom(page, view="", options=()):
     """The page as the browser has made it, and what it complained of."""
     with tempfile.TemporaryDirectory() as home:
-        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={home}",
+        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={home}", *options,
                               "--virtual-time-budget=3000", "--dump-dom", page.resolve().as_uri() + ("#" + view if view else "")],
                              capture_output=True, text=True, timeout=240, check=False)
     return run.stdout, re.findall(r"CONSOLE[^\n]*", run.stderr)
@@ -121,6 +142,23 @@ def faults_without_script(page):
     return faults
 
 
+def faults_of_labels(folder, page):
+    """Texts of all charts and pictures, on a screen and on a phone, in each view of the well: none is cut or lies on another."""
+    faults = []
+    pictures = "".join(f'<div class="drawn">{p.read_text(encoding="utf-8").partition("<svg")[2].join(("<svg", ""))}</div>'
+                       for p in sorted((folder / "pictures").glob("*.svg")))
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
+    text = text.replace("</body>", f"{pictures}<script>{LABELS}</script></body>")
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = pathlib.Path(scratch) / "labels.html"
+        copy.write_text(text, encoding="utf-8")
+        for width in WIDTHS:
+            made, _ = dom(copy, options=(f"--window-size={width},1000",))
+            found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
+            faults += [f"{width} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["labels were not looked at"]
+    return faults
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     page = folder / "report.html"
@@ -138,7 +176,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")

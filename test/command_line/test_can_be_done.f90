@@ -201,6 +201,8 @@ contains
       page = content(results_path//'/report.html')
       call assertTrue(index(page, '<h2>') == index(page, '<h2>Can it be done?</h2>'), message='the first heading')
       call assertTrue(index(page, '<b class="no">NO</b>') > 0)
+      call assertEqual(0, index(page, 'No warnings'), message='beside a NO')
+      call assertTrue(index(page(:index(page, '<details')), 'scope="col">largest bending moment<') > 0, message='not folded')
    end subroutine test_page
 
    !> Depths and weights, and the axial force at a jar.

@@ -35,9 +35,9 @@ module dg_html_report
 
    !> Columns of summary.csv and limits.csv that the page shows; the files have all. What was asked for comes first, for a phone
    !> shows the first few only.
-   character(*), parameter :: summary_shown(15) = [character(16) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
-      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'can_be_done', 'operation', 'bit_depth', 'wob', &
-      'section']
+   character(*), parameter :: summary_shown(16) = [character(18) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
+      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'largest_bending', 'largest_bending_md', &
+      'operation', 'bit_depth', 'wob', 'section']
    character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
    character(*), parameter :: limits_shown(30) = [character(25) :: 'case', 'stretch', 'windup', 'neutral_top', &
@@ -74,7 +74,7 @@ contains
       call start_page(job, lines)
       call append_verdicts(lines, job, model, results, wholes)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
-      call append_warnings(lines, job, model, results)
+      call append_warnings(lines, job, model, results, wholes)
       call append_outcome(lines, job%units, printed%outcome)
       if (allocated(model%path_notes)) then
          do i = 1, size(model%path_notes)
@@ -160,12 +160,13 @@ contains
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
    end subroutine start_page
 
-   !> Notes on the deck, then messages of load cases, those without a solution first.
-   subroutine append_warnings(lines, job, model, results)
+   !> Notes on the deck, then messages of load cases, those without a solution first. Beside a NO 'no warnings' would mislead.
+   subroutine append_warnings(lines, job, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(text_type), allocatable :: notes(:)
       character(:), allocatable :: head
       integer, allocatable :: order(:)
@@ -173,7 +174,7 @@ contains
       allocate (order, source=warning_order(results))
       allocate (notes, source=deck_warnings(job, model))
       if (size(order) + size(notes) == 0) then
-         call add_line(lines, '<p>No warnings.</p>')
+         if (all(wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings.</p>')
          return
       end if
       call add_line(lines, '<h2>Warnings ('//to_text(size(order) + size(notes))//')</h2><ul>')
@@ -206,7 +207,7 @@ contains
       call append_summary(lines, job, model, results, wholes, summary_shown)
    end subroutine append_results
 
-   !> Those columns of summary.csv, a table a model. Only that of the leading model is open.
+   !> Those columns of summary.csv and limits.csv, a table a model. Only that of the leading model is open.
    subroutine append_summary(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -215,6 +216,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       character(*), intent(in) :: shown(:)
       type(field_list_type), allocatable :: fields(:)
+      type(field_list_type) :: limits
       integer, allocatable :: rows(:)
       integer :: i, k
       do k = 1, size(job%models)
@@ -224,9 +226,13 @@ contains
          do i = 1, size(rows)
             call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), &
                                 wholes(rows(i))%verdict, job%units, fields(i))
+            call limits_fields('', results(rows(i)), wholes(rows(i)), limits)
+            fields(i)%fields = [fields(i)%fields(:fields(i)%count), limits%fields(:limits%count)]
+            fields(i)%count = size(fields(i)%fields)
          end do
          if (job%models(k) /= leading_model(job)) call open_fold(lines, 'Model '//trim(model_name(job%models(k))))
-         call append_table(lines, summary_columns, shown, job%units, fields, wholes(rows)%verdict%answer /= answer_yes)
+         call append_table(lines, [summary_columns, limits_columns], shown, job%units, fields, &
+                           wholes(rows)%verdict%answer /= answer_yes)
          if (job%models(k) /= leading_model(job)) call close_fold(lines)
       end do
    end subroutine append_summary
@@ -245,7 +251,8 @@ contains
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
                     'the limit. Safety factors need a yield strength in the deck.</p>')
       call add_line(lines, '<p>neutral top: uppermost neutral point, tension above, compression below. overpull margin: pull '// &
-                    'that may be added at the top before anything yields, bending included. wob buckling: WOB where buckling '// &
+                    'that may be added at the top before the pipe yields, bending included. rig margin: before the rig''s '// &
+                    'limit. The smaller one counts. wob buckling: WOB where buckling '// &
                     'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with the friction of a buckled '// &
                     'string.</p>')
       call add_line(lines, '<p>governing strength limit: of pipe, connections, slips and rig the one that is used most, how '// &

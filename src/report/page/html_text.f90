@@ -19,8 +19,10 @@ module dg_html_text
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'
    !> Columns with another heading than their name in files.
-   character(*), parameter :: renamed_columns(2) = [character(21) :: 'governing_limit', 'governing_utilisation']
-   character(*), parameter :: headings(2) = [character(25) :: 'governing strength limit', 'of it used']
+   character(*), parameter :: renamed_columns(4) = [character(21) :: 'governing_limit', 'governing_utilisation', &
+      'largest_bending', 'largest_bending_md']
+   character(*), parameter :: headings(4) = [character(25) :: 'governing strength limit', 'of it used', 'largest bending moment', &
+      'depth of largest moment']
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp
    integer, parameter :: few_digits = 3
@@ -159,6 +161,7 @@ contains
       logical :: has
       has = field%kind /= field_absent
       if (field%kind == field_real) has = is_shown(field%real_value)
+      if (field%kind == field_text) has = field%text /= ''
    end function has_value
 
    !> Digits behind the point that an engineer reads of a quantity.

@@ -215,16 +215,27 @@ function draw_3d() {
    const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a[k])), Math.max(1, ...points.map(a => a[k]))])
    const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)
    const box = ends.map((e, k) => (e[1] - e[0] < .2 * size ? [middle[k] - .1 * size, middle[k] + .1 * size] : e))
-   const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch), s = 300 * state.near / size
+   const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch), s = 290 * state.near / size
    const project = a => { const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2], far = e * sy + m * cy
-      return [230 + s * (e * cy - m * sy), 190 + s * (z * cp - far * sp), far] }
+      return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - far * sp), far] }
    const line = (a, b, o) => { const [x1, y1] = project(a), [x2, y2] = project(b); return make(svg, 'line', {x1, y1, x2, y2, ...o}) }
    const [e0, e1] = box[0], [n0, n1] = box[1], z1 = box[2][1], length = factor('length')
-   for (const t of ticks(e0 * length, e1 * length, 5)) line([t / length, n0, z1], [t / length, n1, z1], {class: 'grid'})
-   for (const t of ticks(n0 * length, n1 * length, 5)) line([e0, t / length, z1], [e1, t / length, z1], {class: 'grid'})
-   for (const t of ticks(0, z1 * length, 5)) { line([e0, n1, t / length], [e1, n1, t / length], {class: 'grid'})
-      const [x, y] = project([e1, n1, t / length]); make(svg, 'text', {x: x + 30, y: y + 4, 'text-anchor': 'end'}, t) }
-   for (const [a, t] of [[[e1, (n0 + n1) / 2, z1], 'east'], [[(e0 + e1) / 2, n1, z1], 'north']]) { const [x, y] = project(a); make(svg, 'text', {x, y: y + 14}, t) }
+   const plan = sp > .7, few = (a, b, room = 60) => Math.min(5, Math.max(1, Math.round((b - a) * s / room)))   // [px]
+   const number = (a, t, look) => { const [x, y] = project(a); make(svg, 'text', {x: x + look.dx, y: y + look.dy, 'text-anchor': look.anchor}, t) }
+   const below = {dx: 0, dy: 16, anchor: 'middle'}
+   for (const t of ticks(e0 * length, e1 * length, few(e0, e1))) { line([t / length, n0, z1], [t / length, n1, z1], {class: 'grid'})
+      if (plan || Math.abs(cy) > .95 && sp < .1) number([t / length, n0, z1], t, below) }
+   for (const t of ticks(n0 * length, n1 * length, few(n0, n1))) { line([e0, t / length, z1], [e1, t / length, z1], {class: 'grid'})
+      if (plan) number([e0, t / length, z1], t, {dx: -8, dy: 4, anchor: 'end'}); else if (Math.abs(sy) > .95 && sp < .1) number([e1, t / length, z1], t, below) }
+   if (!plan) for (const t of ticks(0, z1 * length, few(0, z1 * cp, 25))) { line([e0, n1, t / length], [e1, n1, t / length], {class: 'grid'})
+      number([e1, n1, t / length], t, {dx: cy * (e1 - e0) > Math.abs(sy) * (n1 - n0) * .2 ? 34 : -8, dy: 4, anchor: 'end'}) }
+   const [ox, oy] = project(middle)                          // a compass away from the string
+   for (const [a, t] of [[[size, 0, 0], 'E'], [[0, size, 0], 'N']]) {
+      const [x, y] = project(a.map((v, k) => v + middle[k])), dx = (x - ox) / (s * size) * 22, dy = (y - oy) / (s * size) * 22
+      if (Math.hypot(dx, dy) < 5) continue
+      make(svg, 'line', {x1: 415, y1: 365, x2: 415 + dx, y2: 365 + dy, class: 'zero'})
+      make(svg, 'text', {x: 415 + 1.5 * dx, y: 369 + 1.5 * dy, 'text-anchor': 'middle', class: 'label'}, t)
+   }
    make(svg, 'path', {class: 'shadow', d: 'M' + points.map(a => { const [x, y] = project([a[0], a[1], z1]); return x.toFixed(1) + ' ' + y.toFixed(1) }).join('L')})
    const values = points.map((a, i) => value_at(p, state.tint, i / n * end)), finite = values.filter(isFinite)
    const sorted = [...finite].sort((a, b) => a - b), low = sorted[0], high = sorted[Math.floor(.99 * (sorted.length - 1))]
@@ -244,12 +255,20 @@ function draw_3d() {
 // ---- the assembly in its hole: the lowest 40 m from the side, high side up
 const shown_length = 40 / D.quantities.length.SI[1]
 function draw_assembly() {
-   const svg = view.assembly, p = shown()[0], W = 1000, T = 250
+   const svg = view.assembly, p = shown()[0], W = Math.max(320, root.clientWidth || 1000), T = 290
    svg.replaceChildren()
+   svg.setAttribute('viewBox', `0 0 ${W} ${T}`)
    if (!p) return
-   const bit = D.cases[p.case].depth, long = shown_length, x_of = d => 50 + (d - (bit - long)) / long * (W - 70)
+   const bit = D.cases[p.case].depth, long = shown_length, x_of = d => 10 + (d - (bit - long)) / long * (W - 30)
    const hole = value_at(p, 'hole', bit), y = v => T / 2 - v / hole * 150
    const off = d => value_at(p, 'displacement', d) * Math.cos(value_at(p, 'clock', d) * Math.PI / 180)
+   const taken = []                                          // places of texts, the first come first served
+   const label = (x, y, text) => {
+      const half = 3.6 * text.length, at = Math.min(Math.max(x, half), W - half)
+      if (taken.some(t => t.y === y && Math.abs(t.at - at) < t.half + half + 4)) return
+      taken.push({at, half, y})
+      make(svg, 'text', {x: at, y, 'text-anchor': 'middle'}, text)
+   }
    const wall = [1, -1].map(sign => Array.from({length: 81}, (_, i) => { const d = bit - long + i * long / 80; return x_of(d).toFixed(1) + ' ' + y(sign * value_at(p, 'hole', d) / 2).toFixed(1) }).join('L'))
    for (const w of wall) make(svg, 'path', {d: 'M' + w, class: 'wall'})
    for (const part of D.cases[p.case].parts) {
@@ -258,16 +277,16 @@ function draw_assembly() {
       const at = Array.from({length: 41}, (_, i) => from + (to - from) * i / 40)
       const edge = sign => at.map(d => x_of(d).toFixed(1) + ' ' + y(off(d) + sign * part.od / 2).toFixed(1))
       make(make(svg, 'path', {d: 'M' + edge(1).concat(edge(-1).reverse()).join('L') + 'z', class: 'body'}), 'title', {}, part.name)
-      make(svg, 'text', {x: (x_of(from) + x_of(to)) / 2, y: 14, 'text-anchor': 'middle'}, part.name)
+      label((x_of(from) + x_of(to)) / 2, 14, part.name)
    }
-   for (const t of ticks(0, long, 8)) make(svg, 'text', {x: x_of(bit - t), y: T - 4, 'text-anchor': 'middle'}, (t * factor('length')).toFixed(0))
-   const contacts = p.contacts ?? [], most = Math.max(...contacts.map(c => c[1]), 1e-9)
-   for (const [d, force, angle] of contacts) if (d > bit - long) {
-      const side = Math.cos(angle * Math.PI / 180) < 0 ? -1 : 1, y0 = y(side * hole / 2), h = side * (10 + 25 * force / most)
+   for (const t of ticks(0, long * factor('length'), W / 120)) label(x_of(bit - t / factor('length')), T - 4, String(t))
+   const contacts = (p.contacts ?? []).filter(c => c[0] > bit - long).sort((a, b) => b[1] - a[1])
+   for (const [d, force, angle] of contacts) {
+      const side = Math.cos(angle * Math.PI / 180) < 0 ? -1 : 1, y0 = y(side * hole / 2), h = side * (8 + 20 * force / contacts[0][1])
       make(svg, 'line', {x1: x_of(d), x2: x_of(d), y1: y0 - h, y2: y0, class: 'force'})
-      make(svg, 'text', {x: x_of(d), y: y0 - h + (side < 0 ? 12 : -3), 'text-anchor': 'middle'}, text_of(force, 'force'))
+      label(x_of(d), side < 0 ? T - 24 : 36, text_of(force, 'force'))
    }
-   make(svg, 'text', {x: 50, y: 30}, `distance above the bit [${unit('length')}]; forces [${unit('force')}]; across the hole enlarged`)
+   view.scale.textContent = `The lowest ${text_of(long, 'length').replace(/\.0+$/, '')} ${unit('length')}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], enlarged across the hole.`
 }
 
 // ---- the page
@@ -306,33 +325,47 @@ function build() {
    view.legend = make(right, 'h:div', {class: 'legend'})
    view.panels = make(right, 'h:div', {class: 'panels', id: 'panels'})
    view.slider = make(right, 'h:input', {type: 'range', step: 'any', 'aria-label': 'measured depth', oninput: e => set_depth(+e.target.value)})
-   make(right, 'h:p', {class: 'hint'}, 'Point at a depth to read all curves there. Drag up or down to zoom, double click for the whole depth. Arrow keys move the slider. '
+   make(right, 'h:p', {class: 'hint'}, 'Point at a depth to read all curves there. Drag up or down, or spread two fingers, to zoom. Double click for the whole depth. Arrow keys move the slider. '
       + `Curves are within ${100 * D.tolerance} % of their range of those in the CSV files.`)
    const lower = make(root, 'h:div', {class: 'lower'})
-   view.section = make(make(lower, 'h:figure', {}), 'svg', {viewBox: '0 0 200 200', role: 'img', 'aria-label': 'string in the hole at this depth'})
+   view.section = make(make(lower, 'h:figure', {}), 'svg', {viewBox: '0 -6 200 200', role: 'img', 'aria-label': 'string in the hole at this depth'})
    const well = make(lower, 'h:figure', {}), pick = make(well, 'h:select', {'aria-label': 'colour of the well', onchange: e => { state.tint = e.target.value; draw_3d() }})
    for (const n in D.columns) if (!D.columns[n].words) make(pick, 'h:option', {value: n, ...(n === state.tint ? {selected: ''} : {})}, D.columns[n].label)
    const sides = {'3D': [-0.6, 0.35], plan: [0, Math.PI / 2], 'from south': [0, 0], 'from east': [-Math.PI / 2, 0]}
    for (const name in sides) make(well, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw_3d() }}, name)
    view.well = make(well, 'svg', {viewBox: '0 0 460 400', role: 'img', 'aria-label': 'the well in three dimensions', tabindex: 0})
-   view.assembly = make(make(root, 'h:figure', {}), 'svg', {viewBox: '0 0 1000 250', role: 'img', 'aria-label': 'lowest 40 m of the string in the hole'})
+   const assembly = make(root, 'h:figure', {})
+   view.assembly = make(assembly, 'svg', {role: 'img', 'aria-label': 'lowest part of the string in the hole'})
+   view.scale = make(assembly, 'h:figcaption', {})
    const l = make(root, 'h:label', {})
    view.all = make(l, 'h:input', {type: 'checkbox', onchange: draw_readout}); l.append(' all columns')
    view.readout = make(root, 'h:div', {class: 'wide', id: 'readout'})
    let from = null, band = null
    const y_in = e => { const s = e.target.closest('svg.panel'); if (!s) return null; const r = s.getBoundingClientRect(); return (e.clientY - r.top) / r.height * H }
+   const show_band = (a, b) => { for (const s of view.panels.children) { s.band ??= make(s, 'rect', {x: 0, width: '100%', class: 'band'}); s.band.setAttribute('y', Math.min(a, b)); s.band.setAttribute('height', Math.abs(b - a)) } }
    view.panels.addEventListener('pointerdown', e => { const y = y_in(e); if (y === null) return; if (e.pointerType === 'mouse') { from = y; e.preventDefault() } set_depth(depth_of(y)) })
    view.panels.addEventListener('pointermove', e => {
       const y = y_in(e)
       if (y === null) return
       set_depth(depth_of(y))
-      if (from !== null) { for (const s of view.panels.children) { s.band ??= make(s, 'rect', {x: 0, width: '100%', class: 'band'}); s.band.setAttribute('y', Math.min(from, y)); s.band.setAttribute('height', Math.abs(y - from)) } band = y }
+      if (from !== null) { show_band(from, y); band = y }
    })
    addEventListener('pointerup', () => {
       if (from !== null && band !== null && Math.abs(band - from) > 6) { const a = depth_of(Math.min(from, band)), b = depth_of(Math.max(from, band)); state.top = Math.max(0, a); state.bottom = Math.min(deepest(), b); draw() }
       else if (from !== null) draw_panels()
       from = band = null
    })
+   let pinch = null                                          // two fingers: the depths between which they began are spread
+   const fingers = e => [...e.touches].map(t => { const r = view.panels.firstChild.getBoundingClientRect(), s = t.target.closest?.('svg.panel')?.getBoundingClientRect() ?? r; return (t.clientY - s.top) / s.height * H }).sort((a, b) => a - b)
+   view.panels.addEventListener('touchstart', e => { if (e.touches.length === 2) { e.preventDefault(); pinch = {depths: fingers(e).map(depth_of)} } }, {passive: false})
+   view.panels.addEventListener('touchmove', e => {
+      if (!pinch || e.touches.length !== 2) return
+      e.preventDefault()
+      const [a, b] = fingers(e), step = (pinch.depths[1] - pinch.depths[0]) / Math.max(b - a, 20)
+      pinch.top = Math.max(0, pinch.depths[0] - step * (a - up)); pinch.bottom = Math.min(deepest(), pinch.top + step * (H - up - down))
+      show_band(y_of(pinch.top), y_of(pinch.bottom))
+   }, {passive: false})
+   view.panels.addEventListener('touchend', () => { if (pinch?.bottom > pinch?.top) { state.top = pinch.top; state.bottom = pinch.bottom; draw() } pinch = null })
    view.panels.addEventListener('dblclick', () => { state.top = 0; state.bottom = deepest(); draw() })
    let turn = null
    view.well.addEventListener('pointerdown', e => { turn = [e.clientX, e.clientY]; view.well.setPointerCapture(e.pointerId) })
@@ -345,7 +378,7 @@ function build() {
    view.well.addEventListener('wheel', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw_3d() }, {passive: false})
    view.well.addEventListener('keydown', e => { const k = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]; if (k) { e.preventDefault(); state.yaw += k[0]; state.pitch += k[1]; draw_3d() } })
    let wide = 0
-   new ResizeObserver(() => { if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels() } }).observe(view.panels)
+   new ResizeObserver(() => { if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels(); draw_assembly() } }).observe(view.panels)
    state.bottom ||= deepest(); state.depth ||= state.bottom / 2
    draw()
    document.documentElement.classList.add('scripted')
