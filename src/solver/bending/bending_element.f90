@@ -3,7 +3,7 @@
 !> axial force and weight change linearly; the wall's is taken at `contact_places` places.
 module dg_bending_element
    use dg_kinds, only: wp
-   use dg_gap_state, only: gap_law_type
+   use dg_gap_state, only: contact_force, gap_law_type, state_elastic, state_rigid
    use dg_hermite, only: hermite_line_load
    implicit none
    private
@@ -197,18 +197,14 @@ contains
       real(wp), intent(in) :: length      !< of the wall that presses there, of a law for a metre of wall [m]; else 1
       real(wp), intent(in) :: offset(2)   !< from the hole axis [m]
       type(wall_push_type), intent(inout) :: push
-      real(wp) :: square, distance, beyond
+      real(wp) :: distance, force, stiffness
       push%force = 0.0_wp
-      square = offset(1)**2 + offset(2)**2
-      if (.not. square > (law%clearance - moved)**2) return
-      distance = sqrt(square)
-      push%stiffness = length*law%contact
-      push%force = push%stiffness*(distance + moved - law%clearance)
-      beyond = distance + moved - (1.0_wp + law%eps_nmax)*law%clearance
-      if (beyond > 0.0_wp) then
-         push%stiffness = length*law%maximum
-         push%force = push%force + length*(law%maximum - law%contact)*beyond
-      end if
+      distance = sqrt(offset(1)**2 + offset(2)**2)
+      if (.not. distance + moved > law%clearance) return
+      call contact_force(law, merge(state_rigid, state_elastic, distance + moved > (1.0_wp + law%eps_nmax)*law%clearance), &
+                         distance + moved, force, stiffness)
+      push%force = length*force
+      push%stiffness = length*stiffness
       push%turning = push%force/distance
       push%n = offset/distance
    end subroutine push_at
