@@ -54,7 +54,8 @@ contains
       call append_text(lines, "set encoding utf8; set datafile separator ','; set multiplot")
       call put_legend(lines, chart, banded)
       lines = [lines, panels]
-      call append_text(lines, 'unset multiplot; unset output')
+      call append_text(lines, 'unset multiplot')
+      call append_text(lines, 'unset output')
    end subroutine chart_script
 
    !> Title and legend in a strip of their own, so that they never cover a curve.
@@ -102,7 +103,7 @@ contains
          call put_curve(lines, plots, panel, panel%curves(i), '$c'//to_text(i), banded)
          known = known .or. .not. all(is_missing(panel%curves(i)%points))
       end do
-      call append_text(lines, 'unset label; unset arrow; '//margins(panel%place))
+      call append_text(lines, 'unset label; unset arrow; set autoscale; '//margins(panel%place))
       do i = 1, size(panel%lines)
          at = 'first '//to_text(panel%lines(i)%at, digits)
          if (panel%lines(i)%upright) then
