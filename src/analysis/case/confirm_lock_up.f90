@@ -6,9 +6,10 @@
 module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged
+   use dg_component, only: axial_stiffness
    use dg_error, only: error_type
    use dg_missing, only: is_missing
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_static_analysis, only: solve_static_analysis
    use dg_stopping, only: stop_type
    use dg_text, only: to_text
@@ -19,6 +20,8 @@ module dg_confirm_lock_up
 
    !> How much less the load is, over the load [-].
    real(wp), parameter :: less = 0.05_wp
+   !> Axial strain from which steel yields [-]: a load that strains pipe by more is out of reach, whatever beams find.
+   real(wp), parameter :: yields = 5.0e-3_wp
    !> Digits in a message.
    integer, parameter :: shown = 4
 
@@ -35,6 +38,9 @@ contains
       type(error_type), allocatable :: error
       character(:), allocatable :: load
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         if (abs(result%lock_up_load) > yields*minval(axial_stiffness(string%components))) return
+      end associate
       eased = model
       eased%cases(case_index)%wob = result%lock_up_load - less*abs(result%lock_up_load)
       call solve_static_analysis(eased, case_index, found, error, totals_only=.true., stop=stop)
