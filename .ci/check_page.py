@@ -4,7 +4,7 @@
 The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
-cut or lies on another; that the browser has no complaint.
+cut or lies on another; that two fingers zoom; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -43,6 +43,15 @@ setTimeout(() => {
    for (const b of document.querySelectorAll('.lower button, .bar .tab')) { b.click(); look(b.textContent) }
    document.title = 'FOUND' + JSON.stringify([...found])
 }, 500)
+"""
+
+FINGERS = """
+const panel = document.querySelector('svg.panel'), place = panel.getBoundingClientRect()
+const finger = (identifier, part) => new Touch({identifier, target: panel, clientX: place.left + 9, clientY: place.top + part * place.height})
+const touch = (kind, ...parts) => panel.dispatchEvent(new TouchEvent(kind, {bubbles: true, cancelable: true, touches: parts.map((p, i) => finger(i, p))}))
+const whole = state.bottom - state.top
+touch('touchstart', .45, .55); touch('touchmove', .35, .65); touch('touchend')
+document.title = 'PART' + (state.bottom - state.top) / whole
 """
 
 
@@ -159,6 +168,17 @@ def faults_of_labels(folder, page):
     return faults
 
 
+def faults_of_touch(page):
+    """Two fingers that are spread to three times their distance leave a third of the depth."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = pathlib.Path(scratch) / "touch.html"
+        copy.write_text(text.replace("</body>", f"<script>{FINGERS}</script></body>"), encoding="utf-8")
+        made, _ = dom(copy)
+    part = re.search(r"<title>PART([0-9.]+)<", made)
+    return [] if part and abs(float(part.group(1)) - 1 / 3) < 0.01 else [f"two fingers leave {part and part.group(1)} of the depth"]
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     page = folder / "report.html"
@@ -176,7 +196,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page) + faults_of_touch(page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")
