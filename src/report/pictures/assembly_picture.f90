@@ -3,7 +3,7 @@
 module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_chart, only: add_curve, add_key, add_note, add_panel, add_points, chart_type, cut_text, new_chart, round_step
+   use dg_chart, only: add_curve, add_key, add_label, add_panel, add_points, chart_type, cut_text, new_chart, round_step
    use dg_column, only: quantity_moment, quantity_width, unit_text
    use dg_component, only: contact_diameter, has_blades, has_joints
    use dg_curve_look, only: colour_of, line_style
@@ -224,7 +224,7 @@ contains
          middle = max(middle, free_from + half_name)
          free_from = middle + half_name + 2.0_wp*letter
       end if
-      call add_note(chart, cut_text(name, most), [middle/chart%units%length, height_of_name/chart%units%diameter], &
+      call add_label(chart, cut_text(name, most), [middle/chart%units%length, height_of_name/chart%units%diameter], &
                     "center font ',9' textcolor rgb '#333333'", [.false., .false.])
    end subroutine name_part
 
@@ -244,7 +244,7 @@ contains
             side = sign(view%half/across, cos(contact%clock))
             call add_points(chart, reshape([x, side*(1.0_wp + 1.1_wp*air), 0.0_wp, -side*1.1_wp*air], [4, 1]), &
                             "with vectors head filled size screen 0.008,20 lw 2.5 lc rgb '"//colour_of(2)//"'")
-            call add_note(chart, to_text(contact%force/chart%units%force, 3), [x, side*(1.0_wp + 0.7_wp*air)], &
+            call add_label(chart, to_text(contact%force/chart%units%force, 3), [x, side*(1.0_wp + 0.7_wp*air)], &
                           "right offset -0.6,0 font ',10' textcolor rgb '"//colour_of(2)//"' front", [.false., .false.])
          end associate
       end do

@@ -11,7 +11,7 @@ module dg_chart
    private
    public :: chart_type, panel_type, axis_type, curve_type
    public :: new_chart, beside, add_panel, add_rows, set_depth, add_depth_panel, add_points, add_curve, add_depth_curve, add_key, &
-             add_note, add_upright, fit_range, round_step, cut_text
+             add_label, add_upright, fit_range, round_step, cut_text
 
    !> Points that are joined, marked or filled.
    type :: curve_type
@@ -167,7 +167,7 @@ contains
                call append_line(depth, md/length, .false., "lw 1 dt (12,4,2,4) lc rgb '"//colour_grey//"'")
                if (named - md < high .or. md < high) cycle
                named = md
-               call append_note(depth, cut_text(holes(i)%name, most), [merge(0.02_wp, 0.98_wp, left), md/length], side, &
+               call append_label(depth, cut_text(holes(i)%name, most), [merge(0.02_wp, 0.98_wp, left), md/length], side, &
                                 [.true., .false.])
             end associate
          end do
@@ -250,16 +250,16 @@ contains
    end subroutine add_key
 
    !> Appends a text to the last panel.
-   pure subroutine add_note(chart, text, at, look, of_panel)
+   pure subroutine add_label(chart, text, at, look, of_panel)
       type(chart_type), intent(inout) :: chart
       character(*), intent(in) :: text
       real(wp), intent(in) :: at(2)
       character(*), intent(in) :: look
       logical, intent(in) :: of_panel(2)    !< see note_type
-      call append_note(chart%panels(size(chart%panels)), text, at, look, of_panel)
-   end subroutine add_note
+      call append_label(chart%panels(size(chart%panels)), text, at, look, of_panel)
+   end subroutine add_label
 
-   pure subroutine append_note(panel, text, at, look, of_panel)
+   pure subroutine append_label(panel, text, at, look, of_panel)
       type(panel_type), intent(inout) :: panel
       character(*), intent(in) :: text, look
       real(wp), intent(in) :: at(2)
@@ -274,7 +274,7 @@ contains
          note%of_panel = of_panel
       end associate
       call move_alloc(longer, panel%notes)
-   end subroutine append_note
+   end subroutine append_label
 
    !> Appends an upright line across the last panel.
    pure subroutine add_upright(chart, at, look)

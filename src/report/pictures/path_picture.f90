@@ -2,7 +2,7 @@
 module dg_path_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_chart, only: add_curve, add_note, add_panel, chart_type, cut_text, new_chart
+   use dg_chart, only: add_curve, add_label, add_panel, chart_type, cut_text, new_chart
    use dg_curve_look, only: colour_black, colour_grey, letter_width, mark_style
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_type
@@ -243,7 +243,7 @@ contains
                  abs(taken(2, :names) - at(2)) < row*views%scale(section))) return
          names = names + 1
          taken(:, names) = at
-         call add_note(chart, cut_text(text, longest), at/chart%units%length, where_to//" font ',10'", [.false., .false.])
+         call add_label(chart, cut_text(text, longest), at/chart%units%length, where_to//" font ',10'", [.false., .false.])
       end subroutine put_name
    end subroutine name_places
 

@@ -2,7 +2,7 @@
 !> was measured.
 module dg_broomstick_panels
    use dg_kinds, only: wp
-   use dg_chart, only: add_curve, add_depth_panel, add_note, add_upright, beside, chart_type, new_chart, set_depth
+   use dg_chart, only: add_curve, add_depth_panel, add_label, add_upright, beside, chart_type, new_chart, set_depth
    use dg_column, only: quantity_force, quantity_moment, unit_text
    use dg_curve_look, only: colour_black
    use dg_hole_section, only: hole_section_type
@@ -133,7 +133,7 @@ contains
       integer, parameter :: few = 4
       call add_curve(chart, [limit], chart%depth%y%ends(1:1), 'with lines '//limit_look, '')
       call add_upright(chart, limit, limit_look)
-      call add_note(chart, 'limit of the rig, '//to_text(limit, few)//' '//name, [limit, 0.98_wp], &
+      call add_label(chart, 'limit of the rig, '//to_text(limit, few)//' '//name, [limit, 0.98_wp], &
                     "right rotate by 90 offset -1.2,0 font ',10' textcolor rgb '#c00000'", [.false., .true.])
    end subroutine add_limit
 end module dg_broomstick_panels
