@@ -4,17 +4,19 @@
 module dg_test_buckling
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
                     TestSuite
-   use dg_case_result, only: case_result_type, result_locked_up, result_not_converged
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged
    use dg_component, only: axial_stiffness, bending_stiffness, component_type
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
+   use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_nodes
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_solve_case, only: solve_case
    use dg_static_analysis, only: solve_static_analysis
-   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
+   use dg_test_wells, only: hold_ends, new_well, note, part, pipe, solve
    use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
    private
@@ -34,6 +36,7 @@ contains
       call suite%addTest(TestMethod('helix_under_torque', test_helix_under_torque))
       call suite%addTest(TestMethod('helix_with_friction', test_helix_with_friction))
       call suite%addTest(TestMethod('lock_up', test_lock_up))
+      call suite%addTest(TestMethod('lock_up_confirmed', test_lock_up_confirmed))
       call suite%addTest(TestMethod('torque_and_compression', test_torque_and_compression))
       call suite%addTest(TestMethod('vertical_by_length', test_vertical_by_length))
       call suite%addTest(TestMethod('light_column', test_light_column))
@@ -269,6 +272,51 @@ contains
       call assertRelativelyEqual(reach/(length + cut), most_weight_on_bit(model, 1, coiled=.true., pushed=.true.), 1.0e-3_wp, &
                                  message='most')
    end subroutine test_lock_up
+
+   !> Strings that lock up come down with 0.95 of the load that is stated, and not with 1.05 of it: pipe that slides with its bit
+   !> held or free, coiled tubing that is run in, and tubing on a climb, which must be pulled at the bit. With too few iterations
+   !> for the smaller load nothing is confirmed, and the case counts as not converged.
+   subroutine test_lock_up_confirmed()
+      real(wp), parameter :: kop = 300.0_wp, landing = 570.0_wp, bit = 1200.0_wp, less(2) = [-0.05_wp, 0.05_wp]
+      type(model_type) :: model
+      type(component_type) :: dp, tubing
+      type(case_result_type) :: result, other
+      type(error_type), allocatable :: error
+      integer :: i, j
+      dp = part('drillpipe', 0.0_wp, 0.0889_wp, 0.0702_wp, 21.0_wp, 0.127_wp)
+      tubing = part('tubing', 0.0_wp, 0.0508_wp, 0.0434_wp, 4.3_wp, 0.0_wp)
+      do i = 1, 4
+         if (i <= 2) then
+            call new_well(model, [0.0_wp, kop, landing, bit], [0.0_wp, 0.0_wp, 90.0_wp, 90.0_wp], spread(0.0_wp, 1, 4), &
+                          0.2159_wp, 0.4_wp, dp)
+            model%cases(1)%operation = operation_sliding_drilling
+            model%cases(1)%wob = 300.0e3_wp
+         else
+            call new_well(model, [0.0_wp, 30.0_wp, kop, 1000.0_wp], &
+                          merge([0.0_wp, 0.0_wp, 90.0_wp, 90.0_wp], [80.0_wp, 80.0_wp, 100.0_wp, 100.0_wp], i == 3), &
+                          spread(0.0_wp, 1, 4), 0.1571_wp, merge(0.35_wp, 0.5_wp, i == 3), tubing)
+            model%cases(1)%operation = operation_trip_in
+            if (i == 3) model%cases(1)%wob = 100.0e3_wp
+         end if
+         call hold_ends(model)
+         model%boundary%bit_centred = i /= 2
+         call solve_case(model, model_mcge, 1, result, error)
+         call assertFalse(allocated(error))
+         call assertEqual(result_locked_up, result%status, message=result%message)
+         call note('stated load [N]', result%lock_up_load)
+         call assertEqual(i == 4, result%lock_up_load < 0.0_wp, message='pulled')
+         call assertEqual(i == 4, index(result%message, 'With a pull of') > 0, message=result%message)
+         do j = 1, 2
+            model%cases(1)%wob = result%lock_up_load + less(j)*abs(result%lock_up_load)
+            call solve_case(model, model_mcge, 1, other, error)
+            call assertEqual(j == 1, other%status == result_converged, message=other%message)
+         end do
+         model%numerics%max_iterations = 2
+         call solve_case(model, model_mcge, 1, other, error)
+         call assertEqual(result_not_converged, other%status, message=other%message)
+         call assertTrue(index(other%message, 'The soft string locks up, but this is not confirmed') > 0, message=other%message)
+      end do
+   end subroutine test_lock_up_confirmed
 
    !> A shaft pinned at both ends under compression F and torque T buckles at F/EI + (T/(2 EI))^2 = (pi/L)^2 (Greenhill 1883).
    !> Below, it rests next to the axis. Beyond, it goes to the wall; with torque and next to no weight nothing static holds
