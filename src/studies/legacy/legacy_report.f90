@@ -61,7 +61,7 @@ contains
       end do
    end function legacy_report
 
-   !> Whether their axial force is larger at the lowest depth than at the uppermost, and ours is not: as of hook loads over bit depth.
+   !> Whether their axial force is larger at the lowest depth than at the top and ours is not, as of hook loads over bit depth.
    pure function grows_with_depth(comparison) result(grows)
       type(comparison_type), intent(in) :: comparison
       logical :: grows
