@@ -14,14 +14,13 @@ module dg_confirm_lock_up
    use dg_stopping, only: stop_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force
+   use dg_weight_on_bit, only: bearable_strain
    implicit none
    private
    public :: confirm_lock_up
 
    !> How much less the load is, over the load [-].
    real(wp), parameter :: less = 0.05_wp
-   !> Axial strain from which steel yields [-]: a load that strains pipe by more is out of reach, whatever beams find.
-   real(wp), parameter :: yields = 5.0e-3_wp
    !> Digits in a message.
    integer, parameter :: shown = 4
 
@@ -39,7 +38,7 @@ contains
       character(:), allocatable :: load
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         if (abs(result%lock_up_load) > yields*minval(axial_stiffness(string%components))) return
+         if (abs(result%lock_up_load) > bearable_strain*minval(axial_stiffness(string%components))) return
       end associate
       eased = model
       eased%cases(case_index)%wob = result%lock_up_load - less*abs(result%lock_up_load)

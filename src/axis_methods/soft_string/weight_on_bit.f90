@@ -2,13 +2,14 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
+   use dg_component, only: axial_stiffness
    use dg_load_case, only: block_way, given, optional_real
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: most_load_at_bit, most_weight_on_bit, locks_up, find_reach
+   public :: bearable_strain, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -16,14 +17,16 @@ module dg_weight_on_bit
    !> to more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
+   !> Strain of the weakest component that no push may pass: pipe of 135 ksi yields at 0.45 % [-].
+   real(wp), parameter :: bearable_strain = 0.005_wp
    !> Depths that are tried from the bit up, and to what part of the bit's depth the one between two of them is found [-].
    integer, parameter :: depths = 50
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
 
 contains
 
-   !> Greatest weight on bit [N] that leaves a hook load, or with `pushed` that any push at the top brings down; 0 where
-   !> none does. With `coiled`, friction of a coiled string counts: without it nothing limits a push.
+   !> Greatest weight on bit [N] that leaves a hook load, or with `pushed` that a push at the top brings down which the pipe
+   !> bears; 0 where none does. With `coiled`, friction of a coiled string counts: without it nothing limits a push.
    pure function most_weight_on_bit(model, case_index, coiled, pushed) result(wob)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -114,7 +117,7 @@ contains
       reach = given(bracket%low)
    end subroutine find_reach
 
-   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` only the sign counts.
+   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` above the largest push.
    pure function left_of(model, case_index, wob, coiled, pushed) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -126,7 +129,8 @@ contains
       call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
                           other=other_loads_type(coiled=coiled, wob=given(wob)))
       left = axial(1)
-      if (pushed) left = 1.0_wp
+      if (pushed) left = left + bearable_strain*minval(axial_stiffness(model%strings(string_index(model%strings, &
+                                                                       model%cases(case_index)%string))%components))
       if (totals%runaway) left = min(left, -1.0_wp)
    end function left_of
 end module dg_weight_on_bit

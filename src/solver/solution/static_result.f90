@@ -299,7 +299,8 @@ contains
       most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
       result%lock_up_load = most
       if (most > 0.0_wp) then
-         result%message = result%message//'No push brings more than '//trim(in_units(model%units, unit_force, most, shown))// &
+         result%message = result%message//'No push that pipe bears brings more than '// &
+                          trim(in_units(model%units, unit_force, most, shown))// &
                           ' to the bit. Without a push '// &
                           trim(at_most_in_units(model%units, unit_force, &
                                                 most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown))// &
