@@ -38,13 +38,19 @@ contains
       real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
       type(wall_push_type) :: push(contact_places, size(y, 2) - 1), points(size(beam%point))
       real(wp), dimension(size(y, 1), size(y, 2)) :: residual, step, trial
+      real(wp), allocatable :: springs(:, :)      ! the anchor, or nothing
       real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
       integer :: iteration, try
       scale = largest_load(beam)
       least = least_moment(beam)
       found = .false.
-      call find_residual(beam, y, push, points, residual, anchor)
+      if (present(anchor)) then
+         allocate (springs, source=anchor)
+      else
+         allocate (springs(size(y, 1), 0))
+      end if
+      call find_residual(beam, y, push, points, residual, springs)
       do iteration = 0, most_iterations
          found = largest_of(size(residual), residual) <= tolerance*scale
          if (found) exit
@@ -57,7 +63,7 @@ contains
          share = 1.0_wp
          do try = 1, most_trials
             trial = y + share*step
-            call find_residual(beam, trial, push, points, residual, anchor)
+            call find_residual(beam, trial, push, points, residual, springs)
             work_trial = sum(residual*step)
             if (abs(work_trial) <= falls*abs(work) .or. .not. work < 0.0_wp) exit
             if (work_trial > 0.0_wp) then
@@ -102,7 +108,7 @@ contains
       type(wall_push_type), contiguous, intent(inout) :: push(:, :)    !< at the places of the elements
       type(wall_push_type), intent(inout) :: points(:)                 !< of tool joints
       real(wp), contiguous, intent(out) :: residual(:, :)              !< zero for unknowns that stay [N, N.m]
-      real(wp), contiguous, intent(in), optional :: anchor(:, :)
+      real(wp), contiguous, intent(in) :: anchor(:, :)                 !< without columns: none
       integer :: e, n, p
       residual(:, 1) = 0.0_wp
       do e = 1, size(beam%element)
@@ -116,7 +122,7 @@ contains
          call add_action(points(p), beam%element(e)%lever, beam%element(e)%around, residual(:, n))
       end do
       do n = 1, size(y, 2)
-         if (present(anchor)) residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(y(1:2, n) - anchor(1:2, n))
+         if (size(anchor, 2) > 0) residual(1:2, n) = residual(1:2, n) + beam%viscous(n)*(y(1:2, n) - anchor(1:2, n))
          if (beam%centred(n)) residual(1:2, n) = 0.0_wp
          if (beam%held(n)) residual(:, n) = 0.0_wp
       end do
