@@ -40,7 +40,7 @@ contains
       type(chart_type) :: chart
       type(text_type) :: names(size(model%cases))
       real(wp), dimension(size(model%cases), size(job%models)) :: hookload, error, torque   !< by case and model, as they are shown
-      type(optional_real) :: reference(size(model%cases))
+      type(optional_real) :: loads(size(model%cases))
       real(wp) :: left, bottom, top, height
       logical :: with_error, with_torque
       integer :: i, n, panels, longest, height_px
@@ -68,10 +68,11 @@ contains
       do i = 1, size(job%models)
          call add_marks(hookload(:, i), i, trim(model_name(job%models(i))))
       end do
-      if (with_error) call add_given(model%cases%measured_hookload, job%units%force, measured_look, 'measured')
-      reference = model%cases%reference_hookload
-      if (model%rig%given) reference%value = indicated_load(model%rig, model%cases%operation, reference%value)
-      if (any(reference%present)) call add_given(reference, job%units%force, reference_look, 'reference')
+      loads = model%cases%measured_hookload
+      if (with_error) call add_given(loads, job%units%force, measured_look, 'measured')
+      loads = model%cases%reference_hookload
+      if (model%rig%given) loads%value = indicated_load(model%rig, model%cases%operation, loads%value)
+      if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
       if (any(results%status /= result_converged)) call add_key(chart, no_look, 'not converged cases are left out')
       if (any(marked)) call add_key(chart, no_look, mark_meaning)
       if (with_error) then

@@ -67,8 +67,11 @@ contains
          logical, intent(in) :: which(:)
          character(*), intent(in) :: look, name
          logical :: shown(size(which))
-         shown = which .and. records%status == result_converged .and. records%errors(errors(k)) > 0.0_wp
-         call add_curve(chart, pack(records%seconds, shown), max(100.0_wp*pack(records%errors(errors(k)), shown), least_error), &
+         real(wp) :: seconds(size(which)), error(size(which))
+         seconds = records%seconds
+         error = records%errors(errors(k))
+         shown = which .and. records%status == result_converged .and. error > 0.0_wp
+         call add_curve(chart, pack(seconds, shown), max(100.0_wp*pack(error, shown), least_error), &
                         look, trim(merge(name, repeat(' ', len(name)), drawn == 0)))
       end subroutine add
 
