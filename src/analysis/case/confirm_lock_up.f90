@@ -1,8 +1,8 @@
 !> Confirms by beams that a load case locks up.
 !>
-!> The soft string with the friction of coils finds that a string locks up, and the greatest load that comes to its bit. Beams should
-!> find an equilibrium at a little less than this load; where they do not, the message says so. Cases without a profile, as those
-!> of sweeps, are not confirmed: their neighbours are solved anyway.
+!> The soft string with the friction of coils finds that a string locks up, and the greatest load that comes to its bit. Beams
+!> should find an equilibrium at a little less than this load; where they do not, the message says so. Cases without a profile, as
+!> those of sweeps, are not confirmed: their neighbours are solved anyway.
 module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, result_not_converged
