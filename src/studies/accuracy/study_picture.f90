@@ -38,7 +38,9 @@ contains
       type(study_record_type), intent(in) :: records(:)     !< as many
       type(chart_type) :: chart
       real(wp), parameter :: left(0:1) = [0.085_wp, 0.58_wp], wide = 0.40_wp, bottom(0:1) = [0.525_wp, 0.085_wp], tall = 0.355_wp
+      logical :: best(size(records))
       integer :: i, k, drawn
+      best = records%in_pareto_set
       chart = new_chart('study_'//load_case%name, 'Study of '//load_case%name// &
                         ': error against the finest way, and what it costs', units, 860, [0.89_wp, 0.955_wp])
       do k = 1, size(errors)
@@ -52,7 +54,7 @@ contains
          do i = 1, size(models)
             call add(variants%model == models(i), mark_style(i, 0.7_wp), trim(model_name(models(i))))
          end do
-         call add(records%in_pareto_set, "with points pt 6 ps 1.5 lw 1.0 lc rgb '"//colour_black//"'", &
+         call add(best, "with points pt 6 ps 1.5 lw 1.0 lc rgb '"//colour_black//"'", &
                   'Pareto: none better and faster')
          do i = 1, size(told)
             call add(is_told(variants%fidelity), 'with points pt '//to_text(told_marks(i))//" ps 1.6 lw 1.0 lc rgb '"// &
