@@ -1,5 +1,6 @@
 !> What the heading of a column in a survey table says: the quantity, how surely, the unit.
 module dg_survey_heading
+   use dg_readable, only: spaced
    use dg_survey_words, only: role_along, role_angle, role_axis, role_azi, role_corrected, role_datum, role_depth, role_direction, &
       role_drift, role_east, role_grid, role_inc, role_letter, role_magnetic, role_map, role_md, role_measured, role_minutes, &
       role_neutral, role_north, role_of, role_other, role_plan, role_sea, role_station, role_total, role_true, role_tvd, &
@@ -137,10 +138,7 @@ contains
             outside = outside//text(i:i)
          end if
       end do
-      inside = trim(adjustl(lower_case(inside)))
-      do i = 1, len(inside)
-         if (inside(i:i) == '_') inside(i:i) = ' '
-      end do
+      inside = spaced(trim(adjustl(lower_case(inside))))
       if (inside == '-') inside = ''
    end subroutine part_brackets
 

@@ -3,6 +3,7 @@ module dg_verdict_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
+   use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
@@ -36,12 +37,8 @@ contains
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       character(:), allocatable :: text
-      integer :: i
-      text = trim(operation_name(load_case%operation))
-      do i = 1, len(text)
-         if (text(i:i) == '_') text(i:i) = ' '
-      end do
-      text = with_capital(text)//' at '//depth_text(units, load_case%bit_depth)
+      text = capital(spaced(trim(operation_name(load_case%operation))))//' at '// &
+             depth_text(units, load_case%bit_depth)
    end function task_text
 
    !> Why the answer is no, in one clause with numbers; '' for another answer.
@@ -71,7 +68,7 @@ contains
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
-         text = with_capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
+         text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
                 load_text(units, verdict%limit, verdict%load%value)
          if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed, '// &
             load_text(units, verdict%limit, verdict%load%value - verdict%allowed%value)//' too much'
@@ -133,15 +130,6 @@ contains
       real(wp) :: push
       push = verdict%load%value - verdict%allowed%value
    end function push_of
-
-   !> A text as a sentence begins.
-   pure function with_capital(text) result(sentence)
-      character(*), intent(in) :: text
-      character(len(text)) :: sentence
-      integer, parameter :: apart = iachar('a') - iachar('A')
-      sentence = text
-      if (text(:1) >= 'a' .and. text(:1) <= 'z') sentence(:1) = achar(iachar(text(:1)) - apart)
-   end function with_capital
 
    !> What makes the operation possible, as far as it is known; '' else.
    pure function help_text(units, load_case, verdict) result(text)

@@ -8,11 +8,12 @@ module dg_html_text
    use dg_load_case, only: operation_from_name, operation_label
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
+   use dg_readable, only: spaced
    use dg_text, only: plain_utf8, put_piece, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: html_safe, append_table, append_preformatted, append_inline_svg, spaced, css_string
+   public :: html_safe, append_table, append_preformatted, append_inline_svg, css_string
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -188,17 +189,6 @@ contains
          if (name == renamed_columns(i)) heading = trim(headings(i))
       end do
    end function heading_of
-
-   !> Underscores as blanks, so that long names break in narrow columns.
-   pure function spaced(name) result(text)
-      character(*), intent(in) :: name
-      character(len(name)) :: text
-      integer :: i
-      text = name
-      do i = 1, len(name)
-         if (name(i:i) == '_') text(i:i) = ' '
-      end do
-   end function spaced
 
    !> Lines as they are, in letters of one width.
    pure subroutine append_preformatted(lines, texts)

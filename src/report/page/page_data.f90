@@ -7,7 +7,6 @@ module dg_page_data
    use dg_column, only: column_type, unit_size, unit_text
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
-   use dg_html_text, only: spaced
    use dg_job, only: job_type, leading_model, model_name
    use dg_json_text, only: json_string
    use dg_line_list, only: add_line, line_list_type
@@ -15,6 +14,7 @@ module dg_page_data
    use dg_page_curves, only: curve_columns, curve_count, profile_curves
    use dg_profile_columns, only: code_names
    use dg_quantity, only: quantity_force, quantity_length, quantity_text, quantity_width, system_base, system_name
+   use dg_readable, only: spaced
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: top_md
    use dg_units, only: system_of, unit_system_type

@@ -17,6 +17,7 @@ module dg_ensemble_study
    use dg_printed_text, only: print_and_keep, print_line
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_range_text, only: range_text_type
+   use dg_readable, only: capital
    use dg_result_name, only: failed_file, points_file, record_file
    use dg_study, only: phase_points, run_type, study_type
    use dg_sweep, only: sweep_type
@@ -390,11 +391,4 @@ contains
       character(:), allocatable :: text
       text = to_text(count(is_solved(ensemble%points)))//' of '//to_text(size(ensemble%points))
    end function solved_of_all
-
-   !> A word as a sentence begins with it.
-   pure function capital(word) result(text)
-      character(*), intent(in) :: word
-      character(len(word)) :: text
-      text = achar(iachar(word(1:1)) - iachar('a') + iachar('A'))//word(2:)
-   end function capital
 end module dg_ensemble_study

@@ -4,10 +4,10 @@ module dg_tornado_picture
    use dg_kinds, only: wp
    use dg_chart, only: add_points, add_rows, chart_type, new_chart
    use dg_curve_look, only: colour_of
-   use dg_html_text, only: spaced
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, rotates
    use dg_missing, only: is_missing
+   use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, point_statistics_type
    use dg_sweep, only: point_number, point_type
    use dg_text, only: text_type

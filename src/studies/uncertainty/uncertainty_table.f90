@@ -2,12 +2,12 @@
 !> fits 120 columns.
 module dg_uncertainty_table
    use dg_comparison, only: known
-   use dg_html_text, only: spaced
    use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: operation_label, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, right_aligned
+   use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: point_number, point_type
    use dg_text, only: append_text, text_type, to_text
