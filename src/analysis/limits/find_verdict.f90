@@ -17,9 +17,9 @@ module dg_find_verdict
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
-   use dg_utilisation, only: as_much, find_utilisation, has_rating, lacks_rating, limit_burst, limit_collapse, limit_count, &
+   use dg_utilisation, only: as_much, find_utilisation, has_rating, lacks_rating, limit_burst, limit_collapse, &
                              limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
-                             limit_torsion, limit_von_mises, utilisation_type
+                             limit_torsion, limit_von_mises, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_lock_up, limit_string_weight, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, most_weight_on_bit
@@ -266,14 +266,16 @@ contains
       type(design_factors_type), intent(in) :: design
       logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
       logical :: turns
-      integer :: limit, string
+      integer :: i, string
       turns = rotates(model%cases(case_index)%operation)
       string = string_index(model%strings, model%cases(case_index)%string)
       associate (parts => model%strings(string)%components)
-         do limit = 1, limit_count
-            unrated(limit) = any(lacks_rating(parts, limit)) .or. .not. any(has_rating(parts, limit))
-            if (any(limit == [limit_torsion, limit_joint_torsion, limit_makeup])) unrated(limit) = unrated(limit) .and. turns
+         do i = 1, size(part_limits)
+            associate (limit => part_limits(i))
+               unrated(limit) = any(lacks_rating(parts, limit)) .or. .not. any(has_rating(parts, limit))
+            end associate
          end do
+         if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
          unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(size(parts))%yield > 0.0_wp)
       end associate
       unrated(limit_rig) = .not. rig_limit%present

@@ -20,13 +20,16 @@ module dg_utilisation
    implicit none
    private
    public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name, has_rating, &
-             lacks_rating
+             lacks_rating, part_limits
    public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
              limit_slips, limit_rig, limit_top_drive, as_much
 
    integer, parameter :: limit_von_mises = 1, limit_tension = 2, limit_torsion = 3, limit_joint_torsion = 4, limit_makeup = 5, &
                          limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9, limit_top_drive = 10
    integer, parameter :: limit_count = 10
+   !> Those that go by strengths of each component.
+   integer, parameter :: part_limits(7) = [limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, &
+                                           limit_burst, limit_collapse]
    character(*), parameter :: limit_name(limit_count) = [character(14) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
       'make-up torque', 'burst', 'collapse', 'slips', 'rig', 'top drive']
 
@@ -110,7 +113,7 @@ contains
          collapse_strength(part, stress)), md)
    end subroutine use_component
 
-   !> Whether a component has the strength that a limit compares with.
+   !> Whether the deck gives a component the strength of a limit.
    elemental function has_rating(part, limit) result(has)
       type(component_type), intent(in) :: part
       integer, intent(in) :: limit
@@ -123,14 +126,14 @@ contains
       end select
    end function has_rating
 
-   !> Whether a component lacks a strength that it needs: all but the bit need a yield strength, pipe that of its joints, too.
+   !> Whether a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe needs strengths of
+   !> its joints, too. Only for the limits of components.
    elemental function lacks_rating(part, limit) result(lacks)
       type(component_type), intent(in) :: part
       integer, intent(in) :: limit
       logical :: lacks
       lacks = .not. has_rating(part, limit) .and. .not. is_bit(part)
       if (any(limit == [limit_joint_torsion, limit_makeup])) lacks = lacks .and. is_pipe(part)
-      if (any(limit == [limit_slips, limit_rig, limit_top_drive])) lacks = .false.      ! no matter of a component
    end function lacks_rating
 
    !> Load over strength, where the strength may be gone.
