@@ -6,20 +6,19 @@
 module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, result_not_converged
-   use dg_component, only: axial_stiffness
    use dg_error, only: error_type
    use dg_missing, only: is_missing
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_stopping, only: stop_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force
-   use dg_weight_on_bit, only: bearable_strain
+   use dg_weight_on_bit, only: bearable_force
    implicit none
    private
    public :: confirm_lock_up
 
-   !> How much less the load is, over the load [-].
+   !> Beams are asked for a load that is less by this part of it [-].
    real(wp), parameter :: less = 0.05_wp
    !> Iterations at most: where beams confirm, they took up to 270.
    integer, parameter :: most_iterations = 400
@@ -39,9 +38,7 @@ contains
       type(error_type), allocatable :: error
       character(:), allocatable :: load
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
-      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         if (abs(result%lock_up_load) > bearable_strain*minval(axial_stiffness(string%components))) return
-      end associate
+      if (abs(result%lock_up_load) > bearable_force(model, case_index)) return
       eased = model
       eased%cases(case_index)%wob = result%lock_up_load - less*abs(result%lock_up_load)
       eased%numerics%max_iterations = min(eased%numerics%max_iterations, most_iterations)

@@ -9,7 +9,7 @@ module dg_weight_on_bit
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: bearable_strain, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
+   public :: bearable_strain, bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -37,7 +37,8 @@ contains
          wob = most_load_at_bit(model, case_index, coiled, pushed)
    end function most_weight_on_bit
 
-   !> The same load, < 0 where the bit must be pulled down; 0 where no pull that is tried is enough, or no load too much.
+   !> The same load, or minus the pull at the bit that brings the string down where no weight reaches the bit. 0 where the search
+   !> finds neither.
    pure function most_load_at_bit(model, case_index, coiled, pushed) result(load)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -117,6 +118,16 @@ contains
       reach = given(bracket%low)
    end subroutine find_reach
 
+   !> Axial force that strains the weakest component of a load case's string by bearable_strain [N].
+   pure function bearable_force(model, case_index) result(force)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp) :: force
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         force = bearable_strain*minval(axial_stiffness(string%components))
+      end associate
+   end function bearable_force
+
    !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` above the largest push.
    pure function left_of(model, case_index, wob, coiled, pushed) result(left)
       type(model_type), intent(in) :: model
@@ -129,8 +140,7 @@ contains
       call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
                           other=other_loads_type(coiled=coiled, wob=given(wob)))
       left = axial(1)
-      if (pushed) left = left + bearable_strain*minval(axial_stiffness(model%strings(string_index(model%strings, &
-                                                                       model%cases(case_index)%string))%components))
+      if (pushed) left = left + bearable_force(model, case_index)
       if (totals%runaway) left = min(left, -1.0_wp)
    end function left_of
 end module dg_weight_on_bit
