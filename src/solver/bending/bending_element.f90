@@ -123,9 +123,7 @@ contains
          call push_at(element%press, element%moved(p), 0.5_wp*element%length, &
                       value(1)*upper(1:2) + value(2)*upper(3:4) + value(3)*lower(1:2) + value(4)*lower(3:4), push(p))
          if (.not. push(p)%force > 0.0_wp) cycle
-         force = push(p)%force*push(p)%n
-         couple = element%lever*force
-         force = force + element%around*turned(force)
+         call find_action(push(p), element%lever, element%around, force, couple)
          at_upper(1:2) = at_upper(1:2) + (value(1)*force + slope(1)*couple)
          at_upper(3:4) = at_upper(3:4) + (value(2)*force + slope(2)*couple)
          at_lower(1:2) = at_lower(1:2) + (value(3)*force + slope(3)*couple)
@@ -161,9 +159,7 @@ contains
       do p = 1, contact_places
          if (.not. push(p)%force > 0.0_wp) cycle
          call shapes_at(element, p, value, slope)
-         stiffness = stiffness_of(push(p))
-         sideways(1, :) = stiffness(1, :) - element%around*stiffness(2, :)
-         sideways(2, :) = stiffness(2, :) + element%around*stiffness(1, :)
+         call find_stiffness(push(p), element%around, stiffness, sideways)
          do i = 1, 4
             pushed(:, i, :) = value(i)*sideways + (slope(i)*element%lever)*stiffness
          end do
@@ -209,15 +205,43 @@ contains
       push%n = offset/distance
    end subroutine push_at
 
-   !> Adds what a wall that presses at a node does there: R (n + m t x n) on the offset, r a R n on the slope.
+   !> What a wall that presses does: R (n + m t x n) on the offset, r a R n on the slope.
+   pure subroutine find_action(push, lever, around, force, couple)
+      type(wall_push_type), intent(in) :: push
+      real(wp), intent(in) :: lever       !< r a [m]
+      real(wp), intent(in) :: around      !< m [-]
+      real(wp), intent(out) :: force(2)   !< [N]
+      real(wp), intent(out) :: couple(2)  !< [N.m]
+      force = push%force*push%n
+      couple = lever*force
+      force = force + around*turned(force)
+   end subroutine find_action
+
+   !> Derivatives by the offset: of R n, and with friction around the hole, of R (n + m t x n).
+   pure subroutine find_stiffness(push, around, stiffness, sideways)
+      type(wall_push_type), intent(in) :: push
+      real(wp), intent(in) :: around            !< m [-]
+      real(wp), intent(out) :: stiffness(2, 2)  !< [N/m]
+      real(wp), intent(out) :: sideways(2, 2)   !< [N/m]
+      real(wp) :: steep
+      steep = push%stiffness - push%turning
+      stiffness(1, 1) = push%turning + steep*push%n(1)*push%n(1)
+      stiffness(2, 1) = steep*push%n(1)*push%n(2)
+      stiffness(1, 2) = stiffness(2, 1)
+      stiffness(2, 2) = push%turning + steep*push%n(2)*push%n(2)
+      sideways(1, :) = stiffness(1, :) - around*stiffness(2, :)
+      sideways(2, :) = stiffness(2, :) + around*stiffness(1, :)
+   end subroutine find_stiffness
+
+   !> Adds what a wall that presses at a node does there.
    pure subroutine add_action(push, lever, around, action)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
       real(wp), intent(inout) :: action(4)
-      action(1) = action(1) + push%force*(push%n(1) - around*push%n(2))
-      action(2) = action(2) + push%force*(push%n(2) + around*push%n(1))
-      action(3:4) = action(3:4) + lever*push%force*push%n
+      real(wp) :: force(2), couple(2)
+      call find_action(push, lever, around, force, couple)
+      action = action + [force, couple]
    end subroutine add_action
 
    !> Adds the derivatives of that by the node's offset.
@@ -226,24 +250,11 @@ contains
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
       real(wp), intent(inout) :: block(:, :)    !< (4,4)
-      real(wp) :: stiffness(2, 2)
-      stiffness = stiffness_of(push)
+      real(wp) :: stiffness(2, 2), sideways(2, 2)
+      call find_stiffness(push, around, stiffness, sideways)
+      block(1:2, 1:2) = block(1:2, 1:2) + sideways
       block(3:4, 1:2) = block(3:4, 1:2) + lever*stiffness
-      block(1, 1:2) = block(1, 1:2) + stiffness(:, 1) - around*stiffness(:, 2)
-      block(2, 1:2) = block(2, 1:2) + stiffness(:, 2) + around*stiffness(:, 1)
    end subroutine add_stiffness
-
-   !> Derivatives of R n by the offset.
-   pure function stiffness_of(push) result(stiffness)
-      type(wall_push_type), intent(in) :: push
-      real(wp) :: stiffness(2, 2)
-      real(wp) :: steep
-      steep = push%stiffness - push%turning
-      stiffness(1, 1) = push%turning + steep*push%n(1)*push%n(1)
-      stiffness(2, 1) = steep*push%n(1)*push%n(2)
-      stiffness(1, 2) = stiffness(2, 1)
-      stiffness(2, 2) = push%turning + steep*push%n(2)*push%n(2)
-   end function stiffness_of
 
    !> Bending moments EI (k + y'' - b) by the shape of an element at its upper (first column) and its lower end [N.m].
    pure subroutine moments_of_shape(element, upper, lower, moments)
