@@ -5,9 +5,8 @@
 !> times x/sinh(x) with x = L/2 sqrt(T/EI). Peaks at the ends of bends fall between nodes. Hook load, torque and the sum of contact
 !> are right all the same. Here the string is bent again as a beam (dg_bending_beam), under the axial force and the torque that
 !> were found. Elements are short at its ends and where the curvature of the hole, the stiffness or the clearance changes, and grow
-!> from there. Then those are halved in which two ways to find the moment
-!> differ (`halve`). Bending, shear, side force, offset and clock of the profile are
-!> those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
+!> from there. Then those are halved in which two ways to find the moment differ (`halve`). Bending, shear, side force, offset and
+!> clock of the profile are those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
 !>
 !> Two things stay as the analysis has them: parts that slope against the hole by more than a tenth, for which the beam of small
 !> slopes is not valid, and moments in elements where both differ by less than half a per cent of the largest moment.
@@ -245,14 +244,12 @@ contains
          call move_alloc(shape, y)
          call new_beam(model, mesh, gaps, work, lying, finer, beam)
          call solve_anchored(mesh, lying, beam, y, settled, found)
-         if (found) call settle_firmly(mesh, lying, beam, y)
+         error = missing
+         if (.not. found) return
+         call settle_firmly(mesh, lying, beam, y)
          call move_alloc(moments, before)
          call recover_moments(beam, y, bent, moments, differences)
-         if (found) found = is_near(mesh, lying, beam%md, y, moments)
-         if (.not. found) then
-            error = missing
-            return
-         end if
+         if (.not. is_near(mesh, lying, beam%md, y, moments)) return
          error = maxval(abs(moments(kept) - before))/largest_of(beam, moments)
          if (error <= proven) return
       end do
