@@ -13,7 +13,7 @@ module dg_broomstick_panels
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: begin_broomstick, add_broomstick_panel, add_measured, add_rig_limits, measured_look, turns
+   public :: begin_broomstick, add_broomstick_panel, add_measured, add_rig_limits, measured_look, panel_count, turns
 
    !> Of limits: none of the curves is so wide and red.
    character(*), parameter :: limit_look = "lw 2.5 lc rgb '#c00000'"
@@ -37,10 +37,16 @@ contains
       integer, intent(in) :: number      !< of the panel
       type(sweep_type), intent(in) :: sweep
       real(wp) :: place(4)
-      integer :: i
-      place = beside(number, merge(2, 1, any([(turns(sweep, i), i=1, size(sweep%operations))])), &
-                     [0.075_wp, 0.985_wp, 0.115_wp, 0.80_wp], 0.035_wp)
+      place = beside(number, panel_count(sweep), [0.075_wp, 0.985_wp, 0.115_wp, 0.80_wp], 0.035_wp)
    end function place
+
+   !> Panels: one of hook loads, another of torque where any operation has torque.
+   pure function panel_count(sweep)
+      type(sweep_type), intent(in) :: sweep
+      integer :: panel_count
+      integer :: i
+      panel_count = merge(2, 1, any([(turns(sweep, i), i=1, size(sweep%operations))]))
+   end function panel_count
 
    !> Whether an operation has torque at the top.
    pure function turns(sweep, operation)

@@ -2,7 +2,8 @@
 !> dash; what was measured is laid over it.
 module dg_sweep_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, measured_look, begin_broomstick, turns
+   use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, begin_broomstick, measured_look, &
+                                   panel_count, turns
    use dg_case_result, only: result_converged, result_locked_up
    use dg_chart, only: add_curve, add_key, chart_type
    use dg_comparison, only: as_measured
@@ -60,7 +61,7 @@ contains
       call add_yield(chart, sweep, model, i, k, points(first(i, k):first(i, k) + n - 1))
       call add_measured(chart, sweep)
       call add_rig_limits(chart, sweep, model%rig)
-      if (.not. any([(turns(sweep, i), i=1, size(sweep%operations))])) return
+      if (panel_count(sweep) == 1) return
       call add_broomstick_panel(chart, sweep, model%rig)
       do i = 1, size(sweep%operations)
          do k = 1, size(sweep%frictions)

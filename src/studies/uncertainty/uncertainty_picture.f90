@@ -2,7 +2,8 @@
 !> each of the outer ones; what was measured is laid over it.
 module dg_uncertainty_picture
    use dg_kinds, only: wp
-   use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, measured_look, begin_broomstick, turns
+   use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, begin_broomstick, measured_look, &
+                                   panel_count, turns
    use dg_chart, only: add_curve, add_key, chart_type
    use dg_curve_look, only: colour_of, dash_of, marked_line_style
    use dg_job, only: model_name
@@ -39,7 +40,7 @@ contains
          if (any(range%measured%operation == range%operations(i))) &
             call add_key(chart, measured_look(i), trim(operation_label(range%operations(i)))//', measured')
       end do
-      do panel = 1, merge(2, 1, any([(turns(range, i), i=1, size(range%operations))]))
+      do panel = 1, panel_count(range)
          call add_broomstick_panel(chart, range, model%rig)
          do i = 1, size(range%operations)
             call add_quantiles(i)
