@@ -35,9 +35,15 @@ module dg_uncertainty_study
    private
    public :: uncertainty_study_type
 
+   !> What is found of one range of depths.
+   type :: found_type
+      type(point_statistics_type), allocatable :: statistics(:)      !< of all its points
+   end type found_type
+
    type, extends(ensemble_study_type) :: uncertainty_study_type
       private
       type(uncertainty_type), allocatable :: uncertainties(:)
+      type(found_type), allocatable :: found(:)      !< one for each of them, once one is reported
    contains
       procedure :: add_groups
       procedure :: read => read_uncertainties
@@ -196,10 +202,16 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
       type(point_statistics_type), allocatable :: statistics(:)
+      integer :: i
+      if (.not. allocated(self%found)) allocate (self%found(size(self%uncertainties)))
       associate (uncertainty => self%uncertainties(number), points => self%ensembles(number)%points)
          call note_uncertainty(run%printed%outcome, uncertainty, points)
          call add_indicator(run%model, uncertainty%range, uncertainty%samples, points)
-         statistics = statistics_of(self, number)
+         allocate (statistics(point_count(uncertainty%range)))
+         do i = 1, size(statistics)
+            statistics(i) = find_point_statistics(uncertainty, i, points)
+         end do
+         self%found(number)%statistics = statistics
          call write_uncertainty(run%job%output_dir//'/'//points_file('uncertainty', uncertainty%range%name), run%job, &
                                 uncertainty, statistics, error)
          if (.not. allocated(error)) &
@@ -222,12 +234,13 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      type(point_statistics_type), allocatable :: statistics(:)
       character(:), allocatable :: model
       integer :: i, k
+      if (.not. allocated(self%found)) return
       do i = 1, size(self%uncertainties)
-         associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range)
-            statistics = statistics_of(self, i)
+         if (.not. allocated(self%found(i)%statistics)) cycle
+         associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range, &
+                    statistics => self%found(i)%statistics)
             do k = 1, size(range%models)
                model = trim(model_name(range%models(k)))
                call add_picture(list, run%job, uncertainty_chart(run%job%units, range, k, run%model, statistics), &
@@ -242,16 +255,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> Statistics of all points of a range.
-   function statistics_of(self, number) result(statistics)
-      class(uncertainty_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      type(point_statistics_type), allocatable :: statistics(:)
-      integer :: i
-      allocate (statistics(point_count(self%uncertainties(number)%range)))
-      do i = 1, size(statistics)
-         statistics(i) = find_point_statistics(self%uncertainties(number), i, self%ensembles(number)%points)
-      end do
-   end function statistics_of
 end module dg_uncertainty_study
