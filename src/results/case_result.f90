@@ -109,7 +109,8 @@ module dg_case_result
       !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
       logical :: coiled = .false.              !< the string is compressed beyond its coiling load: it may lie in more than one way
-      !> Greatest load at the bit that any push brings down, < 0 where the bit must be pulled; missing where not locked up [N].
+      !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
+      !> where not locked up [N].
       real(wp) :: lock_up_load = missing
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.

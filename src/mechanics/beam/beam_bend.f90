@@ -7,7 +7,8 @@
 !>
 !> with r the chord, d_i and d_j the tangents at its ends and q_0 the direction of the toolface, fixed in space: q is q_0 less its
 !> part along the chord, so that q turns with the element. With this M the element is free of force and moment in its own
-!> shape. To keep q_0 takes a moment about the chord, which comes from outside of the element.
+!> shape. To keep q_0 takes a moment at right angles to q_0 from outside of the element: about the hole axis, where q_0 lies
+!> across the hole.
 !>
 !> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes, as those of dg_beam_element.
 module dg_beam_bend

@@ -1,11 +1,12 @@
 !> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques with it.
 !>
 !> Where friction holds a rotating string that is pressed to its side of the hole, it lets it climb: circumferential friction m R
-!> stands against the weight. A string that snakes or coils has no such side. Turned as a whole by d theta about the hole, friction
-!> does the work m R |f| d theta per metre on it, of one sign everywhere. No other force does work then, so there is no equilibrium:
-!> its bends whirl around the hole until they roll or slide without that force. This steady state is found, without inertia, by
-!> leaving m R out of the lateral forces. Friction's torque m r R stays, as it is what the surface feels; axial friction stays. The
-!> share of m R that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling load.
+!> stands against the weight. A string that snakes or coils has no such side. When it turns as a whole by d theta about the hole,
+!> friction does the work m R |f| d theta per metre on it, of one sign everywhere. No other force does work then, so there is no
+!> equilibrium: its bends whirl around the hole until they roll or slide without that force. This steady state is found, without
+!> inertia, by leaving m R out of the lateral forces. Friction's torque m r R stays, as it is what the surface feels; axial
+!> friction stays. The share of m R that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling
+!> load.
 !>
 !> The torques that are put into such a string at bit, wall and top must then do no work either as it turns. Torque M_t inside an
 !> element does, where all tangents d turn by d theta about t, by its end moments (dg_beam_element) on d_i and d_j:

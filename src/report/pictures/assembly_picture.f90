@@ -34,7 +34,7 @@ module dg_assembly_picture
    character(*), parameter :: body_look = "with filledcurves closed fs solid border lc rgb '#333333' fc rgb '#b9c4cc'", &
                               blade_look = "with filledcurves closed fs solid border lc rgb '#333333' fc rgb '#56707f'"
 
-   !> What is drawn.
+   !> The part of hole and string that the picture shows.
    type :: view_type
       type(hole_section_type), allocatable :: holes(:)
       type(profile_type) :: profile

@@ -221,7 +221,7 @@ contains
    pure subroutine add_depth_curve(chart, depth, values, unit, look, name, band)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: depth(:)      !< never decreasing [m]
-      real(wp), intent(in) :: values(:)     !< as many, `missing` where there is none
+      real(wp), intent(in) :: values(:)     !< one for each depth; `missing` leaves a gap
       real(wp), intent(in) :: unit          !< of the values [SI]
       character(*), intent(in) :: look, name
       character(*), intent(in) :: band      !< see curve_type

@@ -8,7 +8,7 @@ module dg_curve_look
    public :: colour_of, dash_of, line_style, mark_style, marked_line_style, band_look
    public :: style_count, colour_grey, colour_black, limit_dash, letter_width
 
-   !> Different curves that can be told apart.
+   !> Looks that differ. The next curve looks like the first again.
    integer, parameter :: style_count = 7
    character(*), parameter :: colours(style_count) = [character(7) :: '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', &
       '#56B4E9', '#000000']

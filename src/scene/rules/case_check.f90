@@ -91,8 +91,10 @@ contains
       words = 'string '//quoted(load_case%string)//' is '//depth_words(units, length)// &
               ' long and does not reach surface from '//key//' = '//depth_words(units, load_case%bit_depth)//': '// &
               depth_words(units, load_case%bit_depth - length)//' of pipe are missing; '
-      goes_up = is_pipe(components(size(components)))      ! heavy weight pipe does not
-      if (allocated(components(size(components))%kind)) goes_up = goes_up .and. components(size(components))%kind /= 'hwdp'
+      associate (last => components(size(components)))
+         goes_up = is_pipe(last)
+         if (goes_up .and. allocated(last%kind)) goes_up = last%kind /= 'hwdp'      ! heavy weight pipe stays below
+      end associate
       if (goes_up) then
          call note_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
                          'component', uppermost, ')')
