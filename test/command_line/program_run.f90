@@ -11,7 +11,7 @@ module dg_program_run
    implicit none
    private
    public :: run_type, run_program, run_interrupted, run_deck_text, good_deck, replaced, scratch, deck_path, results_path, &
-      clear_scratch, settle_program, program_path, content, unwrapped
+      until, is_result, clear_scratch, settle_program, program_path, content, unwrapped
 
    !> Below fpm's own folder, which no repository keeps.
    character(*), parameter :: scratch = 'build/test_command_line'
@@ -127,16 +127,30 @@ contains
       run%has_results = is_folder(results_path)
    end function run_program
 
-   !> Runs the deck in the scratch folder and ends it by a signal as soon as a file is among its results.
-   function run_interrupted(options, file, signal) result(run)
-      character(*), intent(in) :: options
+   !> A line of a shell that waits until a condition holds, for two minutes at most: a busy machine is slow.
+   pure function until(condition) result(line)
+      character(*), intent(in) :: condition    !< a command
+      character(:), allocatable :: line
+      line = 'for i in $(seq 6000); do '//condition//' && break; sleep 0.02; done'
+   end function until
+
+   !> A condition: the file is among the results.
+   pure function is_result(file) result(condition)
       character(*), intent(in) :: file
+      character(:), allocatable :: condition
+      condition = '[ -e '//results_path//'/'//file//' ]'
+   end function is_result
+
+   !> Runs the deck in the scratch folder and ends it by a signal as soon as a condition holds.
+   function run_interrupted(options, condition, signal) result(run)
+      character(*), intent(in) :: options
+      character(*), intent(in) :: condition    !< of `until`
       character(*), intent(in) :: signal       !< name as `kill` takes it
       type(run_type) :: run
       integer :: command_status
       ! in the foreground: a shell starts what is behind & with SIGINT ignored; these tests may have been started so, too
-      call execute_command_line('(for i in $(seq 500); do [ -e '//results_path//'/'//file//' ] && break; sleep 0.02; done; '// &
-                                'kill -'//signal//' $(cat '//scratch//"/pid)) & sh -c 'echo $$ > "//scratch//'/pid; '// &
+      call execute_command_line('('//until(condition)//'; kill -'//signal//' $(cat '//scratch//'/interrupted_pid)) & '// &
+                                "sh -c 'echo $$ > "//scratch//'/interrupted_pid; '// &
                                 'exec env --default-signal "'//program_path()//'" '//deck_path//' --output '// &
                                 results_path//' '//options//"' > "//scratch//'/output.txt 2> '//scratch//'/diagnostics.txt', &
                                 exitstat=run%status, cmdstat=command_status)

@@ -4,7 +4,7 @@ module dg_test_again_runs
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
-   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
+   use dg_program_run, only: content, deck_path, good_deck, is_result, replaced, results_path, run_deck_text, run_interrupted, &
                              run_program, run_type
    use dg_result_rows, only: field, lines_of
    use dg_text, only: text_list, text_type
@@ -172,7 +172,7 @@ contains
       run = run_deck_text(deck_of(poor, many), '--threads 1')
       call assertEqual(3, run%status, message=run%diagnostics)
       call change_deck(deck_of('element_length = 2.0', many))
-      run = run_interrupted('--threads 1 --again', 'sweep_b.partial', 'TERM')
+      run = run_interrupted('--threads 1 --again', is_result('sweep_b.partial'), 'TERM')
       call assertEqual(1, run%status, message=run%diagnostics)
       run = run_program(command//'--again')
       call assertEqual(0, run%status, message=run%diagnostics)

@@ -1,7 +1,7 @@
 !> Bounds of the work of a deck: what is refused at once, and what is told before work begins.
 module dg_test_bounds
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type
+   use dg_program_run, only: deck_path, good_deck, replaced, run_deck_text, run_interrupted, run_type, scratch
    use dg_text, only: to_text
    implicit none
    private
@@ -82,7 +82,7 @@ contains
                           " bit_depth_from = 500, bit_depth_step = 100 /"//newline, '--check')
       call assertEqual(0, run%status, message=run%diagnostics)
       ! long work, which is ended when its time is told
-      run = run_program(deck_path//' --output '//results_path, 'timeout 3')
+      run = run_interrupted('', "grep -q ' left$' "//scratch//'/diagnostics.txt', 'TERM')
       call assertTrue(index(run%work, ' left'//newline) > 0, message='expected time; got: '//run%work//run%diagnostics)
    contains
       subroutine told(what)

@@ -2,7 +2,7 @@
 module dg_test_interruption
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_file_lines, only: read_lines
-   use dg_program_run, only: good_deck, replaced, results_path, run_deck_text, run_interrupted, run_type
+   use dg_program_run, only: good_deck, is_result, replaced, results_path, run_deck_text, run_interrupted, run_type
    use dg_text, only: text_type
    implicit none
    private
@@ -40,7 +40,7 @@ contains
       call execute_command_line('mkdir '//results_path//' && echo old > '//results_path//'/profile_last_mcge.csv', &
                                 exitstat=run%status)
       call assertEqual(0, run%status, message='an earlier result')
-      run = run_interrupted('--quiet --threads 1', 'view_u_mcge.hdf', signal)     ! a slow run would print its progress
+      run = run_interrupted('--quiet --threads 1', is_result('view_u_mcge.hdf'), signal)     ! a slow run would print its progress
       call assertEqual(1, run%status, message=run%diagnostics)
       call assertEqual('drillgap: ended by SIG'//signal//': 1 of 5 results are there, the others are marked not_converged'// &
                        newline, run%diagnostics)

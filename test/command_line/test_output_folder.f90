@@ -1,8 +1,8 @@
 !> The output folder: inputs survive in it, two runs never share it, nothing of an earlier run stays and nothing else goes.
 module dg_test_output_folder
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: content, deck_path, good_deck, program_path, replaced, results_path, run_deck_text, run_program, &
-                             run_type, scratch
+   use dg_program_run, only: content, deck_path, good_deck, is_result, program_path, replaced, results_path, run_deck_text, &
+                             run_interrupted, run_program, run_type, scratch, until
    implicit none
    private
    public :: output_folder_suite
@@ -177,8 +177,8 @@ contains
       call assertEqual(1, run%status, message=run%diagnostics)
       run = run_program(deck_path//' --merge 2 --output '//results_path)
       call assertEqual(1, run%status, message=run%diagnostics)
-      call shell("timeout -s INT 2 '"//program_path()//"' "//deck_path//' --part 2/2 --output '//results_path//' > '// &
-                 scratch//'/part 2> '//scratch//'/told; grep -q "ended by SIGINT" '//scratch//'/told')
+      run = run_interrupted('--part 2/2', is_result('sweep_s.part_2_of_2'), 'INT')
+      call assertTrue(index(run%diagnostics, 'ended by SIGINT') > 0, message=run%diagnostics)
       call stop_run('TERM')
       call assertEqual(0, count_of('ls '//results_path//' | grep lock'), message='the lock')
    end subroutine test_parts
@@ -259,15 +259,16 @@ contains
    subroutine start(options, file)
       character(*), intent(in) :: options, file
       call shell("'"//program_path()//"' "//deck_path//' --threads 1 --output '//results_path//' '//options//' > '//scratch// &
-                 '/first.txt 2>&1 & echo $! > '//scratch//'/pid; for i in $(seq 500); do [ -e '//results_path//'/'//file// &
-                 ' ] && exit 0; sleep 0.02; done; exit 1')
+                 '/first.txt 2>&1 & echo $! > '//scratch//'/pid; '//until(is_result(file))//'; '//is_result(file))
    end subroutine start
 
    !> Ends it by a signal, and waits for its end.
    subroutine stop_run(signal)
       character(*), intent(in) :: signal
-      call shell('kill -'//signal//' $(cat '//scratch//'/pid); for i in $(seq 500); do kill -0 $(cat '//scratch//'/pid) '// &
-                 '2> /dev/null && ! grep -q "^State:.Z" /proc/$(cat '//scratch//'/pid)/status || exit 0; sleep 0.02; done; exit 1')
+      character(*), parameter :: pid = '$(cat '//scratch//'/pid)'
+      ! gone, or a child whose end nobody has asked for
+      character(*), parameter :: ended = '{ ! kill -0 '//pid//' 2> /dev/null || grep -q "^State:.Z" /proc/'//pid//'/status; }'
+      call shell('kill -'//signal//' '//pid//'; '//until(ended)//'; '//ended)
    end subroutine stop_run
 
    !> Runs another deck in the folder that is there.

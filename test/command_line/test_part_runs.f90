@@ -3,7 +3,7 @@ module dg_test_part_runs
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
-   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
+   use dg_program_run, only: content, deck_path, good_deck, is_result, replaced, results_path, run_deck_text, run_interrupted, &
                              run_program, run_type
    use dg_result_rows, only: lines_of
    use dg_text, only: text_type
@@ -137,7 +137,7 @@ contains
       run = run_deck_text(deck//"&sweep name = 'b', operations = 'up', frictions = 0.2, 0.3, bit_depth_step = 5 /"//newline)
       whole = content(csv)
       call delete_file(csv)
-      run = run_interrupted('--threads 1 --part 1-2/2', 'sweep_b.part_1_of_2', 'TERM')
+      run = run_interrupted('--threads 1 --part 1-2/2', is_result('sweep_b.part_1_of_2'), 'TERM')
       call assertEqual(1, run%status, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'ended by SIGTERM with') > 0 .and. &
                       index(run%diagnostics, newline//'drillgap: not finished: --part 1-2/2'//newline) > 0, message=run%diagnostics)

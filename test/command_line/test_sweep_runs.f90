@@ -4,7 +4,7 @@ module dg_test_sweep_runs
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
-   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_interrupted, &
+   use dg_program_run, only: content, deck_path, good_deck, is_result, replaced, results_path, run_deck_text, run_interrupted, &
       run_program, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
    use dg_text, only: append_text, text_type, to_text
@@ -227,7 +227,7 @@ contains
    contains
       subroutine resume(signal)
          character(*), intent(in) :: signal
-         run = run_interrupted('--threads 1', 'sweep_b.partial', signal)
+         run = run_interrupted('--threads 1', is_result('sweep_b.partial'), signal)
          if (signal == 'TERM') then
             call assertEqual(1, run%status, message=run%diagnostics)
             call assertTrue(index(run%diagnostics, 'ended by SIGTERM with') > 0 .and. &

@@ -170,21 +170,21 @@ contains
    subroutine test_hangs()
       type(error_type), allocatable :: error
       logical :: drawn(3)
-      call draw('for n in $names; do case $n in a) whole a;; *) cut $n; sleep 1000;; esac; done', 0.3_wp, drawn, error)
+      call draw('for n in $names; do case $n in a) whole a;; *) cut $n; sleep 1000;; esac; done', 1.0_wp, drawn, error)
       call assertTrue(all(drawn .eqv. [.true., .false., .false.]))
       call assertTrue(allocated(error))
-      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 0.3 s and was ended: 1 of 3') > 0 &
+      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 1.0 s and was ended: 1 of 3') > 0 &
                                             .and. index(error%message, ' b.gp ') > 0, message=error%message)
       call assertFalse(is_file('b.svg') .or. is_file('b.svg.unfinished'))
-      call draw('for n in $names; do whole $n; done; sleep 1000', 0.3_wp, drawn, error)
+      call draw('for n in $names; do whole $n; done; sleep 1000', 1.0_wp, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error), message='it hangs when all is done')
    end subroutine test_hangs
 
    !> Patience is for each picture, not for all.
    subroutine test_slow()
       type(error_type), allocatable :: error
-      logical :: drawn(3)
-      call draw('for n in $names; do sleep 1; whole $n; done', 1.5_wp, drawn, error)
+      logical :: drawn(6)
+      call draw('for n in $names; do sleep 0.5; whole $n; done', 2.5_wp, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error))
    end subroutine test_slow
 
@@ -196,7 +196,7 @@ contains
       logical :: drawn(120)
       integer :: i, together
       call delete_file(folder//'/seen')
-      call draw('echo $names | wc -w > share.$$; sleep 0.3; cat share.* | wc -l >> seen; for n in $names; do whole $n; done; '// &
+      call draw('echo $names | wc -w > share.$$; sleep 1; cat share.* | wc -l >> seen; for n in $names; do whole $n; done; '// &
                 'rm share.$$', long, drawn, error)
       call assertTrue(all(drawn) .and. .not. allocated(error))
       call read_lines(folder//'/seen', lines, failure)
