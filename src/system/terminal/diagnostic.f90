@@ -25,11 +25,12 @@ contains
       end do
    end subroutine tell_lines
 
-   !> Nobody may be there to read it: the exit status tells, too.
+   !> Writes a line at once: who follows a log file must not wait for a full buffer. A line that nobody can read is not an error:
+   !> the exit status tells, too.
    subroutine put(line)
       character(*), intent(in) :: line
       integer :: status
       write (error_unit, '(a)', iostat=status) line
-      if (status /= 0) return
+      if (status == 0) flush (error_unit, iostat=status)
    end subroutine put
 end module dg_diagnostic
