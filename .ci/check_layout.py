@@ -83,7 +83,6 @@ WIDER = {
     **dict.fromkeys(("dgbtrs", "dgels", "dgesvd", "ldl_numeric"), FOREIGN),
     "prove": "all that bend_again works on, for its last step",
     "coil": "arrays along a zone, each of its own meaning",
-    "lay_helix": "arrays along a string, each of its own meaning",
 }
 
 BEGIN_PROCEDURE = re.compile(r"^\s*(?:(?:pure|elemental|recursive|impure|module)\s+)*(?:subroutine|(?:[a-z_]+(?:\([^)]*\))?\s+)?function)"

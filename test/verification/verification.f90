@@ -12,7 +12,6 @@ contains
       use funit, only: TestSuite
       use dg_test_soft_wells, only: soft_wells_suite
       use dg_test_tangent, only: tangent_suite
-      use dg_test_predicted_helix, only: predicted_helix_suite
       use dg_test_fidelity, only: fidelity_suite
       use dg_test_fit_coverage, only: fit_coverage_suite
       use dg_test_bends, only: bends_suite
@@ -55,7 +54,6 @@ contains
       suite = TestSuite('verification')
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
-      call suite%addTest(predicted_helix_suite())
       call suite%addTest(fidelity_suite())
       call suite%addTest(fit_coverage_suite())
       call suite%addTest(bends_suite())

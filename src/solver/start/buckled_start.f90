@@ -11,7 +11,6 @@ module dg_buckled_start
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_predicted_helix, only: lay_helix
    use dg_snake, only: snake_swing, snake_wave
    use dg_trajectory, only: high_side
    implicit none
@@ -60,44 +59,30 @@ contains
    !>   beyond Dawson & Paslay's   a snake about the side that it lies on (dg_snake)
    !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
    !>                              could not leave that state
-   pure subroutine lay_buckled(model, mesh, axial, place, wall, load, offset, slope, laid)
+   pure subroutine lay_buckled(model, mesh, axial, wall, load, offset, slope)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)           !< tension > 0, by node [N]
-      real(wp), intent(in) :: place(:)           !< x0/L of the gaps, by element [-]
       real(wp), intent(in) :: wall(:)            !< stiffness per length, by element [N/m2]
       real(wp), intent(inout) :: load(:)         !< contact force per metre, by node [N/m]
       real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
-      integer, intent(out) :: laid               !< node to which a helix goes that begins in a vertical hole (dg_predicted_helix)
       integer :: regime(mesh%nodes), i, e
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
       call classify_nodes(mesh, axial, load, regime, rate)
-      laid = 0
-      angle = 0.0_wp
-      if (model%numerics%tuning%start_buckled) then
-         call lay_helix(mesh, axial, place, model%boundary%top_centred, model%boundary%bit_centred, wall, load, offset, slope, &
-                        laid, angle, regime == snaking)
-         regime(:laid) = coiling
-      else
-         where (regime /= stretched) regime = lying
-      end if
+      if (.not. model%numerics%tuning%start_buckled) where (regime /= stretched) regime = lying
       phase = 0.0_wp
       do i = 2, mesh%nodes
          phase(i) = phase(i - 1) + rate(i)*(mesh%md(i) - mesh%md(i - 1))
       end do
-      zone%first = laid + 1
+      zone%first = 1
       do while (zone%first <= mesh%nodes)
          zone%last = last_like(regime, zone%first)
          zone%above = what_ends(mesh, regime, zone%first, -1, model%boundary%top_centred)
          zone%below = what_ends(mesh, regime, zone%last, 1, model%boundary%bit_centred)
          select case (regime(zone%first))
          case (coiling)
-            if (laid > 0 .and. zone%first == laid + 1) then
-               angle = angle + phase(zone%first) - phase(laid)
-            else
-               angle = atan2(offset(2, zone%first), offset(1, zone%first)) - lag(zone%above)
-            end if
+            angle = atan2(offset(2, zone%first), offset(1, zone%first)) - lag(zone%above)
             call coil(mesh, zone, axial, rate, wall, phase, angle, load, offset, slope)
          case (snaking)
             call snake(mesh, zone, axial, load, rate, phase, offset, slope)
@@ -293,7 +278,8 @@ contains
    end function lag
 
    !> Angle that a coil has not turned at some phase x from its end [rad]. Between the axis and the wall it does not at all: its
-   !> rate grows as (1 - cos x)/2 from a centred end. Where it begins to lie the rate is tanh(x), as dg_predicted_helix has it.
+   !> rate grows as (1 - cos x)/2 from a centred end. Where it begins to lie, the rate is u = beta tanh(beta s): the beam's equation
+   !> along the wall without torque, EI (u'' - 2 u^3) + F u = 0 with beta^2 = F/(2 EI) (Mitchell 1988), has this solution.
    pure function held_back(ends, away) result(angle)
       type(end_type), intent(in) :: ends
       real(wp), intent(in) :: away    !< [rad]

@@ -18,7 +18,6 @@ module dg_predictor
    use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum
-   use dg_predicted_helix, only: touch_above_bit
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: arc_at, frame_on_arc, trajectory_type
    use dg_tuning, only: tuning_type
@@ -66,7 +65,7 @@ contains
       real(wp) :: wound(mesh%nodes)
       type(bending_beam_type) :: beam
       logical :: found, sharp, left_handed
-      integer :: i, e, laid, knots, knot(mesh%nodes)
+      integer :: i, e, knots, knot(mesh%nodes)
       wall = start%softness*mesh%wall
       where (mesh%opening < mesh%clearance) wall = mesh%wall     ! bow springs are soft
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, &
@@ -94,7 +93,7 @@ contains
       end do
       left_handed = coils_left(axial, torque, offset)
       if (left_handed) call mirror(offset, slope)
-      call lay_buckled(model, mesh, wound, gaps%xi, wall, load, offset, slope, laid)
+      call lay_buckled(model, mesh, wound, wall, load, offset, slope)
       if (left_handed) call mirror(offset, slope)
       if (any(mesh%beside_edge)) call lay_between(mesh, knot(:knots), offset, slope)
       if (model%boundary%top_centred) offset(:, 1) = 0.0_wp
@@ -125,7 +124,6 @@ contains
          place = dot_product(contact_xi, forces(:, e))/pressed(e)
          if (abs(place - gaps%xi(e)) > model%numerics%tuning%aside) gaps%xi(e) = place
       end do
-      if (model%boundary%bit_centred .and. laid == mesh%nodes .and. .not. found) call touch_above_bit(mesh, wound, gaps)
    end subroutine predict
 
    !> Whether a compressed string coils to the left: against its torque or, without one, as the side that it lies on turns along the
