@@ -19,6 +19,7 @@ contains
       suite = TestSuite('can_be_done')
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
+      call suite%addTest(TestMethod('overpull_left_out', test_overpull))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
@@ -112,6 +113,29 @@ contains
          read (number, *) value
       end function factor_after
    end subroutine test_advice
+
+   !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
+   !> as it says.
+   subroutine test_overpull()
+      character(*), parameter :: excess = 'Not possible without overpull either: hook load of the rig '
+      type(run_type) :: run
+      character(:), allocatable :: told
+      run = run_deck_text(deck_of('-200', '300'))
+      call assertTrue(index(unwrapped(run%output), '. Possible without overpull.') > 0, message=run%output)
+      run = run_deck_text(deck_of('0', '300'))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck_of('-200', '205'))
+      told = number_after(run%output, excess)
+      run = run_deck_text(deck_of('0', '205'))
+      call assertTrue(index(unwrapped(run%output), ', '//told//' klbf too much') > 0, message=told//' told; '//run%output)
+   contains
+      !> Pulling with weight on bit and rig limit [klbf].
+      function deck_of(wob, limit) result(text)
+         character(*), intent(in) :: wob, limit
+         character(:), allocatable :: text
+         text = replaced(deck("operation = 'up', wob = "//wob, .false.), 'max_hookload = 500', 'max_hookload = '//limit)
+      end function deck_of
+   end subroutine test_overpull
 
    !> 'Deepest bit depth possible: about' a depth: yes 1 % above it, NO 1 % below it.
    subroutine test_reach()
