@@ -168,6 +168,15 @@ def faults_of_labels(folder, page):
     return faults
 
 
+def faults_of_no_curves(page):
+    """Without a load case to show there is a sentence, and no empty chart."""
+    made, complaints = dom(page, "case=none")
+    faults = [f"no load case: the browser complains: {c}" for c in complaints]
+    if "No curves: choose a load case" not in made or 'class="panel"' in made:
+        faults.append("no load case: the page draws empty charts, or says nothing")
+    return faults
+
+
 def faults_of_touch(page):
     """Two fingers that are spread to three times their distance leave a third of the depth."""
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
@@ -196,7 +205,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page) + faults_of_touch(page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page) + faults_of_no_curves(page) + faults_of_touch(page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")

@@ -1,6 +1,6 @@
 !> The answer to 'can it be done?' as a run prints and writes it: terminal, summary.csv, sweep, page, exit status.
 module dg_test_can_be_done
-   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('overpull_left_out', test_overpull))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
+      call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
@@ -179,6 +180,22 @@ contains
       call assertEqual('', field(rows(3)%text, col_torque), message='torque')
       call assertTrue(index(rows(3)%text, ',no,') > 0, message=rows(3)%text)
    end subroutine test_locked_up
+
+   !> Where all cases lock up there is no chart of hook loads, and the page says so.
+   subroutine test_no_empty_chart()
+      character(*), parameter :: locked = "operation = 'rotary', wob = 20000"
+      type(run_type) :: run
+      character(:), allocatable :: page
+      logical :: there
+      page = replaced(deck(locked, .true.), "operation = 'up'", locked)
+      run = run_deck_text(replaced(page, "models = 'soft'", "models = 'mcge'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '">Not drawn, as there is no solution to show: Hook load of all cases. ') > 0)
+      call assertEqual(0, index(page, '<svg'), message='a chart')
+      inquire (file=results_path//'/pictures/hookload.gp', exist=there)
+      call assertFalse(there, message='the script of a chart')
+   end subroutine test_no_empty_chart
 
    !> With a little less than the weight on bit that is said to arrive without a push, the string goes down without one.
    subroutine test_less_weight()

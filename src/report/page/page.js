@@ -33,7 +33,7 @@ function value_at(p, name, depth) {
    const v = c.v[i] + (step > 0 ? (depth - c.d[i]) / step * turn : 0)
    return name === 'clock' ? (v + 360) % 360 : v
 }
-const deepest = () => Math.max(...shown().map(p => D.cases[p.case].depth), 1)
+const deepest = () => Math.max(...(state.cases.length ? state.cases : [D.start]).map(i => D.cases[i].depth))
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
@@ -144,7 +144,14 @@ function draw_panel(panel, index, width) {
 }
 const view = {}
 function draw_panels() {
-   const chart = D.charts[state.chart], many = chart.panels.length
+   const chart = D.charts[state.chart], many = chart.panels.length, bare = !shown().length
+   root.classList.toggle('bare', bare)                       // an empty chart is not drawn
+   if (bare) {
+      const names = state.cases.map(i => D.cases[i].name).join(', ')
+      view.panels.replaceChildren(make(null, 'h:p', {class: 'note'}, state.cases.length * state.models.length
+         ? `No curves: no solution of ${names}. Answers and warnings above say why.` : 'No curves: choose a load case and a model.'))
+      return
+   }
    const wide = view.panels.clientWidth || 1000, each = wide < 600 ? wide / 2 : wide / many
    view.panels.replaceChildren(...chart.panels.map((p, i) => draw_panel(p, wide < 600 ? i % 2 : i, Math.max(150, each))))
    for (const s of view.panels.children) s.style.width = wide < 600 ? '50%' : 100 / many + '%'
