@@ -191,7 +191,7 @@ contains
       run = run_deck_text(replaced(page, "models = 'soft'", "models = 'mcge'"))
       call assertEqual(0, run%status, message=run%diagnostics)
       page = content(results_path//'/report.html')
-      call assertTrue(index(page, '">Not drawn, as there is no solution to show: Hook load of all cases. ') > 0)
+      call assertTrue(index(page, '">Not drawn, as no value is known: Hook load of all cases. ') > 0)
       call assertEqual(0, index(page, '<svg'), message='a chart')
       inquire (file=results_path//'/pictures/hookload.gp', exist=there)
       call assertFalse(there, message='the script of a chart')
