@@ -151,17 +151,14 @@ def faults_without_script(page):
     return faults
 
 
-def faults_of_labels(folder, page):
-    """Texts of all charts and pictures, on a screen and on a phone, in each view of the well: none is cut or lies on another."""
+def faults_of_labels(text, widths=WIDTHS):
+    """Texts of all charts of a page, in windows of some widths, in each view of the well: none is cut or lies on another."""
     faults = []
-    pictures = "".join(f'<div class="drawn">{p.read_text(encoding="utf-8").partition("<svg")[2].join(("<svg", ""))}</div>'
-                       for p in sorted((folder / "pictures").glob("*.svg")))
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
-    text = text.replace("</body>", f"{pictures}<script>{LABELS}</script></body>")
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch) / "labels.html"
-        copy.write_text(text, encoding="utf-8")
-        for width in WIDTHS:
+        copy.write_text(text.replace("</body>", f"<script>{LABELS}</script></body>"), encoding="utf-8")
+        for width in widths:
             made, _ = dom(copy, options=(f"--window-size={width},1000",))
             found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
             faults += [f"{width} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["labels were not looked at"]
@@ -205,7 +202,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page) + faults_of_no_curves(page) + faults_of_touch(page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_touch(page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")
