@@ -4,7 +4,7 @@
 The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
-cut or lies on another; that two fingers zoom; that the browser has no complaint.
+cut or lies on another; that two fingers zoom; that a phone need not scroll sideways; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -53,6 +53,22 @@ const whole = state.bottom - state.top
 touch('touchstart', .45, .55); touch('touchmove', .35, .65); touch('touchend')
 document.title = 'PART' + (state.bottom - state.top) / whole
 """
+
+PHONE = 390                 # px, in a frame
+LONG_NAME = "_" + "long" * 12
+BEYOND = r"""
+setTimeout(() => {
+   for (const d of document.querySelectorAll('details')) d.open = true
+   const wide = document.documentElement.clientWidth, found = [], root = document.documentElement
+   const boxed = e => { for (let p = e.parentElement; p; p = p.parentElement) if (['auto', 'scroll'].includes(getComputedStyle(p).overflowX)) return true }
+   if (root.scrollWidth > wide) found.push('the page scrolls sideways')
+   for (const e of document.querySelectorAll('body :not(svg *)')) if (e.getBoundingClientRect().right > wide + 1 && !boxed(e)) found.push(`${e.tagName} ${e.textContent.slice(0, 40)} ends beyond the edge`)
+   for (const e of document.querySelectorAll('td, th')) if (e.scrollWidth > e.clientWidth + 1) found.push(`${e.textContent} is wider than its cell`)
+   parent.postMessage(JSON.stringify(found), '*')
+}, 500)
+"""
+FRAME = f"""<html><head><title></title></head><body><iframe src="inner.html" style="width:{PHONE}px;height:3000px"></iframe>
+<script>addEventListener('message', e => document.title = 'FOUND' + e.data)</script></body></html>"""
 
 
 def dom(page, view="", options=()):
@@ -174,6 +190,18 @@ def faults_of_no_curves(page):
     return faults
 
 
+def faults_of_phone(text):
+    """On a phone, with a long name: what is wide scrolls in its own box, and no text leaves its cell."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text).replace(CASES[0], CASES[0] + LONG_NAME)
+    with tempfile.TemporaryDirectory() as scratch:
+        inner, outer = pathlib.Path(scratch) / "inner.html", pathlib.Path(scratch) / "outer.html"
+        inner.write_text(text.replace("</body>", f"<script>{BEYOND}</script></body>"), encoding="utf-8")
+        outer.write_text(FRAME, encoding="utf-8")
+        made, _ = dom(outer)
+    found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
+    return [f"{PHONE} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["the page was not looked at on a phone"]
+
+
 def faults_of_touch(page):
     """Two fingers that are spread to three times their distance leave a third of the depth."""
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
@@ -202,7 +230,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_touch(page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_phone(text) + faults_of_touch(page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")

@@ -249,7 +249,7 @@ function draw_3d() {
    for (let i = 0; i < n; i++) line(points[i], points[i + 1], {stroke: isFinite(values[i]) ? colour((values[i] - low) / (high - low || 1)) : '#888', 'stroke-width': 5, 'stroke-linecap': 'round'})
    for (let i = 0; i < 40; i++) make(svg, 'rect', {x: 20 + 5 * i, y: 372, width: 5.5, height: 9, fill: colour(i / 39)})
    make(svg, 'text', {x: 20, y: 394}, text_of(low, q)); make(svg, 'text', {x: 220, y: 394, 'text-anchor': 'end'}, (sorted[sorted.length - 1] > high ? '\u2265 ' : '') + text_of(high, q))
-   make(svg, 'text', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)
+   make(svg, 'text', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`.slice(0, 60))
    const dot = make(svg, 'circle', {r: 6, class: 'dot'}), told = make(svg, 'text', {class: 'value'})
    view.mark3d = () => { const [x, y] = project(['east', 'north', 'tvd'].map(a => value_at(p, a, Math.min(state.depth, end))))
       dot.setAttribute('cx', x); dot.setAttribute('cy', y); told.setAttribute('x', x + 9); told.setAttribute('y', y - 6)

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '2CArxxirmZoOd/3thMGVnLccmE2yhPMyW5BQTJw54UQ='
+   character(*), parameter :: script_hash = 'p/qZx7Ao/hKzvmOW1LCXrWXaA9XLZwKf7W2jSRyvrNw='
    character(273), parameter :: script_lines_1(100) = [character(273) :: &
       '// Interactive part of a report: no library, nothing fetched. All that is shown stands in the page''s data (id'// &
       '="data"):', &
@@ -314,7 +314,8 @@ module dg_page_script
       'r(i / 39)})', &
       '   make(svg, ''text'', {x: 20, y: 394}, text_of(low, q)); make(svg, ''text'', {x: 220, y: 394, ''text-anchor'''// &
       ': ''end''}, (sorted[sorted.length - 1] > high ? ''\u2265 '' : '''') + text_of(high, q))', &
-      '   make(svg, ''text'', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)', &
+      '   make(svg, ''text'', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`.slice(0, 60)'// &
+      ')', &
       '   const dot = make(svg, ''circle'', {r: 6, class: ''dot''}), told = make(svg, ''text'', {class: ''value''})', &
       '   view.mark3d = () => { const [x, y] = project([''east'', ''north'', ''tvd''].map(a => value_at(p, a, Math.mi'// &
       'n(state.depth, end))))', &
@@ -543,7 +544,7 @@ module dg_page_script
       '   throw fault', &
       '}']
    character(273), parameter :: script_lines(423) = [script_lines_1, script_lines_2, script_lines_3, script_lines_4, script_lines_5]
-   character(245), parameter :: style_lines_1(20) = [character(245) :: &
+   character(271), parameter :: style_lines_1(21) = [character(271) :: &
       '.scripted .static{display:none}', &
       '#live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '#live svg{width:100%;height:auto;display:block}#live svg text{font-size:11px;fill:currentColor}#live svg .labe'// &
@@ -563,20 +564,21 @@ module dg_page_script
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
       '#live .key{width:28px;height:8px;display:inline-block;margin-right:.4em}', &
-      '.main{display:grid;grid-template-columns:11em 1fr;gap:1em}.side fieldset{border:1px solid #bbb;margin:0 0 .6em'// &
-      ';padding:.3em .6em;max-height:24em;overflow:auto}', &
+      '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side fieldset{border:1px solid #bbb;margi'// &
+      'n:0 0 .6em;padding:.3em .6em;max-height:24em;min-width:0;overflow:auto}', &
+      '.side label,.legend button{overflow-wrap:anywhere}#readout th{max-width:9em}', &
       '.side label{display:block;font-size:.85em}.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:n'// &
-      'one;cursor:crosshair}.right{min-width:0}', &
+      'one;cursor:crosshair}', &
       '.right input[type=range]{width:100%}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-colum'// &
       'ns:13em 1fr;gap:1em}.lower figure{max-width:640px}', &
       ':focus-visible{outline:3px solid #E69F00}', &
       '@media screen and (max-width:700px){.lower figure:first-child{max-width:12em;margin:0 auto}#live figure{margin'// &
-      ':1em 0}.main,.lower{grid-template-columns:1fr}.side{display:grid;grid-template-columns:1fr 1fr;gap:.5em}.side '// &
-      'fieldset{max-height:9em}}', &
+      ':1em 0}.main,.lower{grid-template-columns:minmax(0,1fr)}.side{display:grid;grid-template-columns:repeat(2,minm'// &
+      'ax(0,1fr));gap:.5em}.side fieldset{max-height:9em}}', &
       '@media screen and (prefers-color-scheme:dark){#live{--ink:#dde2e6;--line:#2f363d;--soft:#8a939b;--paper:#14181'// &
       'c;--wall:#b8935f;--steel:#46525b}#live svg{filter:none}}', &
       '@media print{#live .panels{flex-wrap:nowrap}#live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.hint,#liv'// &
       'e input,#live select,#live label,#live .lower{display:none!important}.main{display:block}', &
       '#live .panels{break-inside:avoid}#live svg.panel{max-height:none}.legend button{border:none}}']
-   character(245), parameter :: style_lines(20) = [style_lines_1]
+   character(271), parameter :: style_lines(21) = [style_lines_1]
 end module dg_page_script
