@@ -210,15 +210,11 @@ def key_table(group, rules, labels, factors, numerics):
             default = f"`'{default}'`"
         elif default:
             default = f"`{default}`"
-        choices, later = unquoted(text_of(named.get("choices", ""))), unquoted(named.get("later", ""))
-        if later == "*":
-            legal = "not in this version"
-        elif choices == "*":
+        choices = unquoted(text_of(named.get("choices", "")))
+        if choices == "*":
             legal = "see &load_case"
         elif choices:
             legal = ", ".join(f"`'{word}'`" for word in choices.split())
-            if later:
-                legal += "; not yet " + ", ".join(f"`'{word}'`" for word in later.split())
         elif kind == "kind_text":
             legal = "text"
         elif kind == "kind_logical":
@@ -244,15 +240,10 @@ def check_input(write):
     labels, factors = deck_units()
     numerics = solver_defaults()
     faults = []
-    groups = {unquoted(plain[0]): named for plain, named in constructors(keys, "group_rule_type") if plain}
+    groups = {unquoted(plain[0]) for plain, _ in constructors(keys, "group_rule_type") if plain}
     marked = re.compile(r"<!-- keys of (\w+) -->\n(.*?)<!-- end -->", re.S)
     documented = {name for name, _ in marked.findall(text)}
-    for name, named in groups.items():
-        if named.get("available") == ".false.":
-            if f"`&{name}`" not in text:
-                faults.append(f"input/README.md does not name the group &{name}, which this version does not have")
-        elif name not in documented:
-            faults.append(f"input/README.md has no table of the keys of &{name}")
+    faults += [f"input/README.md has no table of the keys of &{name}" for name in groups if name not in documented]
     faults += [f"input/README.md documents &{name}, which no deck has" for name in documented - set(groups)]
 
     def fresh(match):

@@ -4,7 +4,7 @@
 The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
-cut or lies on another; that two fingers zoom; that the browser has no complaint.
+cut or lies on another; that two fingers zoom; that a phone need not scroll sideways; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -53,6 +53,22 @@ const whole = state.bottom - state.top
 touch('touchstart', .45, .55); touch('touchmove', .35, .65); touch('touchend')
 document.title = 'PART' + (state.bottom - state.top) / whole
 """
+
+PHONE = 390                 # px, in a frame
+LONG_NAME = "_" + "long" * 12
+BEYOND = r"""
+setTimeout(() => {
+   for (const d of document.querySelectorAll('details')) d.open = true
+   const wide = document.documentElement.clientWidth, found = [], root = document.documentElement
+   const boxed = e => { for (let p = e.parentElement; p; p = p.parentElement) if (['auto', 'scroll'].includes(getComputedStyle(p).overflowX)) return true }
+   if (root.scrollWidth > wide) found.push('the page scrolls sideways')
+   for (const e of document.querySelectorAll('body :not(svg *)')) if (e.getBoundingClientRect().right > wide + 1 && !boxed(e)) found.push(`${e.tagName} ${e.textContent.slice(0, 40)} ends beyond the edge`)
+   for (const e of document.querySelectorAll('td, th')) if (e.scrollWidth > e.clientWidth + 1) found.push(`${e.textContent} is wider than its cell`)
+   parent.postMessage(JSON.stringify(found), '*')
+}, 500)
+"""
+FRAME = f"""<html><head><title></title></head><body><iframe src="inner.html" style="width:{PHONE}px;height:3000px"></iframe>
+<script>addEventListener('message', e => document.title = 'FOUND' + e.data)</script></body></html>"""
 
 
 def dom(page, view="", options=()):
@@ -151,21 +167,39 @@ def faults_without_script(page):
     return faults
 
 
-def faults_of_labels(folder, page):
-    """Texts of all charts and pictures, on a screen and on a phone, in each view of the well: none is cut or lies on another."""
+def faults_of_labels(text, widths=WIDTHS):
+    """Texts of all charts of a page, in windows of some widths, in each view of the well: none is cut or lies on another."""
     faults = []
-    pictures = "".join(f'<div class="drawn">{p.read_text(encoding="utf-8").partition("<svg")[2].join(("<svg", ""))}</div>'
-                       for p in sorted((folder / "pictures").glob("*.svg")))
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
-    text = text.replace("</body>", f"{pictures}<script>{LABELS}</script></body>")
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch) / "labels.html"
-        copy.write_text(text, encoding="utf-8")
-        for width in WIDTHS:
+        copy.write_text(text.replace("</body>", f"<script>{LABELS}</script></body>"), encoding="utf-8")
+        for width in widths:
             made, _ = dom(copy, options=(f"--window-size={width},1000",))
             found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
             faults += [f"{width} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["labels were not looked at"]
     return faults
+
+
+def faults_of_no_curves(page):
+    """Without a load case to show there is a sentence, and no empty chart."""
+    made, complaints = dom(page, "case=none")
+    faults = [f"no load case: the browser complains: {c}" for c in complaints]
+    if "No curves: choose a load case" not in made or 'class="panel"' in made:
+        faults.append("no load case: the page draws empty charts, or says nothing")
+    return faults
+
+
+def faults_of_phone(text):
+    """On a phone, with a long name: what is wide scrolls in its own box, and no text leaves its cell."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text).replace(CASES[0], CASES[0] + LONG_NAME)
+    with tempfile.TemporaryDirectory() as scratch:
+        inner, outer = pathlib.Path(scratch) / "inner.html", pathlib.Path(scratch) / "outer.html"
+        inner.write_text(text.replace("</body>", f"<script>{BEYOND}</script></body>"), encoding="utf-8")
+        outer.write_text(FRAME, encoding="utf-8")
+        made, _ = dom(outer)
+    found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
+    return [f"{PHONE} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["the page was not looked at on a phone"]
 
 
 def faults_of_touch(page):
@@ -196,7 +230,7 @@ def main():
             faults, compared = faults + found, compared + n
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(folder, page) + faults_of_touch(page), compared + n
+    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_phone(text) + faults_of_touch(page), compared + n
     print(f"{compared} values read off the page")
     if compared < 150:
         faults.append(f"only {compared} values could be compared")

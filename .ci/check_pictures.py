@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Keeps the pictures that README.md and output/README.md show true: they are those of the sample decks, drawn anew and compared by all their texts
 (titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
+No text of any picture in the folders is cut or lies on another.
 
 Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
 """
@@ -10,7 +11,10 @@ import shutil
 import sys
 import xml.etree.ElementTree as xml
 
+from check_page import WIDTHS, faults_of_labels
+
 SHOWN = pathlib.Path("output/examples")
+PAGE = '<html><head><meta charset="utf-8"><title></title></head><body>{}</body></html>'
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?")
 
 
@@ -42,7 +46,13 @@ def main(arguments):
         elif not kept.exists() or texts(kept) != texts(fresh):
             faults.append(f"{kept} is not what the run of {deck} draws; check_pictures.py --write brings it up to date")
     faults += [f"{p}: neither README.md nor output/README.md shows it" for p in SHOWN.glob("*") if p.name not in named]
-    print(f"{len(named)} pictures")
+    count = 0
+    for deck, folder in folders.items():
+        drawn = [p.read_text(encoding="utf-8").partition("<svg") for p in sorted((folder / "pictures").glob("*.svg"))]
+        page = PAGE.format("".join(f'<div class="drawn" style="width:1120px"><svg{rest}</div>' for _, _, rest in drawn))
+        faults += [f"{deck}: {fault}" for fault in faults_of_labels(page, WIDTHS[:1])]
+        count += len(drawn)
+    print(f"{len(named)} pictures shown, labels of {count} looked at")
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

@@ -47,7 +47,7 @@ program main
       call work(arguments, status)
    end if
    if (output_failed()) then
-      call tell('not all could be written to standard output (is the disk full, or did its reader end?)')
+      call tell('not all could be written to standard output (is the disk full?)')
       status = status_failure
    end if
    call end_process(status)

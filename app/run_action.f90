@@ -2,7 +2,7 @@
 !> another program's case.
 module dg_run_action
    use dg_arguments, only: arguments_type
-   use dg_catalogue, only: catalogue_type, entry_type, find_catalogue, numeric_keys, read_catalogue
+   use dg_catalogue, only: catalogue_type, find_catalogue, kind_of_grades, number_of, numeric_keys, read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_schema, only: group_keys_type
    use dg_deck_source, only: read_source
@@ -98,15 +98,16 @@ contains
       end do
    end subroutine print_deck
 
-   !> Prints the entries that have `pattern` in their name or kind.
+   !> Prints the entries that have `pattern` in their name or kind. With a grade as its last word: the pipes that have the words
+   !> before it, of that grade.
    subroutine list_catalogue(pattern, status)
       character(*), intent(in) :: pattern
       integer, intent(out) :: status
       type(catalogue_type) :: catalogue
       type(fault_list_type) :: faults
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: path
-      integer :: i
+      character(:), allocatable :: path, sought
+      integer :: i, cut, grade
       status = status_bad_input
       call find_catalogue('', '', path)
       call read_catalogue(path, catalogue, faults)
@@ -115,24 +116,42 @@ contains
          return
       end if
       allocate (lines(0))
+      sought = lower_case(trim(pattern))
+      cut = index(sought, ' ', back=.true.)
+      grade = 0
+      if (cut > 0) grade = grade_of(catalogue, sought(cut + 1:))
+      if (grade > 0) sought = sought(:cut - 1)
       do i = 1, size(catalogue%entries)
-         if (index(lower_case(catalogue%entries(i)%name), lower_case(pattern)) == 0 .and. &
-             index(lower_case(catalogue%entries(i)%kind), lower_case(pattern)) == 0) cycle
+         if (grade > 0 .and. catalogue%entries(i)%kind == kind_of_grades) cycle
+         if (index(lower_case(catalogue%entries(i)%name), sought) == 0 .and. &
+             index(lower_case(catalogue%entries(i)%kind), sought) == 0) cycle
          if (size(lines) == 0) then
             call append_text(lines, path)
             call append_text(lines, left_aligned('name', name_width)//left_aligned('kind', kind_width)//heading//heading// &
                              '  source')
             call append_text(lines, repeat(' ', name_width + kind_width)//heads(si_units())//heads(field_units()))
          end if
-         call append_text(lines, entry_line(catalogue%entries(i)))
+         call append_text(lines, entry_line(catalogue, i, grade))
       end do
       if (size(lines) == 0) then
          call tell(path//' has nothing like '//quoted(pattern))
          return
       end if
+      if (sought /= '' .and. grade_of(catalogue, sought) > 0) call append_text(lines, 'A grade stands behind the name of a '// &
+         "pipe: catalogue = 'DP 5 19.50 NC50 S135'. List pipe of a grade so: --list-catalogue 'DP 5 S135'")
       call print_lines(lines)
       status = status_ok
    end subroutine list_catalogue
+
+   !> The entry of a grade; 0 where there is none of that name.
+   pure function grade_of(catalogue, name) result(grade)
+      type(catalogue_type), intent(in) :: catalogue
+      character(*), intent(in) :: name      !< in small letters
+      integer :: grade
+      do grade = size(catalogue%entries), 1, -1
+         if (catalogue%entries(grade)%kind == kind_of_grades .and. lower_case(catalogue%entries(grade)%name) == name) exit
+      end do
+   end function grade_of
 
    !> Units of the columns of numbers.
    function heads(units) result(text)
@@ -143,12 +162,17 @@ contains
          right_aligned(unit_label(units, unit_stress), 7)
    end function heads
 
-   !> One entry of the list.
-   function entry_line(entry) result(line)
-      type(entry_type), intent(in) :: entry
+   !> One entry of the list, with the number of its grade or 0.
+   function entry_line(catalogue, entry, grade) result(line)
+      type(catalogue_type), intent(in) :: catalogue
+      integer, intent(in) :: entry, grade
       character(:), allocatable :: line
-      line = left_aligned(entry%name, name_width)//left_aligned(entry%kind, kind_width)//cells(si_units(), 1)// &
-         cells(field_units(), 3)//'  '//entry%source
+      associate (found => catalogue%entries(entry))
+         line = found%name
+         if (grade > 0) line = line//' '//catalogue%entries(grade)%name
+         line = left_aligned(line, name_width)//left_aligned(found%kind, kind_width)//cells(si_units(), 1)// &
+                cells(field_units(), 3)//'  '//found%source
+      end associate
    contains
       function cells(units, decimals) result(text)
          type(unit_system_type), intent(in) :: units
@@ -164,11 +188,11 @@ contains
          real(wp), intent(in) :: unit
          integer, intent(in) :: width, decimals
          character(width) :: text
-         integer :: k
+         real(wp) :: number
+         logical :: has
+         call number_of(catalogue, entry, grade, findloc(numeric_keys == key, .true., dim=1), has, number)
          text = repeat(' ', width - 1)//'-'
-         do k = 1, size(numeric_keys)
-            if (numeric_keys(k) == key .and. entry%has(k)) text = fixed_cell(entry%numbers(k)/unit, width, decimals)
-         end do
+         if (has) text = fixed_cell(number/unit, width, decimals)
       end function cell
    end function entry_line
 end module dg_run_action

@@ -89,6 +89,14 @@ contains
       call assertTrue(index(run%output, '   244.5   220.5   69.94    269.9') > 0, message=run%output)
       call assertTrue(index(run%output, '   9.625   8.681   47.00   10.625') > 0, message=run%output)
       call assertFalse(index(run%output, 'DP 5') > 0, message=run%output)
+      run = run_program('--list-catalogue S135')
+      call assertTrue(index(run%output, newline//'S135                                  grade ') > 0, message=run%output)
+      call assertTrue(index(run%output, newline//'A grade stands behind the name of a pipe: ') > 0, message=run%output)
+      run = run_program("--list-catalogue 'dp 5 19.50 nc50 s135'")
+      call assertTrue(index(run%output, newline//'DP 5 19.50 NC50 S135                  drillpipe         127.') > 0, &
+                      message=run%output)
+      call assertTrue(index(run%output, '   931.') > 0, message=run%output)
+      call assertEqual(0, index(run%output, ' grade '), message=run%output)
       run = run_program('--list-catalogue nothing_like_this')
       call assertEqual(2, run%status)
       run = run_program('--list-catalogue', environment='DRILLGAP_CATALOGUE=/nonexistent/pipes.csv')
@@ -125,6 +133,7 @@ contains
    end subroutine test_within
 
    subroutine test_catalogue_faults()
+      type(run_type) :: run
       call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
       call refuse("catalogue = 'DP 5 19.5 NC50 S-135'", "did you mean 'DP 5 19.50 NC50 S135'?")
       call refuse("catalogue = 'something else altogether'", '--list-catalogue lists what it has')
@@ -139,6 +148,11 @@ contains
       call refuse("catalogue = 'S135'", "input/catalogue.csv has no 'S135'")
       call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")
       call refuse("name = 'pipe'", 'key od is missing')
+      call execute_command_line("printf 'name,kind,mass_kg_m\nbare,drillpipe,30\n' > build/test_bare.csv")
+      run = run_deck_text(replaced(replaced(good_deck(), pipe, "&component catalogue = 'bare' /"), '&job ', &
+                                   "&job catalogue_file = '../test_bare.csv', "), '--check')
+      call assertTrue(index(run%diagnostics, "group &component: 'bare' of ") > 0 .and. &
+                      index(run%diagnostics, 'test_bare.csv has no od; give it here') > 0, message=run%diagnostics)
    end subroutine test_catalogue_faults
 
    !> To field units and back: the same results, and the numbers that the deck had.

@@ -1,6 +1,6 @@
 !> The answer to 'can it be done?' as a run prints and writes it: terminal, summary.csv, sweep, page, exit status.
 module dg_test_can_be_done
-   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
@@ -19,8 +19,10 @@ contains
       suite = TestSuite('can_be_done')
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
+      call suite%addTest(TestMethod('overpull_left_out', test_overpull))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
+      call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
@@ -113,6 +115,29 @@ contains
       end function factor_after
    end subroutine test_advice
 
+   !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
+   !> as it says.
+   subroutine test_overpull()
+      character(*), parameter :: excess = 'Not possible without overpull either: hook load of the rig '
+      type(run_type) :: run
+      character(:), allocatable :: told
+      run = run_deck_text(deck_of('-200', '300'))
+      call assertTrue(index(unwrapped(run%output), '. Possible without overpull.') > 0, message=run%output)
+      run = run_deck_text(deck_of('0', '300'))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck_of('-200', '205'))
+      told = number_after(run%output, excess)
+      run = run_deck_text(deck_of('0', '205'))
+      call assertTrue(index(unwrapped(run%output), ', '//told//' klbf too much') > 0, message=told//' told; '//run%output)
+   contains
+      !> Pulling with weight on bit and rig limit [klbf].
+      function deck_of(wob, limit) result(text)
+         character(*), intent(in) :: wob, limit
+         character(:), allocatable :: text
+         text = replaced(deck("operation = 'up', wob = "//wob, .false.), 'max_hookload = 500', 'max_hookload = '//limit)
+      end function deck_of
+   end subroutine test_overpull
+
    !> 'Deepest bit depth possible: about' a depth: yes 1 % above it, NO 1 % below it.
    subroutine test_reach()
       type(run_type) :: run
@@ -155,6 +180,22 @@ contains
       call assertEqual('', field(rows(3)%text, col_torque), message='torque')
       call assertTrue(index(rows(3)%text, ',no,') > 0, message=rows(3)%text)
    end subroutine test_locked_up
+
+   !> Where all cases lock up there is no chart of hook loads, and the page says so.
+   subroutine test_no_empty_chart()
+      character(*), parameter :: locked = "operation = 'rotary', wob = 20000"
+      type(run_type) :: run
+      character(:), allocatable :: page
+      logical :: there
+      page = replaced(deck(locked, .true.), "operation = 'up'", locked)
+      run = run_deck_text(replaced(page, "models = 'soft'", "models = 'mcge'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '">Not drawn, as no value is known: Hook load of all cases. ') > 0)
+      call assertEqual(0, index(page, '<svg'), message='a chart')
+      inquire (file=results_path//'/pictures/hookload.gp', exist=there)
+      call assertFalse(there, message='the script of a chart')
+   end subroutine test_no_empty_chart
 
    !> With a little less than the weight on bit that is said to arrive without a push, the string goes down without one.
    subroutine test_less_weight()

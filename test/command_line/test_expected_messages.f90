@@ -19,6 +19,7 @@ contains
       call suite%addTest(TestMethod('well_and_string', test_well))
       call suite%addTest(TestMethod('studies', test_studies))
       call suite%addTest(TestMethod('notes', test_notes))
+      call suite%addTest(TestMethod('no_solution', test_no_solution))
    end function expected_messages_suite
 
    !> The good deck with `old` changed to `new` is refused with `expected`.
@@ -78,6 +79,9 @@ contains
                   ' diameter = 220.0 / &hole', 'key md_bottom is missing, and the next section has no md_top; give one of them')
       call refuse('density = 1200.0', 'density = 1200.0, md_top = 100, above_bit = 100', &
                   'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
+      call refuse(boundary, "&centralizer component = 'collars', kind = 'rigid', od = 200, spacing = 10, restoring_force = 1 /", &
+                  'group &centralizer: restoring_force has no meaning')
+      call refuse("models = 'soft'", "models = 1001*'soft'", 'models takes at most 1000 texts, 1001 given')
       call refuse(boundary, "&centralizer component = 'none', od = 200, spacing = 10 /", "string 'main' has no component 'none'")
       call refuse('wob = 20.0', "length_reference = 'v'", "there is no load case 'v'; did you mean")
       call refuse('element_length = 10.0', 'eps_n0 = 0.9', 'eps_n0 must be smaller than eps_nmax')
@@ -121,4 +125,21 @@ contains
       call note('&fluid density = 1200.0 /', "&fluid density = 1, where = 'inside' / &fluid density = 3000, where = 'outside' /", &
                 "'drillpipe' floats at 800 m: with what is in it it weighs less than the fluid outside that it displaces")
    end subroutine test_notes
+
+   !> Studies that find no solution say so on standard error and end with status 3.
+   subroutine test_no_solution()
+      call lose('bit_depth = 800.0', "bit_depth = 400 / &steering cases = 's' / &load_case name = 'b', operation = 'sliding', "// &
+                'bit_depth = 800', "steering, case 's': no curvature; the hole is vertical there, to 2 deg")
+      call lose('element_length = 10.0', "max_iterations = 1 / &load_case name = 'm', operation = 'up', bit_depth = 900, "// &
+                "measured_hookload = 300 / &calibrate parameter = 'sticking', sticking_depth = 600, model = 'mcge'", &
+                "case 'm', model mcge: no solution; the free string has none: ")
+   contains
+      subroutine lose(old, new, expected)
+         character(*), intent(in) :: old, new, expected
+         type(run_type) :: run
+         run = run_deck_text(replaced(replaced(good_deck(), "'soft'", "'mcge'"), old, new))
+         call assertEqual(3, run%status, message=expected)
+         call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+      end subroutine lose
+   end subroutine test_no_solution
 end module dg_test_expected_messages

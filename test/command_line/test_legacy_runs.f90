@@ -155,7 +155,8 @@ contains
       call refuse('md;axial|0;150|12,34.5;75|2000;0', '', file//'3:', "md = '12,34.5' is no number")
       call refuse('md,axial|0,150', '', file, 'it has 1 rows of numbers')
       call refuse('', '', file, 'it has 0 rows of numbers')
-      call refuse('md,axial,axial|0,150,1|900,0,1', '', file//'1:', 'twice')
+      call refuse('md,axial,axial|0,150,1|900,0,1', '', file//'1:', "the header names 'axial' twice; give axial as the "// &
+                  'number of its column')
       call refuse('0 150|900 0', ", md = '1', axial = '3'", file//'1:', 'axial is to be column 3; the table has 2')
       call refuse('   0 150|900', ", md = '1:4', axial = '5:8'", file//'2:', 'the row ends at character 3')
    end subroutine test_bad_tables

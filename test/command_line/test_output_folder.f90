@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('unfinished_input', test_unfinished_input))
       call suite%addTest(TestMethod('deck_in_its_results', test_deck_as_result))
       call suite%addTest(TestMethod('links_are_not_followed', test_links))
+      call suite%addTest(TestMethod('pictures_are_no_folder', test_no_folder))
       call suite%addTest(TestMethod('links_are_refused', test_refused_links))
       call suite%addTest(TestMethod('two_runs', test_two_runs))
       call suite%addTest(TestMethod('parts_share', test_parts))
@@ -108,6 +109,18 @@ contains
       call assertEqual('precious'//newline, content(scratch//'/victim'))
       call shell('test -f '//results_path//'/pictures/path_u.gp -a ! -L '//results_path//'/pictures/path_u.gp')
    end subroutine test_links
+
+   !> A file in place of the folder of pictures refuses the run.
+   subroutine test_no_folder()
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
+      call shell('mkdir -p '//results_path//' && echo mine > '//results_path//'/pictures')
+      run = run_program(deck_path//' --output '//results_path)
+      call assertEqual(1, run%status)
+      call assertTrue(index(run%diagnostics, '/pictures is no folder; remove it, or give another folder by output_dir') > 0, &
+                      message=run%diagnostics)
+      call assertEqual('mine'//newline, content(results_path//'/pictures'))
+   end subroutine test_no_folder
 
    !> Links where results are to stand, also dangling ones, refuse the run before anything is solved or written.
    subroutine test_refused_links()

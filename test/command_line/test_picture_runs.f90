@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('names_are_no_commands', test_names))
       call suite%addTest(TestMethod('names_of_files', test_file_names))
       call suite%addTest(TestMethod('gnuplot_fails_at_one', test_fails_at_one))
+      call suite%addTest(TestMethod('a_single_depth_is_no_curve', test_single_depth))
    end function picture_runs_suite
 
    !> gnuplot draws names as they are, whatever they would be to it.
@@ -70,6 +71,27 @@ contains
       call assertEqual('<svg></svg>'//newline, content('pictures/forces_u.svg'))
       call assertTrue(index(content('report.html'), '1 of 7 pictures are not drawn') > 0)
    end subroutine test_fails_at_one
+
+   !> A sweep and samples at a single depth have no broomstick: a curve of one point cannot be seen. With two depths they have.
+   subroutine test_single_depth()
+      character(*), parameter :: broomsticks(2) = [character(32) :: 'pictures/sweep_b_soft.svg', 'pictures/uncertainty_m_soft.svg']
+      type(run_type) :: run
+      character(:), allocatable :: text
+      integer :: i
+      text = replaced(good_deck(), ', plots = .false.', '')//"&sweep name = 'b', bit_depth_from = 500, bit_depth_step = 400 /"// &
+         newline//"&uncertainty name = 'm', bit_depth_from = 500, bit_depth_step = 400, samples = 99, friction_deviation = 0.1 /"
+      run = run_deck_text(text)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      do i = 1, size(broomsticks)
+         call assertTrue(index(content(trim(broomsticks(i))), '</svg>') > 0, message=trim(broomsticks(i)))
+      end do
+      run = run_deck_text(replaced(replaced(text, 'from = 500', 'from = 900'), 'from = 500', 'from = 900'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      do i = 1, size(broomsticks)
+         call assertEqual('', content(trim(broomsticks(i))), message=trim(broomsticks(i)))
+      end do
+      call assertTrue(index(content('pictures/tornado_m_soft.svg'), '</svg>') > 0, message='tornado')
+   end subroutine test_single_depth
 
    !> The good deck with calibrations of these names, the first of which a hole section has, too.
    function deck_with(names) result(text)

@@ -164,7 +164,7 @@ contains
       run = run_deck_text(text)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, '.1/.35') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Cannot be done from 1000 m: rotary drilling, friction .1/.35 (top drive)') > 0, &
+      call assertTrue(index(run%output, 'Cannot be done at 1000 m: rotary drilling, friction .1/.35 (top drive)') > 0, &
                       message=run%output)
       allocate (lines, source=lines_of(results_path//'/sweep_b.csv'))
       if (anyExceptions()) return
@@ -184,9 +184,9 @@ contains
       call assertEqual(0, index(run%output, 'friction .1/.35 (string weight)'), message=run%output)
       ! 150 kN at the bit are more than the weight along the hole: the string does not go down by itself.
       run = run_deck_text(replaced(text, 'wob = 0, 20', 'wob = 0, 150'))
-      call assertTrue(index(run%output, 'Cannot be done from 1000 m: rotary drilling, friction .1/.35 (string weight)') > 0, &
+      call assertTrue(index(run%output, 'Cannot be done at 1000 m: rotary drilling, friction .1/.35 (string weight)') > 0, &
                       message=run%output)
-      call assertEqual(0, index(run%output, 'Cannot be done from 1000 m: up'), message=run%output)
+      call assertEqual(0, index(run%output, 'Cannot be done at 1000 m: up'), message=run%output)
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1, 3'), 'frictions_cased(2) = 3 is out of')
       call assertEqual(0, index(run%diagnostics, 'go in pairs'), message='one message a fault')

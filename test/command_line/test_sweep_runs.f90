@@ -82,12 +82,15 @@ contains
       call assertEqual(2, found, message='points that are load cases')
    end subroutine test_points
 
-   !> Measured values of load cases join the depths of the sweep, and stand beside the calculated ones.
+   !> Measured values of load cases join the depths of the sweep, and stand beside the calculated ones. The factor that fits has a
+   !> column where one factor can, not with pairs.
    subroutine test_measured()
       type(run_type) :: run
+      character(:), allocatable :: deck
       type(text_type), allocatable :: sweep(:)
       integer :: i, found
-      run = run_deck_text(replaced(good_deck(), '  bit_depth = 900.0', '  bit_depth = 850.0, measured_hookload = 230')// &
+      deck = replaced(good_deck(), '  bit_depth = 900.0', '  bit_depth = 850.0, measured_hookload = 230')
+      run = run_deck_text(deck// &
                           "&sweep name = 'b', frictions = 0.1, 0.5, bit_depth_step = 100,"//newline// &
                           "  measured_depths = 300, 700, 700, measured_operations = 'up', 'up', 'rotate_off_bottom',"//newline// &
                           '  measured_hookloads = 0, 210, 0, measured_torques = 1.5, 0, 2 /'//newline)
@@ -110,6 +113,12 @@ contains
       end do
       call assertEqual(2*2, found)
       call assertTrue(index(run%output, 'Measured, and calculated by soft at friction factors') > 0, message=run%output)
+      call assertTrue(index(run%output, ' Fits'//newline) > 0, message=run%output)
+      call assertTrue(index(run%output, newline//'Fits: friction factor that gives the measured value') > 0, message=run%output)
+      deck = replaced(deck, '&hole md_top = 0.0,', '&hole cased = .true., md_top = 0.0,')
+      run = run_deck_text(deck//"&sweep name = 'b', frictions_cased = 0.1, 0.2, frictions_open = 0.2, 0.5, bit_depth_step = 100 /")
+      call assertTrue(index(run%output, 'Measured, and calculated by soft at friction factors') > 0, message=run%diagnostics)
+      call assertEqual(0, index(run%output, 'Fits'), message=run%output)
    end subroutine test_measured
 
    !> Every model; without load cases; field units in the header; status and one row a point.

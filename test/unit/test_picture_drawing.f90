@@ -120,6 +120,7 @@ contains
       call make_folder(folder, error)
       call start_child(child, '/no/such/program', [text_type ::], folder, 'output', [character(1) ::], error)
       call assertTrue(allocated(error))
+      if (allocated(error)) call assertEqual(1, index(error%message, 'cannot start /no/such/program in '//folder//': '))
       call assertFalse(child%running)
    end subroutine test_exit_status
 

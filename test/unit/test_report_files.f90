@@ -86,6 +86,7 @@ contains
       call assertTrue(exists(path))
       call rename_file(path//'.a', path, error)
       call assertTrue(allocated(error), message='the file has moved')
+      if (allocated(error)) call assertEqual(1, index(error%message, 'cannot rename '//path//'.a to '//path//': '))
       call delete_file(path//'.a') ! absent: no harm
    end subroutine test_rename
 

@@ -136,6 +136,19 @@ contains
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
       call assertEqual('Sweep b, model soft: Cannot be done from 1100 m, with gaps: up, friction 0.25 (rig). '// &
                        'Cannot be done from 1300 m: down, friction 0.25 (string weight)', lines(1)%text)
+      deallocate (lines)
+      ! the shallowest depth cannot be done, either
+      points%limit = 0
+      points([1, 2, 5, 6, 7, 8])%limit = limit_rig
+      points(7)%status = result_converged
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: Cannot be done from 1000 m, the least depth of the sweep, to 1100 m: up, friction '// &
+                       '0.25 (rig). Cannot be done at any depth from 1000 m to 1300 m: down, friction 0.25 (rig)', lines(1)%text)
+      deallocate (lines)
+      points([1, 2, 4, 5, 6, 7, 8])%limit = 0
+      points(3)%limit = limit_rig
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: Cannot be done at 1200 m: up, friction 0.25 (rig)', lines(1)%text)
    end subroutine test_sentences
 
    !> A row a point, with the first sample that failed there.

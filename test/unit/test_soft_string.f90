@@ -1,6 +1,7 @@
 !> The soft string as a result: profile, clock, states, overrides, scales, refusals.
 module dg_test_soft_string
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use dg_case_memory, only: check_case_memory
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_constants, only: degree, pi
    use dg_error, only: error_type, status_bad_input
@@ -11,6 +12,7 @@ module dg_test_soft_string
    use dg_model, only: model_type
    use dg_profile, only: state_elastic, state_free
    use dg_soft_string, only: solve_soft_string
+   use dg_solve_case, only: solve_case
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
@@ -246,5 +248,20 @@ contains
       model%cases(1)%bit_depth = 50.0_wp
       call solve_soft_string(model, 1, result, error)
       call assertTrue(allocated(error), message='bit above the first station')
+      if (allocated(error)) call assertTrue(index(error%message, ': bit_depth must lie below the first station') > 0)
+      call solve_case(model, 99, 1, result, error)
+      call assertTrue(allocated(error), message='no such method')
+      if (allocated(error)) call assertEqual('no model of number 99', error%message)
+      call build(model, [0.0_wp, 3000.0_wp], [0.0_wp, 0.0_wp])
+      model%numerics%element_length = 0.1_wp
+      call check_case_memory(model, no_memory, error)
+      call assertTrue(allocated(error), message='no memory')
+      if (allocated(error)) call assertEqual(1, index(error%message, &
+         'the case has 30000 elements and needs 0.18 GB of memory, there are 0; give '), message=error%message)
+   contains
+      function no_memory() result(bytes)
+         real(wp) :: bytes
+         bytes = 0.0_wp
+      end function no_memory
    end subroutine test_refusals
 end module dg_test_soft_string

@@ -102,7 +102,7 @@ contains
       call accept('LAS', head//'~A DEPT GR DEVI HAZI|0 55 0 90|500 60.2 10 90.25|700 60 -999.25 -999.25|1234.5 -999.25 45.5 100')
       call accept('LAS in feet', '# made up|~V|VERS. 2.0:|~C|DEPT.F:|INCL.DEG:|AZIM.DEG:|~ASCII|0 0 90|'// &
                   '1640.419947507 10 90.25|4050.1968504 45.5 100')
-      call refuse('wrapped', '~V|WRAP. YES :|~C|DEPT.M:|DEVI.DEG:|~A|0|0', 'wrapped rows')
+      call refuse('wrapped', '~V|WRAP. YES :|~C|DEPT.M:|DEVI.DEG:|~A|0|0', 'survey: the LAS file has wrapped rows')
       call refuse('no data', '~V|WRAP. NO :|~C|DEPT.M:|DEVI.DEG:', 'no section ~A')
       call refuse('no deviation', '~V|WRAP. NO :|~C|DEPT.M:|GR.GAPI:|~A|0 0', 'names no inc')
    end subroutine test_las

@@ -42,6 +42,7 @@ contains
       call suite%addTest(TestMethod('string_weight_and_its_reserve', test_weight))
       call suite%addTest(TestMethod('push_needed', test_push))
       call suite%addTest(TestMethod('too_much_weight_on_bit', test_weight_on_bit))
+      call suite%addTest(TestMethod('impossible_without_load_too', test_without_load))
       call suite%addTest(TestMethod('rig_and_its_reserve', test_rig))
       call suite%addTest(TestMethod('limit_behind_the_reserve', test_reserve_limit))
       call suite%addTest(TestMethod('reserve_of_coils', test_reserve_of_coils))
@@ -166,6 +167,39 @@ contains
       call assertEqual(limit_string_weight, verdict%limit)
       call assertRelativelyEqual(1.0_wp - 0.1_wp*most/(weight_of(model)*cos(angle)), verdict%used%value, close)
    end subroutine test_weight_on_bit
+
+   !> Overpull and weight on bit that are not what makes the answer no: W (f sin a - cos a) of push, W (cos a + f sin a) on the rig.
+   subroutine test_without_load()
+      real(wp), parameter :: asked = 50.0e3_wp
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      real(wp) :: push, load
+      call build(model, operation_sliding_drilling, asked)
+      model%cases(1)%friction_axial = given(0.7_wp)
+      push = weight_of(model)*(0.7_wp*sin(angle) - cos(angle))
+      call expect(optional_real(), 'String weight alone brings no load to the bit, 50 kN asked. Not possible without weight on '// &
+                  'bit either: '//kilonewtons(push)//' of push needed at surface. No shallower bit depth is possible either')
+      call build(model, operation_trip_out, -asked)
+      load = weight_of(model)*(cos(angle) + friction*sin(angle))
+      call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &
+                  'load of the rig 9 kN too much then')
+      call expect(given(load + 20.0e3_wp), ', with 50 kN of overpull at the bit. Possible with 20 kN of overpull')
+   contains
+      subroutine expect(rig_limit, words)
+         type(optional_real), intent(in) :: rig_limit      !< [N]
+         character(*), intent(in) :: words
+         character(:), allocatable :: text
+         call judge(model, rig_limit, verdict)
+         text = verdict_sentences(si_units(), model%cases(1), verdict)
+         call assertTrue(index(text, words) > 0, message=text)
+      end subroutine expect
+
+      function kilonewtons(force) result(text)
+         real(wp), intent(in) :: force       !< [N]
+         character(:), allocatable :: text
+         text = to_text(force/1000.0_wp, 3)//' kN'
+      end function kilonewtons
+   end subroutine test_without_load
 
    !> Pulling out with friction that was found, f = 0.3, 95 % interval up to 0.42. The rig carries the hook
    !> load W (cos a + f sin a) at 0.3, and, or not, at the upper end.

@@ -10,7 +10,7 @@ module dg_find_verdict
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
-   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
+   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, given, moves_axially, operation_rotary_drilling, optional_real, rotates
    use dg_missing, only: is_missing
@@ -62,6 +62,8 @@ contains
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
          end if
+         if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
+            call judge_without_load(model, model, result, design, rig_limit, verdict)
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
              .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) then
             call find_turning_loads(model, result%case_index, verdict)
@@ -79,34 +81,73 @@ contains
       type(upper_friction_type), intent(in) :: upper
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: raised
-      type(case_result_type) :: other
-      type(along_string_type) :: along
-      type(utilisation_type) :: utilisation
       type(verdict_type) :: at_end
-      logical :: runaway
       if (.not. has_upper_friction(upper, model%cases(result%case_index))) return
       verdict%friction = merge(friction_upper_end, friction_calibrated, upper%known)
       if (verdict%answer == answer_no .or. .not. upper%known) return
       raised = model
       raised%holes = upper%holes
-      at_end%answer = answer_yes
       at_end%friction = friction_upper_end_alone
       at_end%not_checked = verdict%not_checked
       at_end%possible_friction = verdict%friction_reserve
       if (verdict%most_wob%present) &
          at_end%most_wob = given(most_weight_on_bit(raised, result%case_index, coiled=.true., pushed=.false.))
-      call find_with_friction(model, raised, result, other, runaway)
-      if (runaway) then
-         at_end%answer = answer_no
-         at_end%limit = limit_lock_up
-      else
-         call find_along_string(raised, other, along)
-         call find_utilisation(raised, other, along, design, rig_limit, utilisation)
-         call judge_strengths(other, along, utilisation, model%rig%block_weight, at_end)
-         call judge_weight(raised, other, at_end%most_wob, at_end)
-      end if
-      if (at_end%answer == answer_no) verdict = at_end
+      call judge_other(model, raised, result, design, rig_limit, at_end)
+      if (at_end%answer /= answer_no) return
+      verdict = at_end
+      call judge_without_load(model, raised, result, design, rig_limit, verdict)
    end subroutine judge_upper_end
+
+   !> Notes the limit that is passed without weight on bit or overpull, too, where there is some and it is in the way.
+   pure subroutine judge_without_load(model, other_model, result, design, rig_limit, verdict)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(in) :: other_model    !< with the friction that the answer goes by
+      type(case_result_type), intent(in) :: result   !< of `model`
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit   !< [N]
+      type(verdict_type), intent(inout) :: verdict
+      type(model_type) :: bare
+      type(verdict_type) :: without
+      associate (load_case => model%cases(result%case_index))
+         if (.not. load_case%wob > 0.0_wp .and. .not. (load_case%wob < 0.0_wp .and. block_way(load_case%operation) > 0)) return
+      end associate
+      bare = other_model
+      bare%cases(result%case_index)%wob = 0.0_wp
+      if (result%status == result_locked_up) then
+         if (locks_up(bare, result%case_index)) verdict%limit_without_load = limit_lock_up
+         return
+      end if
+      without%most_wob = verdict%most_wob
+      call judge_other(model, bare, result, design, rig_limit, without)
+      if (without%answer /= answer_no) return
+      verdict%limit_without_load = without%limit
+      if (without%limit /= limit_lock_up) verdict%excess_without_load = without%load%value - without%allowed%value
+   end subroutine judge_without_load
+
+   !> Judges a result with another friction or weight on bit, but for fatigue. `verdict` comes with the largest weight on bit.
+   pure subroutine judge_other(model, other_model, result, design, rig_limit, verdict)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(in) :: other_model        !< all else alike
+      type(case_result_type), intent(in) :: result       !< of `model`, converged
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit       !< [N]
+      type(verdict_type), intent(inout) :: verdict
+      type(case_result_type) :: other
+      type(along_string_type) :: along
+      type(utilisation_type) :: utilisation
+      logical :: runaway
+      verdict%answer = answer_yes
+      call find_shifted(model, other_model, result, other, runaway)
+      if (runaway) then
+         verdict%answer = answer_no
+         verdict%limit = limit_lock_up
+         return
+      end if
+      call find_along_string(other_model, other, along)
+      call find_utilisation(other_model, other, along, design, rig_limit, utilisation)
+      call judge_strengths(other, along, utilisation, model%rig%block_weight, verdict)
+      call judge_weight(other_model, other, verdict%most_wob, verdict)
+   end subroutine judge_other
 
    !> Takes the most used of strengths, slips and rig.
    pure subroutine judge_strengths(result, along, utilisation, block_weight, verdict)

@@ -18,7 +18,7 @@ module dg_friction_reserve
    use dg_verdict, only: limit_lock_up, limit_string_weight
    implicit none
    private
-   public :: find_friction_reserve, find_possible_friction, find_with_friction, own_weight, weight_share
+   public :: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
 
    !> Smallest and largest factor that are looked for, and to what part of it [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
@@ -27,9 +27,10 @@ module dg_friction_reserve
    !> Share of a limit by a string that locks up [-].
    real(wp), parameter :: locked = 2.0_wp
 
-   !> Loads of the soft string at today's friction, and what the result has beside them.
+   !> Loads of the soft string as the case has it, and what the result has beside them.
    type :: soft_type
       real(wp), allocatable :: axial(:), torque(:)   !< along the string [N, N.m]
+      real(wp) :: compression = 0.0_wp               !< of the lower end [N]
       real(wp) :: axial_ratio = 1.0_wp               !< friction of the result over that of the soft string [-]
       real(wp) :: torque_ratio = 1.0_wp              !< the same of torque
       logical :: coiled = .false.                    !< with the friction of a buckled string
@@ -107,17 +108,18 @@ contains
       soft%axial = axial
       soft%torque = torque
       associate (load_case => model%cases(result%case_index))
-         friction = totals%weight - end_compression(model, load_case) - axial(1)
+         soft%compression = end_compression(model, load_case)
+         friction = totals%weight - soft%compression - axial(1)
          turning = torque(1) - load_case%tob
          if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
          if (turning > 0.0_wp) soft%torque_ratio = max((result%torque - load_case%tob)/turning, 0.0_wp)
       end associate
    end subroutine begin_soft
 
-   !> The result as it is with the friction of another model of the same well.
-   pure subroutine find_with_friction(model, other_model, result, other, locks_up)
+   !> The result as it is with the friction of another model of the same well, or with another weight on bit.
+   pure subroutine find_shifted(model, other_model, result, other, locks_up)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model        !< another friction of the hole, all else alike
+      type(model_type), intent(in) :: other_model        !< another friction of the hole or weight on bit, all else alike
       type(case_result_type), intent(in) :: result       !< of `model`, converged
       type(case_result_type), intent(out) :: other       !< hook load, torque, friction, profile
       logical, intent(out) :: locks_up                   !< no such result
@@ -125,9 +127,9 @@ contains
       call begin_soft(model, result, soft)
       locks_up = .not. allocated(soft%axial)
       if (.not. locks_up) call shift_result(other_model, result, soft, 1.0_wp, other, locks_up)
-   end subroutine find_with_friction
+   end subroutine find_shifted
 
-   !> The result with friction of a model times a factor.
+   !> The result with friction of a model times a factor. What is added to the load of the lower end comes to the top as it is.
    pure subroutine shift_result(model, result, soft, factor, other, locks_up)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -136,7 +138,7 @@ contains
       type(case_result_type), intent(out) :: other
       logical, intent(out) :: locks_up
       type(soft_totals_type) :: totals
-      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial))
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), added
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
       locks_up = totals%runaway
@@ -144,11 +146,12 @@ contains
       other%case_index = result%case_index
       other%model = result%model
       other%profile = result%profile
-      other%profile%axial = result%profile%axial + soft%axial_ratio*(axial - soft%axial)
+      added = end_compression(model, model%cases(result%case_index)) - soft%compression
+      other%profile%axial = result%profile%axial - added + soft%axial_ratio*(axial - soft%axial + added)
       other%profile%torque = result%profile%torque + soft%torque_ratio*(torque - soft%torque)
       other%hookload = other%profile%axial(1)
       other%torque = other%profile%torque(1)
-      other%friction = result%friction - (other%hookload - result%hookload)
+      other%friction = result%friction - (other%hookload - result%hookload) - added
    end subroutine shift_result
 
    !> One minus the share of the most used limit with all friction times a factor, and that limit.

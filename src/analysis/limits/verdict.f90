@@ -40,7 +40,9 @@ module dg_verdict
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
-      type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight [m]
+      type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
+      integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none
+      real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, but for lock-up [N, N.m or Pa]
       !> Hook load and torque at surface if the string were turned, where that would help [N, N.m].
       type(optional_real) :: turning_hookload, turning_torque
    end type verdict_type

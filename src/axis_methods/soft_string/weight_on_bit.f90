@@ -87,7 +87,7 @@ contains
    end function locks_up
 
    !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction of a coiled string
-   !> counts. Absent where that is the depth of the load case, where no depth that is tried is possible, and for a string that is
+   !> counts; 0 where no depth that is tried is possible. Absent where that is the depth of the load case, and for a string that is
    !> pulled.
    pure subroutine find_reach(model, case_index, reach)
       type(model_type), intent(in) :: model
@@ -108,7 +108,10 @@ contains
             left = left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false.)
             if (left >= 0.0_wp) exit
          end do
-         if (i < 1) return
+         if (i < 1) then
+            reach = given(0.0_wp)
+            return
+         end if
          bracket = new_bracket(depth, left, load_case%bit_depth*real(i + 1, wp)/real(depths, wp), below)
          do while (.not. is_narrow(bracket, depth_tolerance*load_case%bit_depth))
             depth = next_try(bracket, depth_tolerance*load_case%bit_depth)

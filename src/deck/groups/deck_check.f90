@@ -34,22 +34,15 @@ contains
       type(hole_section_type) :: sections(size(draft%holes))
       type(model_faults_type) :: found, in_itself
       integer :: i, n
-      logical :: closed
 
       n = size(draft%holes)
-      closed = .true.
       do i = 1, n
          associate (hole => draft%holes(i))
             if (.not. hole%sound) cycle
             if (.not. hole%has_top .and. i > 1) then
-               closed = draft%holes(i - 1)%sound .and. draft%holes(i - 1)%has_bottom
                hole%section%md_top = draft%holes(i - 1)%section%md_bottom
-               if (.not. closed) then
-                  if (draft%holes(i - 1)%sound) call fault(hole%line, 'key md_top is missing, and the section before has '// &
-                                                           'no md_bottom; give one of them')
-                  hole%sound = .false.
-                  cycle
-               end if
+               hole%sound = draft%holes(i - 1)%sound
+               if (.not. hole%sound) cycle
             end if
             if (.not. hole%has_bottom) then
                if (i == n) then

@@ -65,9 +65,6 @@ contains
       do i = 1, size(groups)
          k = group_place(rules, groups(i)%name)
          if (k > 0) then
-            if (.not. rules(k)%rule%available) k = 0
-         end if
-         if (k > 0) then
             call check_group(path, groups(i), rules(k)%keys, deck%draft%units, deck%groups(i), faults)
          else
             deck%groups(i)%name = ''        ! said already
@@ -106,7 +103,7 @@ contains
       job%notes = notes
    end subroutine close_deck
 
-   !> Groups: known, of this version, not given twice where once is enough, none missing.
+   !> Groups: known, not given twice where once is enough, none missing.
    subroutine check_group_names(path, groups, rules, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
@@ -127,8 +124,6 @@ contains
                            group_advice(groups(i)%name, names))
             cycle
          end if
-         if (.not. rules(k)%rule%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
-            ': not available in this version; leave it out')
          found(k) = found(k) + 1
          if (found(k) == rules(k)%rule%most + 1) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
             ': a deck has at most '//to_text(rules(k)%rule%most)//' of them')

@@ -95,7 +95,6 @@ contains
          copies = 0
          if (any(examples%group == groups(i)%rule%name)) &
             copies = maxval(examples%copy, mask=examples%group == groups(i)%rule%name)
-         if (.not. groups(i)%rule%available) cycle
          call append_text(lines, '')
          call append_text(lines, head(i))
          do copy = 1, copies
@@ -134,7 +133,7 @@ contains
          if (i <= size(examples)) then
             call append_key(lines, mark//'  '//trim(group%keys(k)%key)//' = '//value_of(examples(i), group%keys(k), units), &
                             group%keys(k), units)
-         else if (with_rest .and. trim(group%keys(k)%later) /= '*') then
+         else if (with_rest) then
             call append_key(lines, '! '//trim(group%keys(k)%key)//' = '//default_text(group%keys(k), units), group%keys(k), units)
          end if
       end do

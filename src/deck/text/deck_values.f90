@@ -132,10 +132,6 @@ contains
          value%sound = .false.
          return
       end if
-      if (trim(rule%later) == '*') then
-         call fault(entry%key//' is not available in this version; leave it out')
-         return
-      end if
       if (.not. rule%array) then
          if (entry%first > 0) then
             call fault(entry%key//' takes one value and no subscript')
@@ -244,7 +240,7 @@ contains
       type(key_rule_type), intent(in) :: rule
       type(value_type), intent(inout) :: value
       character(:), allocatable, intent(out) :: message
-      character(name_length), allocatable :: choices(:), later(:)
+      character(name_length), allocatable :: choices(:)
       character(:), allocatable :: chosen
       integer :: i
       message = ''
@@ -259,17 +255,12 @@ contains
             return
          end if
          call split_words(rule%choices, choices)
-         call split_words(rule%later, later)
          chosen = ''
          do i = 1, size(choices)
             if (lower_case(item%text) == lower_case(trim(choices(i)))) chosen = trim(choices(i))
          end do
          if (chosen == '') then
-            do i = 1, size(later)
-               if (lower_case(item%text) == trim(later(i))) message = name//' = '//quoted(item%text)// &
-                  ' is not available in this version; available: '//joined(choices, ', ')
-            end do
-            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
+            message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
             return
          end if
       else if (rule%required .and. item%text == '') then

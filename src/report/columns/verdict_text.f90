@@ -57,14 +57,13 @@ contains
          if (block_way(load_case%operation) > 0 .and. verdict%limit == limit_lock_up) then
             text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
-            text = 'String weight alone brings '//trim(at_most_in_units(units, unit_force, verdict%most_wob%value, shown))// &
-                   ' to the bit, '//force_text(units, load_case%wob)//' asked'
+            text = 'no load'
+            if (verdict%most_wob%value > 0.0_wp) text = trim(at_most_in_units(units, unit_force, verdict%most_wob%value, shown))
+            text = 'String weight alone brings '//text//' to the bit, '//force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
             text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
-         else if (load_case%operation == operation_static) then
-            text = 'The top must be held down with '//force_text(units, push_of(verdict))
          else
-            text = force_text(units, push_of(verdict))//' of push needed at surface'
+            text = capital(push_text(units, load_case, verdict%load%value - verdict%allowed%value))
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case default
@@ -124,12 +123,33 @@ contains
              trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 
-   !> Push at surface that a string needs [N].
-   pure function push_of(verdict) result(push)
+   !> What a string whose weight is too little needs at surface.
+   pure function push_text(units, load_case, push) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: push       !< [N]
+      character(:), allocatable :: text
+      text = force_text(units, push)//' of push needed at surface'
+      if (load_case%operation == operation_static) text = 'the top must be held down with '//force_text(units, push)
+   end function push_text
+
+   !> Why it is impossible without weight on bit or overpull, too; '' where it is not.
+   pure function without_load_text(units, load_case, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
-      real(wp) :: push
-      push = verdict%load%value - verdict%allowed%value
-   end function push_of
+      character(:), allocatable :: text
+      text = ''
+      associate (limit => verdict%limit_without_load, excess => verdict%excess_without_load)
+         if (limit == 0) return
+         select case (limit)
+         case (limit_lock_up); text = 'string weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
+         case (limit_string_weight); text = push_text(units, load_case, excess)
+         case default; text = shown_title(limit)//' '//load_text(units, limit, excess)//' too much then'
+         end select
+      end associate
+      text = '. Not possible without '//trim(merge('overpull     ', 'weight on bit', load_case%wob < 0.0_wp))//' either: '//text
+   end function without_load_text
 
    !> What makes the operation possible, as far as it is known; '' else.
    pure function help_text(units, load_case, verdict) result(text)
@@ -137,22 +157,40 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
-      text = ''
-      if (verdict%reach%present) text = '. Deepest bit depth possible: about '// &
-         trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
+      text = without_load_text(units, load_case, verdict)
+      if (verdict%reach%present) then
+         if (verdict%reach%value > 0.0_wp) then
+            text = text//'. Deepest bit depth possible: about '// &
+                   trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
+         else
+            text = text//'. No shallower bit depth is possible either'
+         end if
+      end if
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
                 trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
-      ! Less overpull takes as much off the load at least: drag falls with it.
-      if (any(verdict%limit == [limit_rig, limit_tension]) .and. verdict%allowed%present) then
-         if (-load_case%wob > verdict%load%value - verdict%allowed%value) text = text//'. Possible with '// &
-            force_text(units, -load_case%wob - (verdict%load%value - verdict%allowed%value))//' of overpull'
-      end if
+      if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
       if (.not. verdict%possible_friction%present) return
       text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
    end function help_text
+
+   !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.
+   pure function overpull_text(units, load_case, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      real(wp) :: left
+      text = ''
+      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_lock_up])) return
+      text = '. Possible without overpull'
+      if (all(verdict%limit /= [limit_rig, limit_tension])) return
+      ! Less overpull takes as much off the load at least: drag falls with it.
+      left = -load_case%wob - (verdict%load%value - verdict%allowed%value)
+      if (left > 0.0_wp) text = '. Possible with '//force_text(units, left)//' of overpull'
+   end function overpull_text
 
    !> The limit used most and what is left of it.
    pure function nearest_text(units, load_case, verdict) result(text)

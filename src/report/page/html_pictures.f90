@@ -45,6 +45,8 @@ contains
       do k = 1, size(list%pictures)
          if (list%pictures(k)%case_index == 0 .and. list%pictures(k)%drawn) call append_picture(lines, job, list%pictures(k), k)
       end do
+      if (list%empty /= '') call add_line(lines, '<p class="note">Not drawn, as no value is known: '// &
+                                          html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
       if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
    end subroutine append_pictures
 

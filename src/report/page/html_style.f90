@@ -11,7 +11,7 @@ module dg_html_style
    character(*), parameter :: style(*) = [character(128) :: &
       'body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;color:#222;max-width:1180px;margin:0 auto;padding:1em 1.5em}', &
       'h1{font-size:1.6em;margin:.3em 0}h2{font-size:1.25em;margin-top:2em;border-bottom:1px solid #bbb}', &
-      'h3{font-size:1.05em;margin-top:1.6em}', &
+      'h3{font-size:1.05em;margin-top:1.6em}h1,h2,h3,p,li{overflow-wrap:anywhere}', &
       'table{border-collapse:collapse;font-size:.82em;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}', &
       'th,td{padding:.22em .6em;text-align:right;border-bottom:1px solid #ddd}td.text,th.text{text-align:left}', &
       'td.text{white-space:nowrap}td.long{white-space:normal;min-width:18em}', &
@@ -33,10 +33,10 @@ module dg_html_style
 
    !> A phone: the first column stays while the others scroll.
    character(*), parameter :: narrow(*) = [character(128) :: &
-      '@media screen and (max-width:700px){body{padding:.6em}h1,h2,h3,p,li{overflow-wrap:anywhere}td.long{min-width:12em}', &
+      '@media screen and (max-width:700px){body{padding:.6em}td.long{min-width:12em}', &
       'th:first-child,td:first-child{position:sticky;left:0;background:#fff}', &
-      'td.text:first-child{white-space:normal;min-width:5em;max-width:9em}figure{overflow-x:auto;margin:1em 0}', &
-      'figure>svg{min-width:46em}#live figure>svg{min-width:0}}']
+      'td.text:first-child{white-space:normal;min-width:5em;max-width:9em}td,th{overflow-wrap:break-word}', &
+      'figure{overflow-x:auto;margin:1em 0}figure>svg{min-width:46em}#live figure>svg{min-width:0}}']
 
    !> Paper lies broad, so that all columns have room; what is longer is wrapped, for paper does not scroll. A heading stays with
    !> what it stands over. 135 mm leave room for two headings and a caption on A4 and Letter.

@@ -33,7 +33,7 @@ function value_at(p, name, depth) {
    const v = c.v[i] + (step > 0 ? (depth - c.d[i]) / step * turn : 0)
    return name === 'clock' ? (v + 360) % 360 : v
 }
-const deepest = () => Math.max(...shown().map(p => D.cases[p.case].depth), 1)
+const deepest = () => Math.max(...(state.cases.length ? state.cases : [D.start]).map(i => D.cases[i].depth))
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
@@ -144,7 +144,14 @@ function draw_panel(panel, index, width) {
 }
 const view = {}
 function draw_panels() {
-   const chart = D.charts[state.chart], many = chart.panels.length
+   const chart = D.charts[state.chart], many = chart.panels.length, bare = !shown().length
+   root.classList.toggle('bare', bare)                       // an empty chart is not drawn
+   if (bare) {
+      const names = state.cases.map(i => D.cases[i].name).join(', ')
+      view.panels.replaceChildren(make(null, 'h:p', {class: 'note'}, state.cases.length * state.models.length
+         ? `No curves: no solution of ${names}. Answers and warnings above say why.` : 'No curves: choose a load case and a model.'))
+      return
+   }
    const wide = view.panels.clientWidth || 1000, each = wide < 600 ? wide / 2 : wide / many
    view.panels.replaceChildren(...chart.panels.map((p, i) => draw_panel(p, wide < 600 ? i % 2 : i, Math.max(150, each))))
    for (const s of view.panels.children) s.style.width = wide < 600 ? '50%' : 100 / many + '%'
@@ -242,7 +249,7 @@ function draw_3d() {
    for (let i = 0; i < n; i++) line(points[i], points[i + 1], {stroke: isFinite(values[i]) ? colour((values[i] - low) / (high - low || 1)) : '#888', 'stroke-width': 5, 'stroke-linecap': 'round'})
    for (let i = 0; i < 40; i++) make(svg, 'rect', {x: 20 + 5 * i, y: 372, width: 5.5, height: 9, fill: colour(i / 39)})
    make(svg, 'text', {x: 20, y: 394}, text_of(low, q)); make(svg, 'text', {x: 220, y: 394, 'text-anchor': 'end'}, (sorted[sorted.length - 1] > high ? '\u2265 ' : '') + text_of(high, q))
-   make(svg, 'text', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)
+   make(svg, 'text', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`.slice(0, 60))
    const dot = make(svg, 'circle', {r: 6, class: 'dot'}), told = make(svg, 'text', {class: 'value'})
    view.mark3d = () => { const [x, y] = project(['east', 'north', 'tvd'].map(a => value_at(p, a, Math.min(state.depth, end))))
       dot.setAttribute('cx', x); dot.setAttribute('cy', y); told.setAttribute('x', x + 9); told.setAttribute('y', y - 6)

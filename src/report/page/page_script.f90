@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '9p6y2nip4qLsuvBRzvUgD+jvL/Pm074ZJ/MmrTu5FCY='
+   character(*), parameter :: script_hash = 'p/qZx7Ao/hKzvmOW1LCXrWXaA9XLZwKf7W2jSRyvrNw='
    character(273), parameter :: script_lines_1(100) = [character(273) :: &
       '// Interactive part of a report: no library, nothing fetched. All that is shown stands in the page''s data (id'// &
       '="data"):', &
@@ -50,7 +50,7 @@ module dg_page_script
       '   const v = c.v[i] + (step > 0 ? (depth - c.d[i]) / step * turn : 0)', &
       '   return name === ''clock'' ? (v + 360) % 360 : v', &
       '}', &
-      'const deepest = () => Math.max(...shown().map(p => D.cases[p.case].depth), 1)', &
+      'const deepest = () => Math.max(...(state.cases.length ? state.cases : [D.start]).map(i => D.cases[i].depth))', &
       'function text_of(value, q) {', &
       '   if (!isFinite(value)) return ''\u2013''', &
       '   const v = value * factor(q), a = Math.abs(v)', &
@@ -177,7 +177,16 @@ module dg_page_script
       '}', &
       'const view = {}', &
       'function draw_panels() {', &
-      '   const chart = D.charts[state.chart], many = chart.panels.length', &
+      '   const chart = D.charts[state.chart], many = chart.panels.length, bare = !shown().length', &
+      '   root.classList.toggle(''bare'', bare)                       // an empty chart is not drawn', &
+      '   if (bare) {', &
+      '      const names = state.cases.map(i => D.cases[i].name).join('', '')', &
+      '      view.panels.replaceChildren(make(null, ''h:p'', {class: ''note''}, state.cases.length * state.models.len'// &
+      'gth', &
+      '         ? `No curves: no solution of ${names}. Answers and warnings above say why.` : ''No curves: choose a l'// &
+      'oad case and a model.''))', &
+      '      return', &
+      '   }', &
       '   const wide = view.panels.clientWidth || 1000, each = wide < 600 ? wide / 2 : wide / many', &
       '   view.panels.replaceChildren(...chart.panels.map((p, i) => draw_panel(p, wide < 600 ? i % 2 : i, Math.max(15'// &
       '0, each))))', &
@@ -229,7 +238,8 @@ module dg_page_script
       'function draw_section() {                                    // the hole at the depth, seen down the hole, hig'// &
       'h side up', &
       '   const svg = view.section, p0 = shown()[0]', &
-      '   svg.replaceChildren()', &
+      '   svg.replaceChildren()']
+   character(273), parameter :: script_lines_3(100) = [character(273) :: &
       '   if (!p0) return', &
       '   const hole = value_at(p0, ''hole'', state.depth), s = 88 / hole', &
       '   make(svg, ''circle'', {cx: 100, cy: 100, r: 88, class: ''wall''})', &
@@ -238,8 +248,7 @@ module dg_page_script
       '      const r = value_at(p, ''displacement'', state.depth) * 2 * s, a = value_at(p, ''clock'', state.depth) * '// &
       'Math.PI / 180', &
       '      make(svg, ''circle'', {cx: 100 + r * Math.sin(a), cy: 100 - r * Math.cos(a), r: value_at(p, ''od'', stat'// &
-      'e.depth) * s, fill: ''none'', ''stroke-width'': 2, ...look_of(p)})']
-   character(273), parameter :: script_lines_3(100) = [character(273) :: &
+      'e.depth) * s, fill: ''none'', ''stroke-width'': 2, ...look_of(p)})', &
       '   }', &
       '}', &
       '', &
@@ -305,7 +314,8 @@ module dg_page_script
       'r(i / 39)})', &
       '   make(svg, ''text'', {x: 20, y: 394}, text_of(low, q)); make(svg, ''text'', {x: 220, y: 394, ''text-anchor'''// &
       ': ''end''}, (sorted[sorted.length - 1] > high ? ''\u2265 '' : '''') + text_of(high, q))', &
-      '   make(svg, ''text'', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`)', &
+      '   make(svg, ''text'', {x: 20, y: 366}, `${column(state.tint).label} [${unit(q)}], ${name_of(p)}`.slice(0, 60)'// &
+      ')', &
       '   const dot = make(svg, ''circle'', {r: 6, class: ''dot''}), told = make(svg, ''text'', {class: ''value''})', &
       '   view.mark3d = () => { const [x, y] = project([''east'', ''north'', ''tvd''].map(a => value_at(p, a, Math.mi'// &
       'n(state.depth, end))))', &
@@ -364,7 +374,8 @@ module dg_page_script
       '}', &
       '', &
       '// ---- the page', &
-      'function draw() {', &
+      'function draw() {']
+   character(273), parameter :: script_lines_4(100) = [character(273) :: &
       '   const end = deepest()', &
       '   if (!(state.bottom > state.top) || state.bottom > end) { state.top = 0; state.bottom = end }', &
       '   state.depth = Math.min(state.depth, state.bottom)', &
@@ -374,8 +385,7 @@ module dg_page_script
       '(p)), onclick: () => { const n = name_of(p); state.hidden.has(n) ? state.hidden.delete(n) : state.hidden.add(n'// &
       '); draw() }})', &
       '      make(make(b, ''svg'', {viewBox: ''0 0 28 8'', class: ''key''}), ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, '// &
-      '''stroke-width'': 3, ...look_of(p)})']
-   character(273), parameter :: script_lines_4(100) = [character(273) :: &
+      '''stroke-width'': 3, ...look_of(p)})', &
       '      b.append(name_of(p) + (D.cases[p.case].converged ? '''' : '' (no equilibrium)''))', &
       '   }', &
       '   draw_panels(); draw_3d(); draw_assembly()', &
@@ -507,15 +517,15 @@ module dg_page_script
       '   for (const k of [''depth'', ''top'', ''bottom'']) if (isFinite(parseFloat(q.get(k)))) state[k] = parseFloat'// &
       '(q.get(k))', &
       '}', &
-      'let noting = 0', &
+      'let noting = 0']
+   character(273), parameter :: script_lines_5(23) = [character(273) :: &
       'function note_address() {                                     // after a pause: the view is a link', &
       '   clearTimeout(noting)', &
       '   noting = setTimeout(() => {', &
       '      const q = new URLSearchParams(), end = deepest()', &
       '      for (const i of state.cases) q.append(''case'', D.cases[i].name)', &
       '      q.set(''chart'', D.charts[state.chart].title)', &
-      '      q.set(''depth'', +state.depth.toFixed(2))']
-   character(273), parameter :: script_lines_5(16) = [character(273) :: &
+      '      q.set(''depth'', +state.depth.toFixed(2))', &
       '      if (state.top > 0 || state.bottom < end) { q.set(''top'', +state.top.toFixed(2)); q.set(''bottom'', +sta'// &
       'te.bottom.toFixed(2)) }', &
       '      if (state.units !== D.units) q.set(''units'', state.units)', &
@@ -533,8 +543,8 @@ module dg_page_script
       '   root.replaceChildren()', &
       '   throw fault', &
       '}']
-   character(273), parameter :: script_lines(416) = [script_lines_1, script_lines_2, script_lines_3, script_lines_4, script_lines_5]
-   character(245), parameter :: style_lines_1(19) = [character(245) :: &
+   character(273), parameter :: script_lines(423) = [script_lines_1, script_lines_2, script_lines_3, script_lines_4, script_lines_5]
+   character(271), parameter :: style_lines_1(21) = [character(271) :: &
       '.scripted .static{display:none}', &
       '#live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '#live svg{width:100%;height:auto;display:block}#live svg text{font-size:11px;fill:currentColor}#live svg .labe'// &
@@ -546,6 +556,7 @@ module dg_page_script
       '#live .band{fill:#0072B2;opacity:.15}#live .wall{fill:none;stroke:var(--wall);stroke-width:2.5}#live .body{fil'// &
       'l:var(--steel);stroke:var(--ink)}', &
       '#live .force{stroke:#D55E00;stroke-width:3}#live .shadow{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
+      '#live.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare [type=range]{display:none}', &
       '#live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
       '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button{font:'// &
       'inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor:pointe'// &
@@ -553,20 +564,21 @@ module dg_page_script
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
       '#live .key{width:28px;height:8px;display:inline-block;margin-right:.4em}', &
-      '.main{display:grid;grid-template-columns:11em 1fr;gap:1em}.side fieldset{border:1px solid #bbb;margin:0 0 .6em'// &
-      ';padding:.3em .6em;max-height:24em;overflow:auto}', &
+      '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side fieldset{border:1px solid #bbb;margi'// &
+      'n:0 0 .6em;padding:.3em .6em;max-height:24em;min-width:0;overflow:auto}', &
+      '.side label,.legend button{overflow-wrap:anywhere}#readout th{max-width:9em}', &
       '.side label{display:block;font-size:.85em}.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:n'// &
-      'one;cursor:crosshair}.right{min-width:0}', &
+      'one;cursor:crosshair}', &
       '.right input[type=range]{width:100%}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-colum'// &
       'ns:13em 1fr;gap:1em}.lower figure{max-width:640px}', &
       ':focus-visible{outline:3px solid #E69F00}', &
       '@media screen and (max-width:700px){.lower figure:first-child{max-width:12em;margin:0 auto}#live figure{margin'// &
-      ':1em 0}.main,.lower{grid-template-columns:1fr}.side{display:grid;grid-template-columns:1fr 1fr;gap:.5em}.side '// &
-      'fieldset{max-height:9em}}', &
+      ':1em 0}.main,.lower{grid-template-columns:minmax(0,1fr)}.side{display:grid;grid-template-columns:repeat(2,minm'// &
+      'ax(0,1fr));gap:.5em}.side fieldset{max-height:9em}}', &
       '@media screen and (prefers-color-scheme:dark){#live{--ink:#dde2e6;--line:#2f363d;--soft:#8a939b;--paper:#14181'// &
       'c;--wall:#b8935f;--steel:#46525b}#live svg{filter:none}}', &
       '@media print{#live .panels{flex-wrap:nowrap}#live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.hint,#liv'// &
       'e input,#live select,#live label,#live .lower{display:none!important}.main{display:block}', &
       '#live .panels{break-inside:avoid}#live svg.panel{max-height:none}.legend button{border:none}}']
-   character(245), parameter :: style_lines(19) = [style_lines_1]
+   character(271), parameter :: style_lines(21) = [style_lines_1]
 end module dg_page_script

@@ -221,21 +221,26 @@ contains
          half_name = 0.5_wp*letter*len(name)
          most = len(name)
          if (middle + half_name < free_from .or. free_from + 2.0_wp*half_name > view%shown) return
-         middle = max(middle, free_from + half_name)
+         middle = max(min(middle, view%shown - half_name), free_from + half_name)
          free_from = middle + half_name + 2.0_wp*letter
       end if
       call add_label(chart, cut_text(name, most), [middle/chart%units%length, height_of_name/chart%units%diameter], &
                     "center font ',9' textcolor rgb '#333333'", [.false., .false.])
    end subroutine name_part
 
-   !> Arrows where the wall presses, with their forces; on the side on which it does, seen from here.
+   !> Arrows where the wall presses, on the side on which it does, seen from here. Their forces stand beside them, but lesser ones
+   !> are left out where they would lie on another.
    subroutine add_contacts(chart, view, result)
       type(chart_type), intent(inout) :: chart
       type(view_type), intent(in) :: view
       type(case_result_type), intent(in) :: result
-      real(wp) :: greatest, side, x
+      real(wp), parameter :: number_width = 40.0_wp      ! with its distance to the arrow [px]
+      real(wp) :: greatest, side, x, wide
+      character(:), allocatable :: look
+      logical :: hides
       integer :: i
       if (.not. allocated(result%contacts)) return
+      wide = number_width*view%shown/((places(2, 1) - places(1, 1))*chart%width)
       greatest = maxval(result%contacts%force, mask=view%bit - result%contacts%md <= view%shown)
       do i = 1, size(result%contacts)
          associate (contact => result%contacts(i), along => chart%units%length, across => chart%units%diameter)
@@ -244,8 +249,12 @@ contains
             side = sign(view%half/across, cos(contact%clock))
             call add_points(chart, reshape([x, side*(1.0_wp + 1.1_wp*air), 0.0_wp, -side*1.1_wp*air], [4, 1]), &
                             "with vectors head filled size screen 0.008,20 lw 2.5 lc rgb '"//colour_of(2)//"'")
+            hides = any(abs(result%contacts%md - contact%md) < wide .and. result%contacts%force > contact%force .and. &
+                        cos(result%contacts%clock)*side > 0.0_wp)
+            if (hides) cycle
+            look = trim(merge('right offset -0.6,0', 'left offset 0.6,0  ', view%bit - contact%md < view%shown - wide))
             call add_label(chart, to_text(contact%force/chart%units%force, 3), [x, side*(1.0_wp + 0.7_wp*air)], &
-                          "right offset -0.6,0 font ',10' textcolor rgb '"//colour_of(2)//"' front", [.false., .false.])
+                           look//" font ',10' textcolor rgb '"//colour_of(2)//"' front", [.false., .false.])
          end associate
       end do
    end subroutine add_contacts

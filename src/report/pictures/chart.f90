@@ -11,7 +11,7 @@ module dg_chart
    private
    public :: chart_type, panel_type, axis_type, curve_type
    public :: new_chart, beside, add_panel, add_rows, set_depth, add_depth_panel, add_points, add_curve, add_depth_curve, add_key, &
-             add_label, add_upright, fit_range, round_step, cut_text
+             add_label, add_upright, fit_range, is_empty, round_step, cut_text
 
    !> Points that are joined, marked or filled.
    type :: curve_type
@@ -299,6 +299,22 @@ contains
       end associate
       call move_alloc(longer, panel%lines)
    end subroutine append_line
+
+   !> True where no curve has a point that can be shown.
+   pure function is_empty(chart) result(empty)
+      type(chart_type), intent(in) :: chart
+      logical :: empty
+      integer :: i, k
+      empty = .false.
+      do i = 1, size(chart%panels)
+         do k = 1, size(chart%panels(i)%curves)
+            associate (points => chart%panels(i)%curves(k)%points)
+               if (any(.not. (is_missing(points(1, :)) .or. is_missing(points(2, :))))) return
+            end associate
+         end do
+      end do
+      empty = .true.
+   end function is_empty
 
    !> Sets the horizontal axis of the last panel: all curves and 0 lie on it with some air, or ends that are given. Steps between
    !> its tics are round, five or as many as numbers have room for.

@@ -9,7 +9,7 @@ module dg_hookload_picture
    use dg_curve_look, only: colour_black, letter_width, mark_style
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, optional_real, rotates
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_rig, only: indicated_load
    use dg_text, only: text_type
@@ -47,8 +47,9 @@ contains
       n = size(model%cases)
       height_px = head_height + foot_height + (row_height + model_height*(size(job%models) - 1))*n
       height = real(height_px, wp)
-      with_error = any(model%cases%measured_hookload%present)
-      with_torque = any(has_torque(model%cases))
+      call find_values(job, model, results, hookload, error, torque)
+      with_error = any(.not. is_missing(error))
+      with_torque = any(.not. is_missing(torque))
       panels = 1 + count([with_error, with_torque])
       longest = 0
       do i = 1, n
@@ -59,7 +60,6 @@ contains
       left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
       bottom = real(foot_height, wp)/height
       top = 1.0_wp - real(head_height, wp)/height
-      call find_values(job, model, results, hookload, error, torque)
       chart = new_chart('hookload', 'Hook load of all cases', job%units, height_px, &
                         [top + 8.0_wp/height, 1.0_wp - 40.0_wp/height])
       call add_rows(chart, place(), trim(merge('hook load as the rig shows it', 'hook load                    ', &
@@ -69,11 +69,11 @@ contains
          call add_marks(hookload(:, i), i, trim(model_name(job%models(i))))
       end do
       loads = model%cases%measured_hookload
-      if (with_error) call add_given(loads, job%units%force, measured_look, 'measured')
+      if (any(loads%present)) call add_given(loads, job%units%force, measured_look, 'measured')
       loads = model%cases%reference_hookload
       if (model%rig%given) loads%value = indicated_load(model%rig, model%cases%operation, loads%value)
       if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
-      if (any(results%status /= result_converged)) call add_key(chart, no_look, 'not converged cases are left out')
+      if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
       if (any(marked)) call add_key(chart, no_look, mark_meaning)
       if (with_error) then
          call add_rows(chart, place(), 'error against measurement [%]', names, 0.0_wp)

@@ -50,6 +50,7 @@ contains
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
       allocate (list%pictures(0))
+      list%empty = ''
       call make_folder(folder_in(job), error)
       if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
       if (allocated(error) .or. size(results) == 0) return

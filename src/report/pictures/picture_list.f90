@@ -1,6 +1,6 @@
 !> The pictures of a run as their scripts are written: names, what they show in words and in numbers, which are there.
 module dg_picture_list
-   use dg_chart, only: chart_type
+   use dg_chart, only: chart_type, is_empty
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_gnuplot_script, only: chart_script
@@ -23,13 +23,14 @@ module dg_picture_list
 
    type :: picture_list_type
       type(picture_type), allocatable :: pictures(:)
+      character(:), allocatable :: empty    !< captions of charts without a point, which are not drawn, '; ' between them
       logical :: no_gnuplot = .false.
    end type picture_list_type
 
 contains
 
-   !> Writes the script of a chart and enters its picture, under another name where one has its own. Where there is an error
-   !> already, nothing is done; a script that cannot be written is an error.
+   !> Writes the script of a chart and enters its picture, under another name where one has its own; of an empty chart its caption
+   !> alone. Where there is an error already, nothing is done; a script that cannot be written is an error.
    subroutine add_picture(list, job, chart, caption, case_index, data, error)
       type(picture_list_type), intent(inout) :: list
       type(job_type), intent(in) :: job
@@ -43,6 +44,11 @@ contains
       type(text_type), allocatable :: lines(:)
       integer :: n, i, number
       if (allocated(error)) return
+      if (is_empty(chart)) then
+         if (list%empty /= '') list%empty = list%empty//'; '
+         list%empty = list%empty//caption
+         return
+      end if
       named = chart
       number = 1
       n = size(list%pictures)

@@ -27,7 +27,6 @@ module dg_deck_schema
       character(name_length) :: name = ''
       logical :: repeatable = .false.
       logical :: required = .false.
-      logical :: available = .true.          !< .false.: part of the contract, but not of this version
       logical :: own_cases = .false.         !< it has load cases of its own: a deck with it needs no &load_case
       integer :: most = 100000               !< groups of this name that a deck may have, where they are repeatable
       character(words_length) :: meaning = ''
@@ -45,7 +44,6 @@ module dg_deck_schema
       real(wp) :: high = huge(1.0_wp)        !< greatest legal value, in deck units of SI
       logical :: open = .false.              !< the least value itself is not legal
       character(words_length) :: choices = ''!< legal names, blanks between them; '': any text
-      character(words_length) :: later = ''  !< names of the contract that this version does not have; '*': the whole key
       character(words_length) :: meaning = ''
    end type key_rule_type
 

@@ -42,7 +42,7 @@ contains
       do f = 1, shown
          head = head//right_aligned(factor_text(sweep, f), cell_width - 1)//' '
       end do
-      head = head//right_aligned('Fits', cell_width)
+      if (can_fit(sweep)) head = head//right_aligned('Fits', cell_width)
       rule = repeat('-', len(head))
       call append_text(lines, rule)
       call append_text(lines, head)
@@ -54,7 +54,7 @@ contains
             call append_text(lines, measured_row(units, sweep, points, model, i, quantity_torque, shown))
       end do
       call append_text(lines, rule)
-      call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
+      if (can_fit(sweep)) call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
    end subroutine append_measured
 
    pure function measured_row(units, sweep, points, model, number, quantity, shown) result(row)
@@ -92,9 +92,16 @@ contains
                merge(' ', '!', found%status == result_converged)
          end associate
       end do
-      if (allocated(sweep%frictions_cased)) return     ! no one factor
-      row = row//fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
+      if (can_fit(sweep)) row = row// &
+         fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
    end function measured_row
+
+   !> True where measured values may lie between those of two friction factors: not of pairs, nor of the friction of the hole.
+   pure function can_fit(sweep) result(can)
+      type(sweep_type), intent(in) :: sweep
+      logical :: can
+      can = size(sweep%frictions) > 1 .and. all(sweep%frictions%present) .and. .not. allocated(sweep%frictions_cased)
+   end function can_fit
 
    !> Friction factor at which values known at some factors reach a measured one, by straight lines between neighbours;
    !> absent where the measured value lies outside.

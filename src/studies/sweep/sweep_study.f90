@@ -165,7 +165,7 @@ contains
       text = point_text(units, self%sweeps(number), point)
    end function place
 
-   !> A broomstick for each sweep and model.
+   !> A broomstick for each sweep of several depths and model.
    subroutine add_pictures(self, run, list, error)
       class(sweep_study_type), intent(in) :: self
       type(run_type), intent(in) :: run
@@ -175,6 +175,7 @@ contains
       integer :: i, k
       do i = 1, size(self%sweeps)
          associate (sweep => self%sweeps(i))
+            if (size(sweep%depths) == 1) cycle
             do k = 1, size(sweep%models)
                model = trim(model_name(sweep%models(k)))
                call add_picture(list, run%job, sweep_chart(run%job%units, sweep, k, run%model, self%ensembles(i)%points), &

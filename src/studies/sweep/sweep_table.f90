@@ -265,8 +265,11 @@ contains
             upper = findloc(there, .true., dim=1)
             lower = findloc(there, .true., dim=1, back=.true.)
             place = 'from '//depth_text(upper)
-            if (lower < size(there)) place = place//' to '//depth_text(lower)
+            if (upper == 1) place = place//', the least depth of the sweep'
+            if (lower < size(there)) place = place//trim(merge(',', ' ', upper == 1))//' to '//depth_text(lower)
             if (.not. all(there(upper:lower))) place = place//', with gaps'
+            if (all(there)) place = 'at any depth from '//depth_text(upper)//' to '//depth_text(lower)
+            if (lower == upper .and. (lower < size(there) .or. upper == 1)) place = 'at '//depth_text(upper)
             call append_text(lines, 'Cannot be done '//place//': '//trim(operation_label(sweep%operations(o)))//', '// &
                              friction_text(f)//' ('//trim(limit_title(points(first + upper - 1)%limit))//')')
          end do

@@ -54,7 +54,7 @@ contains
             chart = new_chart('tornado_'//range%name//'_'//name, 'Uncertainty '//range%name//', model '//name// &
                               ': what matters most at '//trim(in_units(units, unit_length, range%depths(size(range%depths)), &
                                                                        depth_digits)), units, nint(height), &
-                              [top, 1.0_wp - 25.0_wp/height])
+                              [top, 1.0_wp - 38.0_wp/height])
             call add_rows(chart, [left(1), right(1), bottom, top], 'hook load by one standard deviation ['// &
                           trim(units%force_label)//']', names(:rows), left(1))
             do i = 1, rows

@@ -228,7 +228,7 @@ contains
       text = sample_text(units, self%uncertainties(number), point)
    end function place
 
-   !> A broomstick of quantiles for each range of depths and model.
+   !> A broomstick of quantiles for each range of several depths and model; a tornado for each range and model.
    subroutine add_pictures(self, run, list, error)
       class(uncertainty_study_type), intent(in) :: self
       type(run_type), intent(in) :: run
@@ -243,7 +243,8 @@ contains
                     statistics => self%found(i)%statistics)
             do k = 1, size(range%models)
                model = trim(model_name(range%models(k)))
-               call add_picture(list, run%job, uncertainty_chart(run%job%units, range, k, run%model, statistics), &
+               if (size(range%depths) > 1) call add_picture(list, run%job, &
+                                uncertainty_chart(run%job%units, range, k, run%model, statistics), &
                                 'What uncertain data make of hook load and torque', 0, &
                                 rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
                                              text_list('model', model)), error)

@@ -1,7 +1,7 @@
 !> Standard output, through C's buffer: gfortran's runtime library (12) tells nothing of a write that failed, neither when its
 !> own buffer is written nor by `flush`; C's remembers it.
 module dg_standard_output
-   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_long, c_null_ptr, c_ptr, c_short, c_size_t
    use dg_file_identity, only: identity_of_open, identity_type
    use dg_signal_handler, only: ignore_signal
    use dg_text, only: c_text
@@ -14,6 +14,14 @@ module dg_standard_output
    character(*), parameter :: nowhere = '/dev/null'
    !> Writing to a pipe that nobody reads (POSIX).
    integer(c_int), parameter :: broken_pipe = 13_c_int
+   !> What poll tells of a pipe without a reader (POSIX, number of Linux).
+   integer(c_short), parameter :: no_reader = 8_c_short
+
+   !> What poll is asked of a descriptor, and what it tells.
+   type, bind(c) :: polled_type
+      integer(c_int) :: descriptor = 1_c_int
+      integer(c_short) :: asked = 0_c_short, told = 0_c_short
+   end type polled_type
 
    interface
       ! looks a name of the C library up; a null handle: wherever it is
@@ -48,6 +56,15 @@ module dg_standard_output
          integer(c_int) :: status
       end function c_fflush
 
+      function c_poll(polled, number, wait) result(found) bind(c, name='poll')
+         import :: c_int, c_long, polled_type
+         implicit none
+         type(polled_type), intent(inout) :: polled
+         integer(c_long), value :: number
+         integer(c_int), value :: wait
+         integer(c_int) :: found
+      end function c_poll
+
       function c_ferror(file) result(status) bind(c, name='ferror')
          import :: c_int, c_ptr
          implicit none
@@ -60,7 +77,7 @@ contains
 
    !> To be called before any file is opened. Standard descriptors that whoever started the program has closed are taken: the
    !> next file of results would get the number, and what is printed would go into it. What is printed fails then, and is told.
-   !> A reader who goes away is a failed write, not the end of the program.
+   !> A reader who goes away is not the end of the program.
    subroutine guard_descriptors()
       type(identity_type) :: found
       type(c_ptr) :: file
@@ -98,7 +115,8 @@ contains
       if (status /= 0) return               ! as above
    end subroutine flush_output
 
-   !> Whether anything that was put could not be written (full disk, no reader, closed).
+   !> True where anything that was put could not be written (full disk, closed). A reader who has gone, as `head` does, wants no
+   !> more.
    function output_failed() result(failed)
       logical :: failed
       type(c_ptr) :: stream
@@ -106,7 +124,16 @@ contains
       stream = standard_stream()
       failed = .not. c_associated(stream)
       if (.not. failed) failed = c_ferror(stream) /= 0_c_int
+      if (failed) failed = .not. reader_has_gone()
    end function output_failed
+
+   !> True where standard output is a pipe whose reader has ended.
+   function reader_has_gone() result(gone)
+      logical :: gone
+      type(polled_type) :: polled
+      gone = c_poll(polled, 1_c_long, 0_c_int) > 0_c_int
+      if (gone) gone = iand(polled%told, no_reader) /= 0_c_short
+   end function reader_has_gone
 
    !> C's own stream, with its buffer and its note of what failed. It is a variable of C, and a Fortran variable bound to that
    !> name would be another one.
