@@ -1,11 +1,11 @@
 !> Confirms by beams that a load case locks up.
 !>
 !> The soft string with the friction of coils finds that a string locks up, and the greatest load that comes to its bit. Beams
-!> should find an equilibrium at a little less than this load; where they do not, the message says so. Cases without a profile, as
-!> those of sweeps, are not confirmed: their neighbours are solved anyway.
+!> should find an equilibrium at a little less than this load. Where they do not, the message says so, and with which smaller load
+!> they do. Cases without a profile, as those of sweeps, are not confirmed: their neighbours are solved anyway.
 module dg_confirm_lock_up
    use dg_kinds, only: wp
-   use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, result_not_converged
+   use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up
    use dg_error, only: error_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type
@@ -18,39 +18,70 @@ module dg_confirm_lock_up
    private
    public :: confirm_lock_up
 
-   !> Beams are asked for a load that is less by this part of it [-].
-   real(wp), parameter :: less = 0.05_wp
-   !> Iterations at most: where beams confirm, they took up to 270.
-   integer, parameter :: most_iterations = 400
+   !> Beams are asked for loads that are less by these parts, one after the other until they find an equilibrium [-].
+   real(wp), parameter :: less(4) = [0.05_wp, 0.1_wp, 0.2_wp, 0.5_wp]
+   !> Iterations at most for the first, and for each other: where beams confirm the first, they took up to 270.
+   integer, parameter :: most_iterations(4) = [400, 150, 150, 150]
    !> Digits in a message.
    integer, parameter :: shown = 4
 
 contains
 
-   !> Takes one more solution where the result is locked up. Its iterations and seconds are added.
+   !> Takes more solutions where the result is locked up: one that confirms, or up to three more for a load that beams bear. Their
+   !> iterations and seconds are added.
    subroutine confirm_lock_up(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
+      real(wp) :: load
+      integer :: i, iterations
+      logical :: borne
+      if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
+      if (abs(result%lock_up_load) > bearable_force(model, case_index)) return
+      do i = 1, size(less)
+         load = result%lock_up_load - less(i)*abs(result%lock_up_load)
+         call try_load(model, case_index, load, most_iterations(i), stop, result, iterations, borne)
+         if (i == 1 .and. .not. borne) &
+            call add_sentence(result%message, 'Beams do not confirm it: with '//load_text(model, load)//', which should come '// &
+                              'down, they found no equilibrium in '//to_text(iterations)//' iterations')
+         if (borne) exit
+      end do
+      if (.not. borne .or. i == 1) return
+      call add_sentence(result%message, 'They found one with '//load_text(model, load)//'. Go by this load')
+      result%lock_up_load = load
+   end subroutine confirm_lock_up
+
+   !> Solves the case with another load at the bit.
+   subroutine try_load(model, case_index, load, most, stop, result, iterations, borne)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: load                !< [N], < 0: a pull
+      integer, intent(in) :: most                 !< iterations
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      integer, intent(out) :: iterations          !< that it took
+      logical, intent(out) :: borne               !< an equilibrium was found
       type(model_type) :: eased
       type(case_result_type) :: found
       type(error_type), allocatable :: error
-      character(:), allocatable :: load
-      if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
-      if (abs(result%lock_up_load) > bearable_force(model, case_index)) return
       eased = model
-      eased%cases(case_index)%wob = result%lock_up_load - less*abs(result%lock_up_load)
-      eased%numerics%max_iterations = min(eased%numerics%max_iterations, most_iterations)
+      eased%cases(case_index)%wob = load
+      eased%numerics%max_iterations = min(eased%numerics%max_iterations, most)
       call solve_static_analysis(eased, case_index, found, error, totals_only=.true., stop=stop)
-      result%iterations = found%iterations
+      iterations = found%iterations
+      result%iterations = result%iterations + found%iterations
       result%seconds = result%seconds + found%seconds
-      if (allocated(error)) found%status = result_not_converged
-      if (found%status == result_converged) return
-      load = 'a weight on bit of '
-      if (result%lock_up_load < 0.0_wp) load = 'a pull at the bit of '
-      load = load//trim(in_units(model%units, unit_force, abs(eased%cases(case_index)%wob), shown))
-      call add_sentence(result%message, 'Beams do not confirm it: with '//load//', which should come down, they found no '// &
-                        'equilibrium in '//to_text(found%iterations)//' iterations')
-   end subroutine confirm_lock_up
+      borne = found%status == result_converged .and. .not. allocated(error)
+   end subroutine try_load
+
+   !> 'a weight on bit of 35 kN', 'a pull at the bit of 12 kN'.
+   function load_text(model, load) result(text)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: load         !< [N], < 0: a pull
+      character(:), allocatable :: text
+      text = 'a weight on bit of '
+      if (load < 0.0_wp) text = 'a pull at the bit of '
+      text = text//trim(in_units(model%units, unit_force, abs(load), shown))
+   end function load_text
 end module dg_confirm_lock_up
