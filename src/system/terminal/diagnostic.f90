@@ -32,5 +32,6 @@ contains
       integer :: status
       write (error_unit, '(a)', iostat=status) line
       if (status == 0) flush (error_unit, iostat=status)
+      if (status /= 0) return
    end subroutine put
 end module dg_diagnostic
