@@ -6,7 +6,7 @@ module dg_survey_header
    use dg_survey_stack, only: stack_by_count, stack_by_place
    use dg_survey_words, only: role_along, role_corrected, role_magnetic, role_md, role_measured, role_of, role_plan, role_sea, &
                               role_tvd, role_vertical, words_of
-   use dg_table_text, only: content_length, find_separator, row_type, split_row
+   use dg_table_text, only: content_length, find_separator, split_row
    use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none
@@ -125,8 +125,7 @@ contains
    pure function belongs(text) result(is)
       character(*), intent(in) :: text
       logical :: is
-      type(row_type) :: row
-      type(text_type), allocatable :: words(:)
+      type(text_type), allocatable :: row(:), words(:)
       character :: separator
       integer :: i, filled, length
       is = .false.
@@ -140,8 +139,8 @@ contains
          call split_row(text(:length), separator, row)
       end if
       filled = 0
-      do i = 1, row%count
-         if (row%last(i) >= row%first(i)) filled = filled + 1
+      do i = 1, size(row)
+         if (row(i)%text /= '') filled = filled + 1
       end do
       is = filled >= 2
       if (is) return
@@ -213,11 +212,11 @@ contains
       character(*), intent(in) :: text
       integer, intent(in) :: width
       character, intent(inout) :: separator
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: length
       length = content_length(text)
       if (separator == ' ' .or. index(text(:length), separator) > 0) return
       call split_row(text(:length), ' ', row)
-      if (row%count == width .and. width > 1) separator = ' '
+      if (size(row) == width .and. width > 1) separator = ' '
    end subroutine find_row_separator
 end module dg_survey_header

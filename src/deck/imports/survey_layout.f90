@@ -8,7 +8,7 @@ module dg_survey_layout
    use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
    use dg_survey_header, only: find_header
    use dg_survey_heading, only: column_inc, column_md, column_name, heading_type, loose_rank, read_heading
-   use dg_table_text, only: content_length, row_type, without_comment
+   use dg_table_text, only: content_length, without_comment
    use dg_table_unit, only: resembles_unit
    use dg_text, only: lower_case, quoted, text_type
    use dg_units, only: unit_system_type
@@ -250,7 +250,7 @@ contains
       character(*), intent(in) :: line
       type(layout_type), intent(in) :: layout
       logical :: is
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: column, alike, filled
       real(wp) :: number
       logical :: legal
@@ -259,27 +259,27 @@ contains
       alike = 0
       filled = 0
       do column = 1, 3
-         if (layout%place(column) == 0 .or. layout%place(column) > row%count) cycle
-         associate (cell => row%text(row%first(layout%place(column)):row%last(layout%place(column))))
+         if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
+         associate (cell => row(layout%place(column))%text)
             call read_real(cell, number, legal)
             if (legal) return
             if (cell /= '') filled = filled + 1
             if (resembles_unit(cell, column /= column_md)) alike = alike + 1
          end associate
       end do
-      is = alike >= 2 .or. (alike == 1 .and. row%count > 1 .and. &
-                             (filled == 1 .or. layout%separator /= ' ' .or. row%count == layout%width))
+      is = alike >= 2 .or. (alike == 1 .and. size(row) > 1 .and. &
+                             (filled == 1 .or. layout%separator /= ' ' .or. size(row) == layout%width))
    end function is_unit_row
 
    pure subroutine take_units(line, layout)
       character(*), intent(in) :: line
       type(layout_type), intent(inout) :: layout
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: column
       call split_cells(tight(line, layout), layout, row)
       do column = 1, size(layout%place)
-         if (layout%place(column) == 0 .or. layout%place(column) > row%count) cycle
-         call take_unit(layout, column, row%text(row%first(layout%place(column)):row%last(layout%place(column))))
+         if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
+         call take_unit(layout, column, row(layout%place(column))%text)
       end do
    end subroutine take_units
 
