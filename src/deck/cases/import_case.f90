@@ -150,10 +150,7 @@ contains
       type(fault_list_type) :: faults
       type(column_names_type) :: names
       logical :: sound
-      integer :: i, at
-      do i = 1, size(names%names)
-         names%names(i)%text = ''
-      end do
+      integer :: at
       names%well = wanted
       call read_survey_file(path, si_units(), stations, sound, faults, named=names)
       if (.not. sound) then

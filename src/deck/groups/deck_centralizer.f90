@@ -2,9 +2,9 @@
 module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, is_whole, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, text_of
    use dg_deck_draft, only: draft_component_type, draft_type
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_fault_list, only: fault_list_type
    use dg_merge_sort, only: first_equal
    use dg_missing, only: missing
    use dg_model_fault, only: fault_words, model_faults_type
@@ -21,6 +21,8 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
+      !> Keys that say nothing of a rigid centraliser.
+      character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
       integer :: named(size(groups))              !< first component of the name of each group; 0: none
       integer :: next(size(draft%components))     !< component of the same name and string after each; 0: none
@@ -29,18 +31,19 @@ contains
       do i = 1, size(groups)
          if (groups(i)%name /= 'centralizer') cycle
          associate (group => groups(i))
-            before = faults%count
+            before = faults%noted
             call draft_centralizer(group, centralizer)
             if (.not. is_whole(group)) cycle
             if (named(i) == 0) call tell_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
-               call fault('kind', "kind = 'bow' needs restoring_force")
-            if (.not. centralizer%bow) call refuse_bows('restoring_force')
-            if (.not. centralizer%bow) call refuse_bows('running_force')
-            if (.not. centralizer%bow) call refuse_bows('rated_hole')
+               call group_fault(group, 'kind', "kind = 'bow' needs restoring_force", faults)
+            do k = 1, size(of_bows)
+               if (.not. centralizer%bow .and. is_given(group, trim(of_bows(k)))) call group_fault(group, trim(of_bows(k)), &
+                  trim(of_bows(k))//" has no meaning with kind = 'rigid'; leave it out, or give kind = 'bow'", faults)
+            end do
             k = named(i)
             do while (k > 0)
-               if (draft%components(k)%sound .and. faults%count == before) then
+               if (draft%components(k)%sound .and. faults%noted == before) then
                   call check_on(draft%components(k))
                   draft%components(k)%component%centralizer = centralizer
                   if (.not. centralizer%bow) draft%components(k)%line_centralizer = line_of(group, 'od')
@@ -52,13 +55,6 @@ contains
 
    contains
 
-      !> A key that says nothing of a rigid centraliser.
-      subroutine refuse_bows(key)
-         character(*), intent(in) :: key
-         if (is_given(groups(i), key)) &
-            call fault(key, key//" has no meaning with kind = 'rigid'; leave it out, or give kind = 'bow'")
-      end subroutine refuse_bows
-
       !> Whether a component has no others, and is thinner.
       subroutine check_on(item)
          type(draft_component_type), intent(in) :: item
@@ -67,19 +63,16 @@ contains
          integer :: m
          associate (part => item%component)
             if (part%centralizer%present) &
-               call fault('component', quoted(part%name)//' has centralisers already; a component takes one kind, so cut it in two')
+               call group_fault(groups(i), 'component', quoted(part%name)//' has centralisers already; a component takes one '// &
+                                'kind, so cut it in two', faults)
          end associate
          call check_centralizer(centralizer, item%component, 0, draft%units, found)
          do m = 1, found%count
             call fault_words(found%items(m), 'line '//to_text(item%line), words)
-            call fault(trim(found%items(m)%key), words)
+            call group_fault(groups(i), trim(found%items(m)%key), words, faults)
          end do
       end subroutine check_on
 
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(groups(i), key), 'group &centralizer: '//message)
-      end subroutine fault
    end subroutine take_centralizers
 
    !> Values of one group.
@@ -143,8 +136,7 @@ contains
          names(k) = draft%components(k)%component%name
       end do
       if (.not. all(draft%components%sound)) return     ! one of them may be meant
-      call add_fault(faults, draft%path, line_of(group, 'component'), 'group &centralizer: string '// &
-                     quoted(text_of(group, 'string', 'main'))//' has no component '//quoted(text_of(group, 'component', ''))// &
-                     '; '//suggestion(text_of(group, 'component', ''), names))
+      call group_fault(group, 'component', 'string '//quoted(text_of(group, 'string', 'main'))//' has no component '// &
+                       quoted(text_of(group, 'component', ''))//'; '//suggestion(text_of(group, 'component', ''), names), faults)
    end subroutine tell_unknown
 end module dg_deck_centralizer

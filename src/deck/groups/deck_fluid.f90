@@ -1,7 +1,7 @@
 !> The fluids of a deck: what one group &fluid says, and where its fluid begins.
 module dg_deck_fluid
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of
    use dg_deck_check, only: tell_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_fault_list, only: add_fault, fault_list_type
@@ -19,8 +19,7 @@ module dg_deck_fluid
 contains
 
    !> One fluid, with the checks that concern its group alone.
-   subroutine draft_fluid(path, group, item, faults)
-      character(*), intent(in) :: path
+   subroutine draft_fluid(group, item, faults)
       type(checked_group_type), intent(in) :: group
       type(draft_fluid_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
@@ -42,7 +41,7 @@ contains
          if (is_sound(group, 'float_collar')) &
             fluid%collar = findloc(collar_name == text_of(group, 'float_collar', collar_name(collar_none)), .true., dim=1)
          if (count([is_given(group, 'md_top'), is_given(group, 'tvd_top'), is_given(group, 'above_bit')]) > 1) &
-            call fault(group%line, 'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
+            call group_fault(group, '', 'md_top, tvd_top and above_bit all say where the fluid begins; keep one', faults)
       end associate
       begun = item%fluid
       if (item%has_tvd) begun%md_top = item%tvd_top      ! at surface or not: the measured depth is not known yet
@@ -50,15 +49,9 @@ contains
       do i = 1, found%count
          associate (wrong => found%items(i))
             if (wrong%key == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
-            call fault(line_of(group, trim(wrong%key)), wrong%message)
+            call group_fault(group, trim(wrong%key), wrong%message, faults)
          end associate
       end do
-   contains
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &fluid: '//message)
-      end subroutine fault
    end subroutine draft_fluid
 
    !> The fluids of the model; air where the deck has none. Faults: a true vertical depth that the hole does not reach, a fluid

@@ -2,7 +2,7 @@
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_open_deck
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, logical_of, places_of, real_of, &
+   use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, places_of, real_of, &
                                text_of
    use dg_catalogue, only: catalogue_within
    use dg_deck_centralizer, only: take_centralizers
@@ -252,8 +252,7 @@ contains
       if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
          do i = 1, size(groups)
             if (groups(i)%name /= 'rig') cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'max_hookload'), &
-                           'group &rig: max_hookload is rig_limit of &job under another name; keep one')
+            call group_fault(groups(i), 'max_hookload', 'max_hookload is rig_limit of &job under another name; keep one', faults)
             return
          end do
       end if
@@ -300,26 +299,26 @@ contains
             draft%trajectory_line = groups(i)%line
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
-            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
+            call read_stations(groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
             if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1
             call draft_hole(groups(i), holes, draft%holes(holes))
          case ('fluid')
             fluids = fluids + 1
-            call draft_fluid(draft%path, groups(i), draft%fluids(fluids), faults)
+            call draft_fluid(groups(i), draft%fluids(fluids), faults)
          case ('rig')
-            call draft_rig(draft%path, groups(i), draft%rig, faults)
+            call draft_rig(groups(i), draft%rig, faults)
          case ('component')
             components = components + 1
-            call draft_component(draft%path, groups(i), draft%units, draft%components(components), faults)
+            call draft_component(groups(i), draft%units, draft%components(components), faults)
          case ('load_case')
             cases = cases + 1
-            call draft_case(draft%path, groups(i), draft%cases(cases), faults)
+            call draft_case(groups(i), draft%cases(cases), faults)
          case ('boundary')
-            call draft_boundary(draft%path, groups(i), draft%boundary, faults)
+            call draft_boundary(groups(i), draft%boundary, faults)
          case ('solver')
-            call draft_numerics(draft%path, groups(i), draft%numerics, faults)
+            call draft_numerics(groups(i), draft%numerics, faults)
          case default
          end select
       end do

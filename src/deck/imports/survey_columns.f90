@@ -4,7 +4,7 @@ module dg_survey_columns
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
    use dg_table_text, only: squeezed
    use dg_table_unit, only: read_unit
-   use dg_text, only: nearest_name, quoted, text_type
+   use dg_text, only: nearest_name, quoted
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -12,8 +12,8 @@ module dg_survey_columns
 
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type
-      type(text_type) :: names(3)
-      character(:), allocatable :: well          !< trajectory of a WITSML document; not allocated: the only one
+      character(200) :: names(3) = ''
+      character(200) :: well = ''                !< trajectory of a WITSML document; '': the only one
    end type column_names_type
 
    !> Columns of a table and the SI values of their units.
@@ -70,9 +70,9 @@ contains
       end do
       named = .false.
       do column = 1, column_azi
-         if (names%names(column)%text == '') cycle
+         if (names%names(column) == '') cycle
          named(column) = .true.
-         call find_named(headings, names%names(column)%text, column, layout)
+         call find_named(headings, trim(names%names(column)), column, layout)
       end do
       do column = 1, size(layout%place)
          do i = 1, size(headings)

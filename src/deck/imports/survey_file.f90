@@ -36,12 +36,9 @@ contains
       type(column_names_type) :: names
       type(skipped_rows_type) :: skipped(size(kind_names))
       character(:), allocatable :: failure, chosen
-      integer :: n, i
+      integer :: n
       logical :: told
 
-      do i = 1, size(names%names)
-         names%names(i)%text = ''
-      end do
       if (present(named)) names = named
       stations%file = path
       stations%skipped = ''
@@ -54,8 +51,7 @@ contains
       allocate (lines(0))
       chosen = ''
       if (is_xml(path)) then
-         if (.not. allocated(names%well)) names%well = ''
-         call witsml_table(path, names%well, lines, chosen, failure)
+         call witsml_table(path, trim(names%well), lines, chosen, failure)
       else if (failure == '') then
          call read_lines(path, lines, failure)
       end if

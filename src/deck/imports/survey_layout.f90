@@ -144,7 +144,7 @@ contains
       do column = 1, 3
          times = 0
          if (layout%place(column) == 0) cycle
-         if (names%names(column)%text /= '') cycle
+         if (names%names(column) /= '') cycle
          do i = 1, layout%width
             associate (heading => layout%headings(i))
                if (heading%name == column_name(column) .and. heading%unit == layout%headings(layout%place(column))%unit) &

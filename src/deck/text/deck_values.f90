@@ -45,6 +45,7 @@ contains
       character(:), allocatable :: place
 
       place = 'group &'//group%name//': '
+      checked%path = path
       checked%name = group%name
       checked%line = group%line
       n = size(rules)

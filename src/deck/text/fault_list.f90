@@ -13,6 +13,7 @@ module dg_fault_list
    end type fault_type
 
    type :: fault_list_type
+      integer :: noted = 0                      !< with those that are left untold
       integer :: count = 0
       type(fault_type), allocatable :: items(:) !< the first `count` are meant
    end type fault_list_type
@@ -30,6 +31,7 @@ contains
       integer, intent(in) :: line
       character(*), intent(in) :: message
       type(fault_type), allocatable :: longer(:)
+      list%noted = list%noted + 1
       if (list%count == most_faults) return
       if (.not. allocated(list%items)) allocate (list%items(first_capacity))
       if (list%count == size(list%items)) then
