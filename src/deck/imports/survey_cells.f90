@@ -1,7 +1,6 @@
 !> Cells of the rows of a survey table: between separators, or by their place below the headings.
 module dg_survey_cells
-   use dg_deck_number, only: read_real
-   use dg_kinds, only: wp
+   use dg_deck_number, only: is_number
    use dg_survey_columns, only: layout_type
    use dg_table_number, only: plain_number
    use dg_table_text, only: content_length, split_row
@@ -20,8 +19,6 @@ contains
       integer :: numbers
       type(text_type), allocatable :: row(:)
       character(len(text)) :: plain
-      real(wp) :: number
-      logical :: legal
       integer :: i
       numbers = 0
       if (content_length(text) == 0) return
@@ -36,10 +33,7 @@ contains
          end do
          call split_row(plain(:content_length(plain)), ' ', row)
       end if
-      do i = 1, size(row)
-         call read_real(plain_number(row(i)%text, .false.), number, legal)
-         if (legal) numbers = numbers + 1
-      end do
+      numbers = count([(is_number(plain_number(row(i)%text, .false.)), i=1, size(row))])
    end function count_numbers
 
    !> Fields between which two blanks or more stand, or tabs.
@@ -176,17 +170,13 @@ contains
    pure subroutine join_first(layout, row)
       type(layout_type), intent(in) :: layout
       type(text_type), allocatable, intent(inout) :: row(:)
-      real(wp) :: number
       integer :: i, more
-      logical :: legal
       if (any(layout%place == 1) .or. layout%width < 2) return
       more = size(row) - layout%width
       do i = more + 2, size(row)
-         call read_real(plain_number(row(i)%text, .false.), number, legal)
-         if (.not. legal) return
+         if (.not. is_number(plain_number(row(i)%text, .false.))) return
       end do
-      call read_real(row(1)%text, number, legal)
-      if (legal) return
+      if (is_number(row(1)%text)) return
       do i = 1, more
          row(more + 1)%text = row(more + 1 - i)%text//row(more + 1)%text
       end do

@@ -3,7 +3,7 @@ module dg_survey_layout
    use dg_kinds, only: wp
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_las_file, only: is_las, las_table
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: is_number, read_real
    use dg_survey_cells, only: split_cells
    use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
    use dg_survey_header, only: find_header
@@ -252,8 +252,6 @@ contains
       logical :: is
       type(text_type), allocatable :: row(:)
       integer :: column, alike, filled
-      real(wp) :: number
-      logical :: legal
       is = .false.
       call split_cells(tight(line, layout), layout, row)
       alike = 0
@@ -261,8 +259,7 @@ contains
       do column = 1, 3
          if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
          associate (cell => row(layout%place(column))%text)
-            call read_real(cell, number, legal)
-            if (legal) return
+            if (is_number(cell)) return
             if (cell /= '') filled = filled + 1
             if (resembles_unit(cell, column /= column_md)) alike = alike + 1
          end associate

@@ -1,7 +1,6 @@
 !> Lines of a survey file that hold no station, and those that may hold a damaged one.
 module dg_survey_lines
-   use dg_deck_number, only: read_real
-   use dg_kinds, only: wp
+   use dg_deck_number, only: is_number
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_md
    use dg_survey_layout, only: is_unit_row
@@ -88,13 +87,10 @@ contains
       type(text_type), intent(in) :: row(:)
       integer :: longest
       integer :: i, run
-      real(wp) :: number
-      logical :: legal
       longest = 0
       run = 0
       do i = 1, size(row)
-         call read_real(plain_number(row(i)%text, .false.), number, legal)
-         run = merge(run + 1, 0, legal)
+         run = merge(run + 1, 0, is_number(plain_number(row(i)%text, .false.)))
          longest = max(longest, run)
       end do
    end function longest_run

@@ -1,7 +1,7 @@
 !> Rows of a survey table: stations, lines that are none and are counted by kind, and lines that may be damaged stations.
 module dg_survey_rows
    use dg_constants, only: degree
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: is_number
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
@@ -184,13 +184,10 @@ contains
       type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       character(:), allocatable :: message
-      real(wp) :: number
       integer :: i
-      logical :: is_number
       message = ''
       do i = layout%width + 1, size(row)
-         call read_real(row(i)%text, number, is_number)
-         if (.not. is_number) cycle
+         if (.not. is_number(row(i)%text)) cycle
          message = 'the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
                    ' columns; give each a name, and numbers with decimal points'
          return
@@ -267,7 +264,7 @@ contains
       type(marks_type) :: unused
       real(wp) :: number
       integer :: first, column, place
-      logical :: is_number
+      logical :: legal
       has = .false.
       first = verify(text, '# '//achar(9))
       if (first == 0 .or. index(text, '#') == 0) return
@@ -275,8 +272,8 @@ contains
       do column = column_md, column_inc
          place = layout%place(column)
          if (place > size(row)) return
-         call read_cell(row(place)%text, layout%separator == ',', 1, unused, number, is_number)
-         if (.not. is_number) return
+         call read_cell(row(place)%text, layout%separator == ',', 1, unused, number, legal)
+         if (.not. legal) return
       end do
       has = .true.
    end function has_station
@@ -287,15 +284,10 @@ contains
       type(layout_type), intent(in) :: layout
       logical :: all_are
       type(text_type), allocatable :: row(:)
-      real(wp) :: number
       integer :: i
       all_are = .false.
       if (content_length(text) == 0) return
       call split_row(text(:content_length(text)), layout%separator, row)
-      do i = 1, size(row)
-         call read_real(row(i)%text, number, all_are)
-         if (.not. all_are) return
-      end do
-      all_are = size(row) > 1
+      all_are = size(row) > 1 .and. all([(is_number(row(i)%text), i=1, size(row))])
    end function all_numbers
 end module dg_survey_rows
