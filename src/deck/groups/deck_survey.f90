@@ -15,7 +15,7 @@ module dg_deck_survey
    use dg_survey_heading, only: column_name
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_curvature, unit_factor, unit_length
-   use dg_units, only: si_units, unit_system, unit_system_type
+   use dg_units, only: unit_system, unit_system_type
    implicit none
    private
    public :: read_stations
@@ -262,19 +262,17 @@ contains
          real(wp), intent(in) :: values(:)      !< [SI]
          type(key_rule_type) :: rules(size(keys_of(group%name)))
          type(key_rule_type) :: rule
-         type(unit_system_type) :: si
          real(wp) :: held
          integer :: k
          logical :: holds
-         si = si_units()
          rules = keys_of(group%name)
          rule = rules(key_place(group%name, key))
          do k = 1, size(values)
             held = values(k)
-            call hold_in_range(rule, si, held, holds)
+            call hold_in_range(rule, held, holds)
             if (holds) cycle
             call station_fault(group, stations, k, key//' = '//to_text(values(k)/unit_factor(units, rule%unit), depth_digits)// &
-                               ' is out of range; needs a number, '//range_text(rule, units, si), sound, faults)
+                               ' is out of range; needs a number, '//range_text(rule, units), sound, faults)
          end do
       end subroutine check_range
    end subroutine check_stations

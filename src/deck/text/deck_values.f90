@@ -228,7 +228,7 @@ contains
             return
          end if
          number = number*unit_factor(units, rule%unit)
-         call hold_in_range(rule, si_units(), number, legal)
+         call hold_in_range(rule, number, legal)
          if (.not. legal) then
             message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)// &
                       unit_advice(item%text, rule, units)
@@ -363,7 +363,7 @@ contains
          text = 'needs .true. or .false.'
       case default
          text = 'needs a '//needed_number(rule)
-         range = range_text(rule, units, si_units())
+         range = range_text(rule, units)
          if (range /= '') then
             text = text//', '//range
          else if (rule%unit /= unit_none) then

@@ -5,7 +5,7 @@ module dg_value_advice
    use dg_kinds, only: wp
    use dg_text, only: lower_case, to_text
    use dg_unit_kind, only: smaller_unit, unit_factor, unit_label, unit_none
-   use dg_units, only: si_units, unit_system_type
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: unit_advice, value_advice
@@ -60,7 +60,7 @@ contains
       if (.not. legal) return
       number = number/of_them
       held = number*unit_factor(units, rule%unit)
-      call hold_in_range(rule, si_units(), held, legal)
+      call hold_in_range(rule, held, legal)
       if (legal) advice = '; '//text//' '//trim(smaller)//' is written '//to_text(number, digits_told)
    end function unit_advice
 
