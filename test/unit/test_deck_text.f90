@@ -133,7 +133,7 @@ contains
       call assertEqual(2, groups(1)%entries(2)%line)
       call assertEqual(2, groups(1)%entries(2)%first)
       call assertEqual(3, groups(1)%entries(2)%last)
-      call assertTrue(groups(1)%entries(2)%values(2)%in_quotes)
+      call assertEqual(token_text, groups(1)%entries(2)%values(2)%kind)
       call assertEqual(0, size(groups(2)%entries))
    end subroutine test_groups
 

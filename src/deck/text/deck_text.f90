@@ -6,14 +6,7 @@ module dg_deck_text
    use dg_text, only: lower_case, quoted, to_text
    implicit none
    private
-   public :: value_text_type, entry_type, group_type, parse_groups
-
-   !> One value as written.
-   type :: value_text_type
-      character(:), allocatable :: text
-      logical :: in_quotes = .false.
-      integer :: line = 0
-   end type value_text_type
+   public :: entry_type, group_type, parse_groups
 
    !> `key = values`, or `key(first:last) = values`.
    type :: entry_type
@@ -22,7 +15,7 @@ module dg_deck_text
       integer :: first = 0                   !< subscript of the first value; 0: none given
       integer :: last = 0                    !< subscript of the last value; 0: none given
       logical :: sound = .true.              !< no fault found in its text
-      type(value_text_type), allocatable :: values(:)
+      type(token_type), allocatable :: values(:)     !< words and quoted texts, repeated ones as often
    end type entry_type
 
    type :: group_type
@@ -32,13 +25,12 @@ module dg_deck_text
       type(entry_type), allocatable :: entries(:)
    end type group_type
 
-   !> Groups as far as they are read, with the group and the entry that are open.
+   !> Groups as far as they are read; the last of them is open, or was last. So of entries and their values.
    type :: parser_type
       character(:), allocatable :: path
       type(group_type), allocatable :: groups(:)
-      type(group_type) :: group
       type(entry_type) :: entry
-      type(value_text_type), allocatable :: values(:)             !< of the entry
+      type(token_type), allocatable :: values(:)             !< of the entry
       integer :: n_groups = 0, n_entries = 0, n_values = 0        !< of the lists, which have room for more
       logical :: in_group = .false., in_entry = .false.
       logical :: lost = .false.     !< after a fault: nothing more is said until the next key
@@ -61,7 +53,7 @@ contains
       type(parser_type) :: parser
       integer :: i, previous, this, next, stray_line
       parser%path = path
-      allocate (parser%groups(first_capacity), parser%values(first_capacity))
+      allocate (parser%groups(count(tokens%kind == token_group)), parser%values(first_capacity))
       stray_line = 0
       this = 0
       do i = 1, size(tokens)
@@ -78,19 +70,13 @@ contains
                               '; start a comment with !, put a text that holds a / into quotes')
             case (token_group)
                call close_entry(parser, faults)
-               if (parser%in_group) then
-                  if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed before &'// &
-                     lower_case(token%text)//' in line '//to_text(token%line)//'; end it with /', faults)
-                  call close_group(parser)
-               end if
+               call tell_open(parser, ' before &'//lower_case(token%text)//' in line '//to_text(token%line), faults)
                call open_group(parser, token)
             case (token_end)
                call close_entry(parser, faults)
-               if (parser%in_group) then
-                  call close_group(parser)
-               else
+               if (.not. parser%in_group) &
                   call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
-               end if
+               call close_group(parser)
             case (token_equals)
                if (parser%in_entry .and. previous == token_word) then
                   if (parser%n_values == 0) cycle   ! the key's own
@@ -118,32 +104,45 @@ contains
          end associate
       end do
       call close_entry(parser, faults)
-      if (parser%in_group) then
-         if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
-         call close_group(parser)
-      end if
-      allocate (groups(parser%n_groups))
-      call move_groups(parser%groups, groups)
+      call tell_open(parser, '', faults)
+      call close_group(parser)
+      call move_alloc(parser%groups, groups)
    end subroutine parse_groups
+
+   !> Tells of a group that is not closed, unless an open quote has taken its end.
+   subroutine tell_open(parser, before, faults)
+      type(parser_type), intent(in) :: parser
+      character(*), intent(in) :: before      !< the next group, or ''
+      type(fault_list_type), intent(inout) :: faults
+      if (.not. parser%in_group) return
+      associate (group => parser%groups(parser%n_groups))
+         if (.not. group%torn) call group_fault(parser, group%line, 'not closed'//before//'; end it with /', faults)
+      end associate
+   end subroutine tell_open
 
    subroutine open_group(parser, token)
       type(parser_type), intent(inout) :: parser
       type(token_type), intent(in) :: token
+      call close_group(parser)
       parser%in_group = .true.
       parser%lost = .false.
-      parser%group%name = lower_case(token%text)
-      parser%group%line = token%line
-      parser%group%torn = .false.
-      if (allocated(parser%group%entries)) deallocate (parser%group%entries)
-      allocate (parser%group%entries(first_capacity))
+      parser%n_groups = parser%n_groups + 1
       parser%n_entries = 0
+      associate (group => parser%groups(parser%n_groups))
+         group%name = lower_case(token%text)
+         group%line = token%line
+         allocate (group%entries(first_capacity))
+      end associate
    end subroutine open_group
 
+   !> Closes the group that is open, if one is.
    subroutine close_group(parser)
       type(parser_type), intent(inout) :: parser
-      parser%group%entries = parser%group%entries(:parser%n_entries)
-      call append_group(parser%groups, parser%n_groups, parser%group)
+      if (.not. parser%in_group) return
       parser%in_group = .false.
+      associate (group => parser%groups(parser%n_groups))
+         group%entries = group%entries(:parser%n_entries)
+      end associate
    end subroutine close_group
 
    !> A fault within the group that is open, or was last.
@@ -152,7 +151,7 @@ contains
       integer, intent(in) :: line
       character(*), intent(in) :: message
       type(fault_list_type), intent(inout) :: faults
-      call add_fault(faults, parser%path, line, 'group &'//parser%group%name//': '//message)
+      call add_fault(faults, parser%path, line, 'group &'//parser%groups(parser%n_groups)%name//': '//message)
    end subroutine group_fault
 
    !> One fault an entry is enough: what follows from it would only confuse.
@@ -185,26 +184,22 @@ contains
       type(parser_type), intent(inout) :: parser
       type(token_type), intent(in) :: token
       type(fault_list_type), intent(inout) :: faults
-      type(value_text_type) :: value
       if (token%kind == token_open_text) then
          call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line'//inches(), faults)
-         parser%group%torn = .true.
+         parser%groups(parser%n_groups)%torn = .true.
       else if (token%kind == token_word .and. token%text == '') then
          call entry_fault(parser, 'a repeat count without a value; write 3*0.1', faults)
       else if (token%repeat < 1) then
          call entry_fault(parser, 'repeat counts are 1 to 999999', faults)
       end if
-      value%text = token%text
-      value%in_quotes = token%kind /= token_word
-      value%line = token%line
-      if (parser%entry%sound) call append_values(parser%values, parser%n_values, value, token%repeat)
+      if (parser%entry%sound) call append_values(parser%values, parser%n_values, token)
    contains
       !> Advice where a mark of inches stands behind a number.
       function inches() result(advice)
          character(:), allocatable :: advice
          advice = ''
          if (parser%n_values == 0) return
-         if (parser%values(parser%n_values)%in_quotes) return
+         if (parser%values(parser%n_values)%kind /= token_word) return
          if (verify(parser%values(parser%n_values)%text, '0123456789.-+/') == 0) &
             advice = '; a number has no mark of inches behind it'
       end function inches
@@ -224,7 +219,7 @@ contains
          if (wanted /= parser%n_values) call entry_fault(parser, 'the subscript asks for '//to_text(wanted)//' values, '// &
                                                          to_text(parser%n_values)//' given', faults)
       end if
-      call append_entry(parser%group%entries, parser%n_entries, parser%entry)
+      call append_entry(parser%groups(parser%n_groups)%entries, parser%n_entries, parser%entry)
    end subroutine close_entry
 
    !> Splits `md(2:5)` into key and subscripts; (:) is none, (n) gives the place of the first value.
@@ -269,23 +264,22 @@ contains
       legal = legal .and. number > 0
    end subroutine read_subscript
 
-   !> Puts `count` copies of a value behind the first `n` of a list.
-   pure subroutine append_values(list, n, value, count)
-      type(value_text_type), allocatable, intent(inout) :: list(:)
+   !> Puts a value behind the first `n` of a list, as often as it says.
+   pure subroutine append_values(list, n, value)
+      type(token_type), allocatable, intent(inout) :: list(:)
       integer, intent(inout) :: n
-      type(value_text_type), intent(in) :: value
-      integer, intent(in) :: count
-      type(value_text_type), allocatable :: longer(:)
+      type(token_type), intent(in) :: value
+      type(token_type), allocatable :: longer(:)
       integer :: i
-      if (n + count > size(list)) then
-         allocate (longer(2*(n + count)))
+      if (n + value%repeat > size(list)) then
+         allocate (longer(2*(n + value%repeat)))
          longer(:n) = list(:n)
          call move_alloc(longer, list)
       end if
-      do i = n + 1, n + count
+      do i = n + 1, n + value%repeat
          list(i) = value
       end do
-      n = n + count
+      n = n + value%repeat
    end subroutine append_values
 
    !> Puts one entry behind the first `n` of a list.
@@ -302,31 +296,4 @@ contains
       n = n + 1
       list(n) = entry
    end subroutine append_entry
-
-   !> Puts one group behind the first `n` of a list.
-   pure subroutine append_group(list, n, group)
-      type(group_type), allocatable, intent(inout) :: list(:)
-      integer, intent(inout) :: n
-      type(group_type), intent(in) :: group
-      type(group_type), allocatable :: longer(:)
-      if (n == size(list)) then
-         allocate (longer(2*n))
-         call move_groups(list, longer)
-         call move_alloc(longer, list)
-      end if
-      n = n + 1
-      list(n) = group
-   end subroutine append_group
-
-   !> Moves groups into another list, as many as both lists have places.
-   pure subroutine move_groups(from, into)
-      type(group_type), intent(inout) :: from(:), into(:)
-      integer :: i
-      do i = 1, min(size(from), size(into))
-         call move_alloc(from(i)%name, into(i)%name)
-         call move_alloc(from(i)%entries, into(i)%entries)
-         into(i)%line = from(i)%line
-         into(i)%torn = from(i)%torn
-      end do
-   end subroutine move_groups
 end module dg_deck_text

@@ -54,8 +54,7 @@ contains
       do line = 1, size(lines)
          call tokenize_line(lines(line)%text, line, inside, list)
       end do
-      allocate (tokens(list%count))
-      call move_tokens(list%items, tokens)
+      tokens = list%items(:list%count)
    end subroutine tokenize
 
    !> Tokens of one line; `inside` tells whether a group is open.
@@ -240,7 +239,7 @@ contains
       type(token_type), allocatable :: longer(:)
       if (list%count == size(list%items)) then
          allocate (longer(2*list%count))
-         call move_tokens(list%items, longer)
+         longer(:list%count) = list%items
          call move_alloc(longer, list%items)
       end if
       list%count = list%count + 1
@@ -251,18 +250,4 @@ contains
       if (present(first)) list%items(list%count)%first = first
       if (present(last)) list%items(list%count)%last = last
    end subroutine append
-
-   !> Moves tokens into another list, as many as both lists have places.
-   pure subroutine move_tokens(from, into)
-      type(token_type), intent(inout) :: from(:), into(:)
-      integer :: i
-      do i = 1, min(size(from), size(into))
-         into(i)%kind = from(i)%kind
-         into(i)%line = from(i)%line
-         into(i)%first = from(i)%first
-         into(i)%last = from(i)%last
-         into(i)%repeat = from(i)%repeat
-         call move_alloc(from(i)%text, into(i)%text)
-      end do
-   end subroutine move_tokens
 end module dg_deck_token

@@ -7,7 +7,8 @@ module dg_deck_values
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
       rule_place, split_words, listed, name_length
    use dg_deck_keys, only: operation_words
-   use dg_deck_text, only: group_type, entry_type, value_text_type
+   use dg_deck_text, only: group_type, entry_type
+   use dg_deck_token, only: token_type, token_word
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_foreign_names, only: key_advice, meant_key
    use dg_load_case, only: operation_from_name, operation_name
@@ -192,7 +193,7 @@ contains
 
    !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
    subroutine take_value(item, name, place, rule, units, value, message)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       integer, intent(in) :: place             !< of the value among those of its key
       type(key_rule_type), intent(in) :: rule
@@ -208,11 +209,11 @@ contains
       case (kind_text)
          call take_text(item, name, rule, value, message)
       case (kind_logical)
-         legal = .not. item%in_quotes
+         legal = item%kind == token_word
          if (legal) call read_logical(item%text, value%flag, legal)
          if (.not. legal) message = name//' = '//shown(item)//' is no logical; write .true. or .false.'
       case default
-         legal = .not. item%in_quotes
+         legal = item%kind == token_word
          number = 0.0_wp
          if (legal) then
             if (rule%kind == kind_integer) then
@@ -240,7 +241,7 @@ contains
 
    !> Reads one text, as a name from a list where the key has one. Quotes alone are advised only where the text with them is legal.
    subroutine take_text(item, name, rule, value, message)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       type(key_rule_type), intent(in) :: rule
       type(value_type), intent(inout) :: value
@@ -252,7 +253,7 @@ contains
       chosen = item%text
       if (rule%choices /= '') then
          if (rule%choices == '*') then
-            if (item%in_quotes .or. operation_from_name(item%text) == 0) then
+            if (item%kind /= token_word .or. operation_from_name(item%text) == 0) then
                call take_operation(item%text, name, value, message)
             else
                call tell_quotes()
@@ -281,7 +282,7 @@ contains
          if (message /= '') message = name//' = '//quoted(item%text)//' '//message
          if (message /= '') return
       end if
-      if (.not. item%in_quotes) call tell_quotes()
+      if (item%kind == token_word) call tell_quotes()
       if (message == '') call append_text(value%content%texts, chosen)
    contains
       subroutine tell_quotes()
@@ -328,9 +329,9 @@ contains
 
    !> A value as the user wrote it.
    pure function shown(item) result(text)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(:), allocatable :: text
-      if (item%in_quotes) then
+      if (item%kind /= token_word) then
          text = quoted(item%text)
       else
          text = quoted(item%text)
