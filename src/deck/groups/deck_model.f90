@@ -1,13 +1,11 @@
 !> Makes the model of a draft that is without fault.
 module dg_deck_model
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: draft_type, lowest_of, sections_of
    use dg_deck_fluid, only: place_fluids
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_merge_sort, only: first_equal
    use dg_model, only: model_type
-   use dg_text, only: text_type
    use dg_trajectory, only: new_trajectory
    implicit none
    private
@@ -30,10 +28,8 @@ contains
          return
       end if
       if (allocated(draft%path_notes)) model%path_notes = draft%path_notes
-      allocate (model%holes(size(draft%holes)), model%cases(size(draft%cases)))
-      do i = 1, size(draft%holes)
-         model%holes(i) = draft%holes(i)%section
-      end do
+      model%holes = sections_of(draft)
+      allocate (model%cases(size(draft%cases)))
       do i = 1, size(draft%cases)
          model%cases(i) = draft%cases(i)%load_case
       end do
@@ -50,19 +46,15 @@ contains
    pure subroutine build_strings(draft, strings)
       type(draft_type), intent(in) :: draft
       type(drillstring_type), allocatable, intent(out) :: strings(:)
-      type(text_type) :: names(size(draft%components))
-      integer, dimension(size(draft%components)) :: first, string_of, parts
+      integer, dimension(size(draft%components)) :: lowest, string_of, parts
       integer :: i, found
-      do i = 1, size(names)
-         names(i)%text = draft%components(i)%string
-      end do
-      first = first_equal(names)
+      lowest = lowest_of(draft)
       found = 0
       parts = 0
-      do i = 1, size(names)
-         if (first(i) == i) found = found + 1
+      do i = 1, size(lowest)
+         if (lowest(i) == i) found = found + 1
          string_of(i) = found
-         if (first(i) < i) string_of(i) = string_of(first(i))
+         if (lowest(i) < i) string_of(i) = string_of(lowest(i))
          parts(string_of(i)) = parts(string_of(i)) + 1
       end do
       allocate (strings(found))
@@ -70,9 +62,9 @@ contains
          allocate (strings(i)%components(parts(i)))
       end do
       parts = 0
-      do i = 1, size(names)
+      do i = 1, size(lowest)
          associate (string => strings(string_of(i)), part => parts(string_of(i)))
-            if (part == 0) string%name = names(i)%text
+            if (part == 0) string%name = draft%components(i)%string
             part = part + 1
             string%components(part) = draft%components(i)%component
          end associate

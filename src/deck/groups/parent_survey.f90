@@ -4,12 +4,13 @@ module dg_parent_survey
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between
+   use dg_model_fault, only: depth_words
    use dg_survey, only: tangent_of
    use dg_survey_check, only: at_surface, sharpest_tie
    use dg_survey_file, only: station_list_type
    use dg_text, only: to_text
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at, trajectory_type
-   use dg_unit_kind, only: in_units, unit_curvature, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -17,7 +18,7 @@ module dg_parent_survey
 
    !> Angle between a parent and the first station of its sidetrack from which on they hardly belong together [rad].
    real(wp), parameter :: apart = 1.0_wp*degree
-   integer, parameter :: digits = 9, few_digits = 3, curvature_digits = 4
+   integer, parameter :: few_digits = 3, curvature_digits = 4
 
 contains
 
@@ -35,13 +36,15 @@ contains
       first = stations%md(1)
       n = count(parent%md < first - at_surface)
       if (n == 0) then
-         failure = 'the survey begins at '//depth(first)//', and parent_file has no station above. Leave parent_file out'
+         failure = 'the survey begins at '//depth_words(units, first)// &
+                   ', and parent_file has no station above. Leave parent_file out'
          return
       end if
       turn = dogleg_between(tangent_of(parent%inclination(n), parent%azimuth(n)), &
                             tangent_of(stations%inclination(1), stations%azimuth(1)))
-      words = to_text(n)//' stations of parent_file are taken, down to '//depth(parent%md(n))//'. From there to the first one '// &
-              'of the survey, at '//depth(first)//', the hole turns by '//to_text(turn/degree, few_digits)//' deg, '// &
+      words = to_text(n)//' stations of parent_file are taken, down to '//depth_words(units, parent%md(n))// &
+              '. From there to the first one of the survey, at '//depth_words(units, first)// &
+              ', the hole turns by '//to_text(turn/degree, few_digits)//' deg, '// &
               trim(in_units(units, unit_curvature, turn/(first - parent%md(n)), curvature_digits))
       off = angle_to_parent()
       if (off > apart) words = words//'. There the parent points '//to_text(off/degree, few_digits)// &
@@ -68,11 +71,5 @@ contains
          call position_at(path, first, position, tangent)
          angle = dogleg_between(tangent, tangent_of(stations%inclination(1), stations%azimuth(1)))
       end function angle_to_parent
-
-      function depth(md) result(text)
-         real(wp), intent(in) :: md
-         character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, md, digits))
-      end function depth
    end subroutine join_parent
 end module dg_parent_survey
