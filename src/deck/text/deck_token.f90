@@ -2,7 +2,7 @@
 !> The deck is scanned here, not by a namelist read, because that read skips misspelt groups in silence,
 !> lets the last of two equal keys win, and knows no line numbers.
 module dg_deck_token
-   use dg_text, only: text_type
+   use dg_text, only: lower_case, text_type
    implicit none
    private
    public :: token_type, tokenize
@@ -80,7 +80,7 @@ contains
             length = span(text(at + 1:), letters//digits)
             content = text(at + 1:at + length)
             at = at + length + 1
-            if (is_end(content)) then
+            if (lower_case(content) == 'end') then      ! as old namelists do
                call append(list, token_end, line, '&'//content)
                inside = .false.
             else
@@ -220,14 +220,6 @@ contains
       length = verify(text, set) - 1
       if (length < 0) length = len(text)
    end function span
-
-   !> Whether a name after & closes a group, as old namelists do.
-   pure function is_end(name) result(ends)
-      character(*), intent(in) :: name
-      logical :: ends
-      ends = .false.
-      if (len(name) == 3) ends = scan(name(1:1), 'eE') + scan(name(2:2), 'nN') + scan(name(3:3), 'dD') == 3
-   end function is_end
 
    !> Puts one token at the end of the list.
    pure subroutine append(list, kind, line, text, repeats, first, last)
