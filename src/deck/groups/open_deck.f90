@@ -25,7 +25,7 @@ module dg_open_deck
    use dg_deck_values, only: check_group
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: beside
-   use dg_foreign_names, only: group_advice
+   use dg_foreign_names, only: key_advice
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
@@ -58,8 +58,7 @@ contains
       deallocate (tokens)
       call check_group_names(path, groups, rules, faults)
       deck%draft%path = path
-      deck%draft%units = units_of(groups)
-      call check_units(path, groups, rules, deck%draft%units, known, faults)
+      call find_units(path, groups, rules, deck%draft%units, known, faults)
       if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
       allocate (deck%groups(size(groups)))
       do i = 1, size(groups)
@@ -124,7 +123,7 @@ contains
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
-                           group_advice(groups(i)%name, names))
+                           key_advice('', groups(i)%name, names))
             cycle
          end if
          if (.not. rules(k)%rule%available) call add_fault(faults, path, groups(i)%line, 'group &'//groups(i)%name// &
@@ -171,43 +170,31 @@ contains
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
    end function inputs_of
 
-   !> Units of the deck: needed before anything else is read. SI where the deck is silent or wrong.
-   pure function units_of(groups) result(units)
-      type(group_type), intent(in) :: groups(:)
-      type(unit_system_type) :: units
-      integer :: i, j
-      units = si_units()
-      do i = 1, size(groups)
-         if (groups(i)%name /= 'job') cycle
-         do j = 1, size(groups(i)%entries)
-            if (groups(i)%entries(j)%key /= 'units' .or. size(groups(i)%entries(j)%values) == 0) cycle
-            units = unit_system(groups(i)%entries(j)%values(1)%text)
-            return
-         end do
-      end do
-   end function units_of
-
-   !> Whether the units that the deck names are known; the faults of &job where not.
-   subroutine check_units(path, groups, rules, units, known, faults)
+   !> Units of the deck, needed before anything else is read: SI where it is silent. `known` is false, and the faults of &job are
+   !> noted, where it names none that is known.
+   subroutine find_units(path, groups, rules, units, known, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
       type(group_keys_type), intent(in) :: rules(:)
-      type(unit_system_type), intent(in) :: units
+      type(unit_system_type), intent(out) :: units
       logical, intent(out) :: known
       type(fault_list_type), intent(inout) :: faults
       type(checked_group_type) :: checked
       type(fault_list_type) :: found
       integer :: i
+      units = si_units()
       known = .true.
       do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
-         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, found)
-         if (.not. is_given(checked, 'units') .or. is_sound(checked, 'units')) return
-         known = .false.
-         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, faults)
+         associate (keys => rules(group_place(rules, 'job'))%keys)
+            call check_group(path, groups(i), keys, units, checked, found)
+            known = .not. is_given(checked, 'units') .or. is_sound(checked, 'units')
+            if (.not. known) call check_group(path, groups(i), keys, units, checked, faults)
+         end associate
+         if (is_sound(checked, 'units')) units = unit_system(text_of(checked, 'units', ''))
          return
       end do
-   end subroutine check_units
+   end subroutine find_units
 
    !> Fills the job from &job, or from defaults where the deck has none.
    subroutine take_job(path, units, groups, job)

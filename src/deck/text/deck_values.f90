@@ -69,7 +69,7 @@ contains
       do k = 1, n
          if (checked%values(k)%given) cycle
          if (rules(k)%required) then
-            if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
+            if (group%name == 'component' .and. any([(group%entries(i)%key == 'catalogue', i=1, size(group%entries))])) cycle
             if (.not. (group%torn .or. misspelt(group, keys, trim(keys(k))))) &
                call add_fault(faults, path, group%line, place//'key '//trim(rules(k)%key)//' is missing; '// &
                               needed_text(rules(k), units))
@@ -78,18 +78,6 @@ contains
          end if
       end do
    end subroutine check_group
-
-   !> Whether a key stands in a group.
-   pure function has_entry(group, key) result(has)
-      type(group_type), intent(in) :: group
-      character(*), intent(in) :: key
-      logical :: has
-      integer :: i
-      has = .false.
-      do i = 1, size(group%entries)
-         if (group%entries(i)%key == key) has = .true.
-      end do
-   end function has_entry
 
    !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
    pure function misspelt(group, keys, key) result(is)
@@ -144,12 +132,11 @@ contains
             return
          end if
          if (size(entry%values) > 1) then
-            shown = entry%values(1)%text
-            do i = 2, min(values_shown, size(entry%values))
-               shown = shown//', '//entry%values(i)%text
-            end do
+            shown = ''
             whole = ''
             do i = 1, min(values_shown, size(entry%values))
+               if (i > 1) shown = shown//', '
+               shown = shown//entry%values(i)%text
                whole = trim(whole)//' '//entry%values(i)%text
             end do
             if (size(entry%values) > values_shown) shown = shown//', ...'
@@ -246,64 +233,37 @@ contains
       type(key_rule_type), intent(in) :: rule
       type(value_type), intent(inout) :: value
       character(:), allocatable, intent(out) :: message
-      character(name_length), allocatable :: choices(:), later(:)
-      character(:), allocatable :: chosen
-      integer :: i
+      character(name_length), allocatable :: choices(:)
+      character(:), allocatable :: chosen, advice
+      integer :: i, operation
       message = ''
+      advice = ''
       chosen = item%text
-      if (rule%choices /= '') then
-         if (rule%choices == '*') then
-            if (item%kind /= token_word .or. operation_from_name(item%text) == 0) then
-               call take_operation(item%text, name, value, message)
-            else
-               call tell_quotes()
-            end if
-            return
-         end if
+      if (rule%choices == '*') then
+         operation = operation_from_name(item%text)
+         if (operation > 0) chosen = trim(operation_name(operation))
+         if (operation == 0) advice = operation_advice(item%text)
+      else if (rule%choices /= '') then
          call split_words(rule%choices, choices)
-         call split_words(rule%later, later)
-         chosen = ''
          do i = 1, size(choices)
-            if (lower_case(item%text) == lower_case(trim(choices(i)))) chosen = trim(choices(i))
+            if (lower_case(item%text) == lower_case(trim(choices(i)))) exit
          end do
-         if (chosen == '') then
-            do i = 1, size(later)
-               if (lower_case(item%text) == trim(later(i))) message = name//' = '//quoted(item%text)// &
-                  ' is not available in this version; available: '//joined(choices, ', ')
-            end do
-            if (message == '') message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
-            return
+         if (i <= size(choices)) chosen = trim(choices(i))
+         if (i > size(choices)) then      ! all that are legal, too: a name with digits is near to many
+            advice = suggestion(item%text, choices)
+            if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
          end if
       else if (rule%required .and. item%text == '') then
          message = name//' is empty; give a text'
-         return
       else
          call find_text_fault(item%text, .not. any(not_in_cells == rule%key), message)
          if (message /= '') message = name//' = '//quoted(item%text)//' '//message
-         if (message /= '') return
       end if
-      if (item%kind == token_word) call tell_quotes()
-      if (message == '') call append_text(value%content%texts, chosen)
-   contains
-      subroutine tell_quotes()
+      if (advice /= '') message = name//' = '//quoted(item%text)//' is unknown; '//advice
+      if (message == '' .and. item%kind == token_word) &
          message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
-      end subroutine tell_quotes
+      if (message == '') call append_text(value%content%texts, chosen)
    end subroutine take_text
-
-   !> Takes an operation under its long name.
-   subroutine take_operation(text, name, value, message)
-      character(*), intent(in) :: text, name
-      type(value_type), intent(inout) :: value
-      character(:), allocatable, intent(out) :: message
-      integer :: operation
-      message = ''
-      operation = operation_from_name(text)
-      if (operation == 0) then
-         message = name//' = '//quoted(text)//' is unknown; '//operation_advice(text)
-      else
-         call append_text(value%content%texts, trim(operation_name(operation)))
-      end if
-   end subroutine take_operation
 
    !> Sets the default of a key, which the table states in units of SI.
    subroutine set_default(rule, value)
@@ -331,12 +291,8 @@ contains
    pure function shown(item) result(text)
       type(token_type), intent(in) :: item
       character(:), allocatable :: text
-      if (item%kind /= token_word) then
-         text = quoted(item%text)
-      else
-         text = quoted(item%text)
-         text = text(2:len(text) - 1)
-      end if
+      text = quoted(item%text)
+      if (item%kind == token_word) text = text(2:len(text) - 1)
    end function shown
 
    !> 'whole number' or 'number'.
@@ -372,12 +328,4 @@ contains
          end if
       end select
    end function needed_text
-
-   !> What to write instead of an unknown word: a near one, and all that are legal, since a name with digits is near to many.
-   pure function advice_of(word, choices) result(advice)
-      character(*), intent(in) :: word, choices(:)
-      character(:), allocatable :: advice
-      advice = suggestion(word, choices)
-      if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
-   end function advice_of
 end module dg_deck_values

@@ -3,7 +3,7 @@ module dg_foreign_names
    use dg_text, only: nearest_name, suggestion
    implicit none
    private
-   public :: group_advice, key_advice, meant_key
+   public :: key_advice, meant_key
 
    !> A group or key of a deck, with its names elsewhere.
    type :: names_type
@@ -51,15 +51,8 @@ module dg_foreign_names
 
 contains
 
-   !> Advice on an unknown group: the one that has its contents, else the nearest by its letters, else all.
-   pure function group_advice(name, legal) result(advice)
-      character(*), intent(in) :: name
-      character(*), intent(in) :: legal(:)
-      character(:), allocatable :: advice
-      advice = key_advice('', name, legal)
-   end function group_advice
-
-   !> Advice on an unknown key of a group, as for groups.
+   !> Advice on an unknown key of a group, or on an unknown group where `group` is '': the one that means the same, else the nearest
+   !> by its letters, else all.
    pure function key_advice(group, name, legal) result(advice)
       character(*), intent(in) :: group, name
       character(*), intent(in) :: legal(:)

@@ -45,30 +45,18 @@ contains
    pure subroutine find_near(name, near)
       character(*), intent(in) :: name       !< as `alike` gives it, without blanks
       logical, intent(out) :: near(operation_count)
-      integer :: i, best, distance
+      character(20), parameter :: names(*) = [character(20) :: operation_name, operation_aliases%name]
+      integer :: distance(size(names)), i, most
+      most = slips_of_long
+      if (len(name) <= short_name) most = slips_of_short
+      distance = [(edit_distance(name, trim(alike(names(i)))), i=1, size(names))]
       near = .false.
-      best = slips_of_long
-      if (len(name) <= short_name) best = slips_of_short
-      do i = 1, operation_count + size(operation_aliases)
-         distance = edit_distance(name, trim(alike(word(i))))
-         if (distance > best) cycle
-         if (distance < best) near = .false.
-         best = distance
-         near(operation_from_name(word(i))) = .true.
+      do i = 1, size(names)
+         if (distance(i) <= most .and. distance(i) == minval(distance)) near(operation_from_name(trim(names(i)))) = .true.
       end do
       if (any(near) .or. len(name) < shortest_stem) return
-      do i = 1, operation_count + size(operation_aliases)
-         if (index(alike(word(i)), name) == 1) near(operation_from_name(word(i))) = .true.
+      do i = 1, size(names)
+         if (index(alike(names(i)), name) == 1) near(operation_from_name(trim(names(i)))) = .true.
       end do
-   contains
-      pure function word(number)
-         integer, intent(in) :: number
-         character(:), allocatable :: word
-         if (number <= operation_count) then
-            word = trim(operation_name(number))
-         else
-            word = trim(operation_aliases(number - operation_count)%name)
-         end if
-      end function word
    end subroutine find_near
 end module dg_operation_advice
