@@ -5,11 +5,10 @@ module dg_deck_centralizer
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, text_of
    use dg_deck_draft, only: draft_component_type, draft_type
    use dg_fault_list, only: fault_list_type
-   use dg_merge_sort, only: first_equal
    use dg_missing, only: missing
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_centralizer
-   use dg_text, only: name_shown, quoted, suggestion, text_type, to_text
+   use dg_text, only: name_shown, quoted, suggestion, to_text
    implicit none
    private
    public :: take_centralizers
@@ -24,31 +23,30 @@ contains
       !> Keys that say nothing of a rigid centraliser.
       character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
-      integer :: named(size(groups))              !< first component of the name of each group; 0: none
-      integer :: next(size(draft%components))     !< component of the same name and string after each; 0: none
+      logical :: meant(size(draft%components))    ! by a group
       integer :: i, k, before
-      call match_names(groups, draft, named, next)
       do i = 1, size(groups)
          if (groups(i)%name /= 'centralizer') cycle
          associate (group => groups(i))
             before = faults%noted
             call draft_centralizer(group, centralizer)
             if (.not. is_whole(group)) cycle
-            if (named(i) == 0) call tell_unknown(draft, group, faults)
+            do k = 1, size(meant)
+               meant(k) = draft%components(k)%component%name == text_of(group, 'component', '') .and. &
+                          draft%components(k)%string == text_of(group, 'string', 'main')
+            end do
+            if (.not. any(meant)) call tell_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
                call group_fault(group, 'kind', "kind = 'bow' needs restoring_force", faults)
             do k = 1, size(of_bows)
                if (.not. centralizer%bow .and. is_given(group, trim(of_bows(k)))) call group_fault(group, trim(of_bows(k)), &
                   trim(of_bows(k))//" has no meaning with kind = 'rigid'; leave it out, or give kind = 'bow'", faults)
             end do
-            k = named(i)
-            do while (k > 0)
-               if (draft%components(k)%sound .and. faults%noted == before) then
-                  call check_on(draft%components(k))
-                  draft%components(k)%component%centralizer = centralizer
-                  if (.not. centralizer%bow) draft%components(k)%line_centralizer = line_of(group, 'od')
-               end if
-               k = next(k)
+            do k = 1, size(meant)
+               if (.not. (meant(k) .and. draft%components(k)%sound) .or. faults%noted > before) cycle
+               call check_on(draft%components(k))
+               draft%components(k)%component%centralizer = centralizer
+               if (.not. centralizer%bow) draft%components(k)%line_centralizer = line_of(group, 'od')
             end do
          end associate
       end do
@@ -92,37 +90,6 @@ contains
       centralizer%friction_axial = real_of(group, 'friction_axial', friction)
       centralizer%friction_rotary = real_of(group, 'friction_rotary', friction)
    end subroutine draft_centralizer
-
-   !> Finds the components of the name and string that each group &centralizer names.
-   pure subroutine match_names(groups, draft, named, next)
-      type(checked_group_type), intent(in) :: groups(:)
-      type(draft_type), intent(in) :: draft
-      integer, intent(out) :: named(:)       !< first component of each group; 0: none, or another group
-      integer, intent(out) :: next(:)        !< component of the same name and string after each; 0: none
-      character, parameter :: divider = achar(0)
-      type(text_type) :: names(size(next) + size(groups))
-      integer :: first(size(next) + size(groups)), last(size(next))
-      integer :: i, n
-      named = 0
-      next = 0
-      if (.not. any([(groups(i)%name == 'centralizer', i=1, size(groups))])) return
-      n = size(next)
-      do i = 1, n
-         names(i)%text = trim(draft%components(i)%string)//divider//draft%components(i)%component%name
-      end do
-      do i = 1, size(groups)
-         names(n + i)%text = ''
-         if (groups(i)%name == 'centralizer') names(n + i)%text = &
-            trim(text_of(groups(i), 'string', 'main'))//divider//text_of(groups(i), 'component', '')
-      end do
-      first = first_equal(names)
-      last = 0
-      do i = 1, n
-         if (last(first(i)) > 0) next(last(first(i))) = i
-         last(first(i)) = i
-      end do
-      where (first(n + 1:) <= n) named = first(n + 1:)
-   end subroutine match_names
 
    !> Tells of a group whose name and string no component has.
    subroutine tell_unknown(draft, group, faults)

@@ -109,7 +109,9 @@ contains
       end do
       first = first_equal(names)
       do i = 1, size(draft%cases)
-         if (first(i) < i) call tell_name(draft, i, first(i), faults)
+         if (first(i) < i .and. names(i)%text /= '') call add_fault(faults, draft%path, draft%cases(i)%line_name, &
+            'group &load_case: name '//quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
+            to_text(draft%cases(first(i))%line)//'; names must be unique, letter case aside')
          if (.not. draft%cases(i)%sound) cycle
          item = draft%cases(i)
          call check_case(draft, item, faults)
@@ -180,11 +182,7 @@ contains
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (.not. item%sound) cycle
-            if (size(draft%fluids) > 0) then
-               call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found, heaviest)
-            else
-               call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found)
-            end if
+            call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found, heaviest)
          end associate
       end do
       call tell_faults(draft, found, faults)
@@ -206,18 +204,6 @@ contains
          call tell_faults(draft, found, faults)
       end do
    end subroutine settle_openings
-
-   !> Names of cases become file names: unique, also where letter case does not count.
-   subroutine tell_name(draft, i, first, faults)
-      type(draft_type), intent(in) :: draft
-      integer, intent(in) :: i                 !< a case
-      integer, intent(in) :: first             !< the first case of its name
-      type(fault_list_type), intent(inout) :: faults
-      if (draft%cases(i)%load_case%name == '') return
-      call add_fault(faults, draft%path, draft%cases(i)%line_name, 'group &load_case: name '// &
-                     quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
-                     to_text(draft%cases(first)%line)//'; names must be unique, letter case aside')
-   end subroutine tell_name
 
    !> Survey and holes reach the bit.
    subroutine check_depth(draft, item, faults)

@@ -46,28 +46,20 @@ contains
    pure subroutine build_strings(draft, strings)
       type(draft_type), intent(in) :: draft
       type(drillstring_type), allocatable, intent(out) :: strings(:)
-      integer, dimension(size(draft%components)) :: lowest, string_of, parts
-      integer :: i, found
+      integer :: lowest(size(draft%components)), i, k, n
+      integer, allocatable :: parts(:)
       lowest = lowest_of(draft)
-      found = 0
-      parts = 0
+      allocate (strings(count(lowest == [(i, i=1, size(lowest))])))
+      n = 0
       do i = 1, size(lowest)
-         if (lowest(i) == i) found = found + 1
-         string_of(i) = found
-         if (lowest(i) < i) string_of(i) = string_of(lowest(i))
-         parts(string_of(i)) = parts(string_of(i)) + 1
-      end do
-      allocate (strings(found))
-      do i = 1, found
-         allocate (strings(i)%components(parts(i)))
-      end do
-      parts = 0
-      do i = 1, size(lowest)
-         associate (string => strings(string_of(i)), part => parts(string_of(i)))
-            if (part == 0) string%name = draft%components(i)%string
-            part = part + 1
-            string%components(part) = draft%components(i)%component
-         end associate
+         if (lowest(i) < i) cycle
+         n = n + 1
+         strings(n)%name = draft%components(i)%string
+         parts = pack([(k, k=1, size(lowest))], lowest == i)
+         allocate (strings(n)%components(size(parts)))
+         do k = 1, size(parts)
+            strings(n)%components(k) = draft%components(parts(k))%component
+         end do
       end do
    end subroutine build_strings
 end module dg_deck_model

@@ -6,7 +6,7 @@ module dg_unusual_input
    use dg_constants, only: degree, pi
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_type, lowest_of
-   use dg_load_case, only: load_case_type, operation_static
+   use dg_load_case, only: operation_static
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
@@ -212,7 +212,8 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i, k
       do k = 1, size(draft%cases)
-         if (.not. relies(draft%cases(k)%load_case)) cycle
+         if (draft%cases(k)%load_case%operation == operation_static .or. &
+             draft%cases(k)%load_case%friction_axial%present) cycle
          do i = 1, size(draft%holes)
             associate (hole => draft%holes(i))
                if (hole%friction_given .or. axial_friction(hole%section, draft%cases(k)%load_case%operation) > 0.0_wp .or. &
@@ -223,13 +224,6 @@ contains
          end do
          return
       end do
-   contains
-      !> True where a load case takes its friction from the hole.
-      pure function relies(load_case) result(does)
-         type(load_case_type), intent(in) :: load_case
-         logical :: does
-         does = load_case%operation /= operation_static .and. .not. load_case%friction_axial%present
-      end function relies
    end subroutine note_friction
 
    !> A bit above other components of its string: the string is listed from the top.
