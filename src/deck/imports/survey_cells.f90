@@ -1,7 +1,7 @@
 !> Cells of the rows of a survey table: between separators, or by their place below the headings.
 module dg_survey_cells
    use dg_deck_number, only: is_number
-   use dg_survey_columns, only: layout_type
+   use dg_survey_columns, only: layout_type, no_extent
    use dg_table_number, only: plain_number
    use dg_table_text, only: content_length, split_row
    use dg_text, only: append_text, text_type
@@ -83,14 +83,12 @@ contains
          if (has) then
             extent = found
          else
-            deallocate (extent)
-            allocate (extent(2, 0))
+            extent = no_extent
          end if
          return
       end do
       if (any(extent(2, :) == 0)) then
-         deallocate (extent)
-         allocate (extent(2, 0))
+         extent = no_extent
       end if
    end subroutine find_extents
 

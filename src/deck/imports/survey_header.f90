@@ -1,7 +1,7 @@
 !> Finds the header of a survey table, on one, two or three lines, and the columns that it names.
 module dg_survey_header
    use dg_survey_cells, only: count_numbers, part_phrases
-   use dg_survey_columns, only: choose_columns, column_names_type, layout_type
+   use dg_survey_columns, only: choose_columns, column_names_type, layout_type, no_extent
    use dg_survey_heading, only: column_inc, heading_type, is_heading_text, read_heading
    use dg_survey_stack, only: stack_by_count, stack_by_place
    use dg_survey_words, only: role_along, role_corrected, role_magnetic, role_md, role_measured, role_of, role_plan, role_sea, &
@@ -74,12 +74,11 @@ contains
    pure function is_header_line(text) result(is)
       character(*), intent(in) :: text
       logical :: is
-      integer :: length, i
-      length = content_length(text)
-      is = .false.
-      do i = 1, length
-         is = is .or. scan(text(i:i), 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ') == 1 .or. iachar(text(i:i)) > 127
-      end do
+      integer :: i
+      associate (content => text(:content_length(text)))
+         is = scan(content, 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ') > 0 .or. &
+              any([(iachar(content(i:i)) > 127, i=1, len(content))])
+      end associate
    end function is_header_line
 
    pure function is_complete(layout) result(complete)
@@ -168,8 +167,7 @@ contains
       do attempt = 1, 3
          layout%wide = .false.
          layout%separator = separator
-         if (allocated(layout%extent)) deallocate (layout%extent)
-         allocate (layout%extent(2, 0))
+         layout%extent = no_extent
          if (separator == ' ') then
             call stack_by_place(lines, first_line, last, data_line, layout, texts)
          else

@@ -139,20 +139,16 @@ contains
       type(layout_type), intent(in) :: layout
       type(column_names_type), intent(in) :: names
       character(:), allocatable :: message
-      integer :: i, column, times
+      integer :: i, column
       message = ''
       do column = 1, 3
-         times = 0
-         if (layout%place(column) == 0) cycle
-         if (names%names(column) /= '') cycle
-         do i = 1, layout%width
-            associate (heading => layout%headings(i))
-               if (heading%name == column_name(column) .and. heading%unit == layout%headings(layout%place(column))%unit) &
-                  times = times + 1
-            end associate
-         end do
-         if (times > 1) message = 'the header names '//trim(column_name(column))//' twice; keep one'
-         if (times > 1) return
+         if (layout%place(column) == 0 .or. names%names(column) /= '') cycle
+         associate (headings => layout%headings, taken => layout%headings(layout%place(column)))
+            if (count([(headings(i)%name == column_name(column) .and. headings(i)%unit == taken%unit, &
+                        i=1, layout%width)]) < 2) cycle
+         end associate
+         message = 'the header names '//trim(column_name(column))//' twice; keep one'
+         return
       end do
       do i = 1, layout%width
          if (.not. layout%headings(i)%minutes) cycle

@@ -11,7 +11,7 @@ module dg_survey_lines
    private
    public :: is_text, longest_run, is_header_again, is_error_cell, is_quadrant
 
-   character(*), parameter :: digits = '0123456789'
+   character(*), parameter :: digits = '0123456789', letters = 'abcdefghijklmnopqrstuvwxyz'
 
 contains
 
@@ -24,7 +24,7 @@ contains
       logical :: is
       integer :: numbers, k, place
       is = .false.
-      if (size(row) == 0 .or. .not. any_letters(row)) return
+      if (.not. any([(scan(lower_case(row(k)%text), letters) > 0, k=1, size(row))])) return
       numbers = count(legal .and. layout%place(:3) > 0)
       if (size(row) == layout%width) then
          if (numbers > merge(1, 0, layout%separator == ' ') .or. legal(column_md)) return
@@ -46,7 +46,6 @@ contains
       type(text_type), intent(in) :: row(:)
       integer :: words
       character(*), parameter :: no_words(9) = [character(5) :: 'na', 'nan', 'null', 'none', 'err', 'error', 'bad', 'fail', 'inf']
-      character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyz'
       character(:), allocatable :: text
       integer :: i
       words = 0
@@ -94,16 +93,6 @@ contains
          longest = max(longest, run)
       end do
    end function longest_run
-
-   pure function any_letters(row) result(any)
-      type(text_type), intent(in) :: row(:)
-      logical :: any
-      integer :: i
-      any = .false.
-      do i = 1, size(row)
-         any = any .or. scan(lower_case(row(i)%text), 'abcdefghijklmnopqrstuvwxyz') > 0
-      end do
-   end function any_letters
 
    !> Whether a line is one of the header, or of its units, once more.
    pure function is_header_again(lines, layout, line) result(is)

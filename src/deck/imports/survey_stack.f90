@@ -1,7 +1,7 @@
 !> Headings of a survey table, put together from the lines of its header.
 module dg_survey_stack
    use dg_survey_cells, only: count_numbers, find_extents, part_phrases
-   use dg_survey_columns, only: layout_type
+   use dg_survey_columns, only: layout_type, no_extent
    use dg_survey_words, only: role_along, role_angle, role_azi, role_corrected, role_datum, role_direction, role_drift, role_grid, &
       role_magnetic, role_measured, role_neutral, role_of, role_plan, role_station, role_total, role_true, role_unit, &
       role_unknown, role_vertical, words_of
@@ -112,8 +112,7 @@ contains
          call split_row(header, ' ', words)
          if (size(phrases) == size(wide_row) .and. size(phrases) > 1) then
             layout%wide = .true.
-            deallocate (layout%extent)
-            allocate (layout%extent(2, 0))
+            layout%extent = no_extent
             call take(phrases)
             return
          end if
@@ -136,8 +135,7 @@ contains
          type(text_type), intent(in) :: fields(:)
          texts = fields
          if (size(fields) /= size(layout%extent, 2)) then
-            deallocate (layout%extent)
-            allocate (layout%extent(2, 0))
+            layout%extent = no_extent
          end if
       end subroutine take
    end subroutine stack_by_place
@@ -145,6 +143,8 @@ contains
    !> Joins words that make one heading: Measured Depth, Hole Angle, Inc deg.
    subroutine join_words(words)
       type(text_type), allocatable, intent(inout) :: words(:)
+      integer, parameter :: modifiers(*) = [role_measured, role_along, role_vertical, role_true, role_grid, role_corrected, &
+                                            role_magnetic, role_total, role_station, role_neutral, role_plan]
       character(:), allocatable :: text, word
       type(text_type), allocatable :: parts(:)
       integer :: role, before, i
@@ -156,7 +156,7 @@ contains
          role = role_unknown
          if (size(parts) == 1) role = role_of(parts(1)%text)
          if (scan(word(1:1), '([') == 1) role = role_unit
-         if (i > 1 .and. (is_modifier(before) .or. any(role == [role_unit, role_angle, role_datum]) .or. &
+         if (i > 1 .and. (any(before == modifiers) .or. any(role == [role_unit, role_angle, role_datum]) .or. &
                           (before == role_drift .and. any(role == [role_azi, role_direction])))) then
             text = text//' '//word
          else
@@ -165,14 +165,6 @@ contains
          before = role
       end do
       call split_row(text(2:), achar(9), words)
-
-   contains
-      pure function is_modifier(kind) result(is)
-         integer, intent(in) :: kind
-         logical :: is
-         is = any(kind == [role_measured, role_along, role_vertical, role_true, role_grid, role_corrected, role_magnetic, &
-                           role_total, role_station, role_neutral, role_plan])
-      end function is_modifier
    end subroutine join_words
 
    !> Puts each word of a line, brackets with what they hold as one, to the column above which it stands.

@@ -74,7 +74,6 @@ contains
    pure subroutine join_letters(words)
       type(text_type), allocatable, intent(inout) :: words(:)
       character(*), parameter :: known(3) = [character(3) :: 'md', 'tvd', 'ahd']
-      type(text_type), allocatable :: joined(:)
       character(:), allocatable :: letters
       integer :: i
       letters = ''
@@ -83,12 +82,8 @@ contains
          letters = letters//words(i)%text
       end do
       if (.not. any(known == letters)) return
-      allocate (joined(0))
-      call append_text(joined, letters)
-      do i = len(letters) + 1, size(words)
-         call append_text(joined, words(i)%text)
-      end do
-      call move_alloc(joined, words)
+      words(len(letters))%text = letters
+      words = words(len(letters):)
    end subroutine join_letters
 
    !> Adds a word, or the words that it is written together from.
@@ -96,6 +91,7 @@ contains
       character(*), intent(in) :: word
       type(text_type), allocatable, intent(inout) :: words(:)
       integer :: cut(0:len(word))     ! where the last word of what ends here begins; 0: no words end here
+      integer, allocatable :: starts(:)
       integer :: i, first
       cut = 0
       if (role_of(word) == role_unknown .and. len(word) <= 3*longest) then
@@ -110,25 +106,14 @@ contains
             end do
          end do
       end if
-      if (cut(len(word)) <= 1) then
-         call append_text(words, word)
-         return
-      end if
-      first = cut(len(word))
-      call add_parts(word(:first - 1), cut(0:first - 1), words)
-      call append_text(words, word(first:))
+      allocate (starts(1), source=len(word) + 1)
+      do while (starts(1) > 1)
+         starts = [max(cut(starts(1) - 1), 1), starts]
+      end do
+      do i = 1, size(starts) - 1
+         call append_text(words, word(starts(i):starts(i + 1) - 1))
+      end do
    end subroutine add_word
-
-   !> Adds the words of which the letters before a cut are made.
-   pure recursive subroutine add_parts(letters_before, cut, words)
-      character(*), intent(in) :: letters_before
-      integer, intent(in) :: cut(0:)
-      type(text_type), allocatable, intent(inout) :: words(:)
-      integer :: first
-      first = cut(len(letters_before))
-      if (first > 1) call add_parts(letters_before(:first - 1), cut(0:first - 1), words)
-      call append_text(words, letters_before(max(first, 1):))
-   end subroutine add_parts
 
    !> The part that a word in small letters plays.
    pure function role_of(word) result(role)
