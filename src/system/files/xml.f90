@@ -8,7 +8,7 @@ module dg_xml
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_system_reason, only: from_c_text
    use dg_text, only: text_type, to_text
-   use dg_xml_tree, only: close_element, new_tree, open_element, xml_tree_type
+   use dg_xml_tree, only: close_element, open_element, xml_tree_type
    implicit none
    private
    public :: read_tree
@@ -25,7 +25,7 @@ module dg_xml
 
    integer, parameter :: deepest = 100, most_text = 1000, block_length = 65536
    !> Elements that are kept of a document: 15,000 stations have 400,000.
-   integer, parameter :: most_elements = 4000000
+   integer, parameter :: most_elements = 4000000, first_room = 1024
    character(*), parameter :: library = 'libexpat.so.1'
 
    abstract interface
@@ -128,7 +128,9 @@ contains
       procedure(c_line_number), pointer :: line_number
       integer(c_int), parameter :: lazy = 1
       failure = ''
-      call new_tree(chosen, kept, tree)
+      allocate (tree%elements(first_room))
+      tree%chosen = ' '//chosen//' '
+      tree%kept = ' '//kept//' '
       handle = c_dlopen(library//c_null_char, lazy)
       if (.not. c_associated(handle)) then
          failure = 'is XML, and '//library//', which reads it, is not on this machine. Install it (package libexpat1), '// &

@@ -3,7 +3,7 @@ module dg_xml_tree
    use dg_text, only: append_text, lower_case, text_type
    implicit none
    private
-   public :: xml_tree_type, attribute, child, close_element, new_tree, open_element, text_at
+   public :: xml_tree_type, attribute, child, close_element, open_element, text_at
 
    type :: xml_element_type
       character(:), allocatable :: name            !< without prefix, in lower case
@@ -18,22 +18,11 @@ module dg_xml_tree
       type(xml_element_type), allocatable :: elements(:)
       integer :: n = 0
       integer :: open = 0                          !< element that is being read; 0: one that is not chosen
-      character(:), allocatable, private :: chosen, kept  !< names with blanks round them
+      character(:), allocatable :: chosen, kept    !< names of elements and attributes, with blanks round them
    end type xml_tree_type
 
-   integer, parameter :: first_room = 1024
 
 contains
-
-   !> A tree that nothing is in yet.
-   subroutine new_tree(chosen, kept, tree)
-      character(*), intent(in) :: chosen           !< names of elements in lower case, a blank between two
-      character(*), intent(in) :: kept             !< the same of attributes
-      type(xml_tree_type), intent(inout) :: tree
-      allocate (tree%elements(first_room))
-      tree%chosen = ' '//chosen//' '
-      tree%kept = ' '//kept//' '
-   end subroutine new_tree
 
    !> An element begins: it is kept where it is chosen, or stands in a chosen one. Names may have a prefix.
    subroutine open_element(tree, name, attributes, line)
