@@ -2,37 +2,37 @@
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_open_deck
    use dg_kinds, only: wp
+   use dg_catalogue, only: catalogue_within
    use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, places_of, real_of, &
                                text_of
-   use dg_catalogue, only: catalogue_within
-   use dg_deck_centralizer, only: take_centralizers
+   use dg_deck_advice, only: key_advice
    use dg_deck_catalogue, only: fill_from_catalogue
+   use dg_deck_centralizer, only: take_centralizers
    use dg_deck_check, only: close_holes, check_draft
-   use dg_deck_draft, only: deck_type, draft_type
-   use dg_deck_fluid, only: draft_fluid
-   use dg_deck_model, only: build_model
-   use dg_numerics, only: settings_of
+   use dg_deck_draft, only: deck_type, draft_type, lowest_of, sections_of
+   use dg_deck_fluid, only: draft_fluid, note_fluids, place_fluids
    use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
-   use dg_fluid_notes, only: note_fluids
    use dg_deck_schema, only: group_keys_type, group_place, name_length
-   use dg_deck_survey, only: read_stations
-   use dg_deck_tortuosity, only: take_tortuosity
-   use dg_deck_tie_on, only: tie_on
    use dg_deck_source, only: default_folder, input_path
+   use dg_deck_survey, only: read_stations
    use dg_deck_text, only: group_type, parse_groups
+   use dg_deck_tie_on, only: tie_on
    use dg_deck_token, only: token_type, tokenize
+   use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_values, only: check_group
+   use dg_drillstring, only: drillstring_type
+   use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: beside
-   use dg_foreign_names, only: key_advice
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
+   use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
-   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
-   use dg_unusual_input, only: note_unusual
+   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: unit_system, unit_system_type, si_units
+   use dg_unusual_input, only: note_unusual
    implicit none
    private
    public :: open_deck, close_deck
@@ -320,4 +320,54 @@ contains
          end do
       end function count_of
    end subroutine take_draft
+
+   !> Builds the model. Faults left to find are a path that the stations do not allow, and what fluids need the path for.
+   subroutine build_model(draft, model, faults)
+      type(draft_type), intent(in) :: draft
+      type(model_type), intent(out) :: model
+      type(fault_list_type), intent(inout) :: faults
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call new_trajectory(model%trajectory, draft%stations%md, draft%stations%inclination, draft%stations%azimuth, &
+                          draft%interpolation, error)
+      if (allocated(error)) then
+         call add_fault(faults, draft%path, draft%trajectory_line, 'group &trajectory: '//error%message)
+         return
+      end if
+      if (allocated(draft%path_notes)) model%path_notes = draft%path_notes
+      model%holes = sections_of(draft)
+      allocate (model%cases(size(draft%cases)))
+      do i = 1, size(draft%cases)
+         model%cases(i) = draft%cases(i)%load_case
+      end do
+      call build_strings(draft, model%strings)
+      model%boundary = draft%boundary
+      model%numerics = draft%numerics
+      model%rig = draft%rig
+      call place_fluids(draft, model%trajectory, model%mud, faults)
+      model%gravity = draft%gravity
+      model%units = draft%units
+   end subroutine build_model
+
+   !> Components of one name make one string, in the deck's order.
+   pure subroutine build_strings(draft, strings)
+      type(draft_type), intent(in) :: draft
+      type(drillstring_type), allocatable, intent(out) :: strings(:)
+      integer :: lowest(size(draft%components)), i, k, n
+      integer, allocatable :: parts(:)
+      lowest = lowest_of(draft)
+      allocate (strings(count(lowest == [(i, i=1, size(lowest))])))
+      n = 0
+      do i = 1, size(lowest)
+         if (lowest(i) < i) cycle
+         n = n + 1
+         strings(n)%name = draft%components(i)%string
+         parts = pack([(k, k=1, size(lowest))], lowest == i)
+         allocate (strings(n)%components(size(parts)))
+         do k = 1, size(parts)
+            strings(n)%components(k) = draft%components(parts(k))%component
+         end do
+      end do
+   end subroutine build_strings
 end module dg_open_deck

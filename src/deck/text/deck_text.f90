@@ -1,7 +1,6 @@
 !> The groups of a deck as they stand in its text: keys with their values, still as text, with line numbers.
 module dg_deck_text
-   use dg_deck_token, only: token_type, token_group, token_end, token_word, token_text, token_open_text, &
-      token_equals, token_comma, token_stray
+   use dg_deck_token, only: token_type, token_group, token_end, token_word, token_open_text, token_equals, token_comma
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: lower_case, quoted, to_text
    implicit none

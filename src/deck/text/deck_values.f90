@@ -3,6 +3,7 @@
 module dg_deck_values
    use dg_kinds, only: wp
    use dg_checked_group, only: value_type, checked_group_type
+   use dg_deck_advice, only: key_advice, meant_key, operation_advice, unit_advice, value_advice
    use dg_deck_number, only: read_real, read_integer, read_logical
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
       rule_place, split_words, listed, name_length
@@ -10,14 +11,11 @@ module dg_deck_values
    use dg_deck_text, only: group_type, entry_type
    use dg_deck_token, only: token_type, token_word
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_foreign_names, only: key_advice, meant_key
    use dg_load_case, only: operation_from_name, operation_name
-   use dg_operation_advice, only: operation_advice
    use dg_text, only: append_text, lower_case, quoted, suggestion, to_text, joined
    use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
-   use dg_value_advice, only: value_advice, unit_advice
    implicit none
    private
    public :: check_group
