@@ -24,6 +24,7 @@ contains
       character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
       logical :: meant(size(draft%components))    ! by a group
+      character(:), allocatable :: name, string
       integer :: i, k, before
       do i = 1, size(groups)
          if (groups(i)%name /= 'centralizer') cycle
@@ -31,9 +32,10 @@ contains
             before = faults%noted
             call draft_centralizer(group, centralizer)
             if (.not. is_whole(group)) cycle
+            name = text_of(group, 'component', '')
+            string = text_of(group, 'string', 'main')
             do k = 1, size(meant)
-               meant(k) = draft%components(k)%component%name == text_of(group, 'component', '') .and. &
-                          draft%components(k)%string == text_of(group, 'string', 'main')
+               meant(k) = draft%components(k)%component%name == name .and. draft%components(k)%string == string
             end do
             if (.not. any(meant)) call tell_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &

@@ -188,10 +188,11 @@ contains
          if (groups(i)%name /= 'job') cycle
          associate (keys => rules(group_place(rules, 'job'))%keys)
             call check_group(path, groups(i), keys, units, checked, found)
-            known = .not. is_given(checked, 'units') .or. is_sound(checked, 'units')
+            if (.not. is_given(checked, 'units')) cycle
+            known = is_sound(checked, 'units')
             if (.not. known) call check_group(path, groups(i), keys, units, checked, faults)
          end associate
-         if (is_sound(checked, 'units')) units = unit_system(text_of(checked, 'units', ''))
+         if (known) units = unit_system(text_of(checked, 'units', ''))
          return
       end do
    end subroutine find_units
