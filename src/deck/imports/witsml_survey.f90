@@ -211,11 +211,13 @@ contains
       type(station_type), intent(in) :: stations(:)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(station_type) :: sorted(size(stations))
+      real(wp) :: md(size(stations))
       integer :: i, k, row, length, n
       logical :: wanted(value_count), in_place
       character(:), allocatable :: text
       n = size(stations)
-      sorted = stations(sorted_places(stations%values(of_md)))
+      md = stations%values(of_md)
+      sorted = stations(sorted_places(md))
       do k = 1, value_count
          wanted(k) = k <= of_azi .or. all(stations%has(k))
       end do
