@@ -245,13 +245,13 @@ contains
             read (written, *) number
             do d = -1, 1         ! fewer digits where they lie within that
                number = number*factor*(1.0_wp + d*rounded)
-               call hold_in_range(rules(k), si_units(), number, holds)
+               call hold_in_range(rules(k), number, holds)
                call assertTrue(holds, message=trim(rules(k)%key)//' = '//written)
                call assertTrue(number <= ending, message=trim(rules(k)%key)//' is not beyond its range')
                number = ending/factor
             end do
             number = ending*(1.0_wp + beyond)
-            call hold_in_range(rules(k), si_units(), number, holds)
+            call hold_in_range(rules(k), number, holds)
             call assertFalse(holds, message=trim(rules(k)%key)//' beyond its range')
             checked = checked + 1
          end do

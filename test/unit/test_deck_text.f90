@@ -133,7 +133,7 @@ contains
       call assertEqual(2, groups(1)%entries(2)%line)
       call assertEqual(2, groups(1)%entries(2)%first)
       call assertEqual(3, groups(1)%entries(2)%last)
-      call assertTrue(groups(1)%entries(2)%values(2)%in_quotes)
+      call assertEqual(token_text, groups(1)%entries(2)%values(2)%kind)
       call assertEqual(0, size(groups(2)%entries))
    end subroutine test_groups
 
@@ -200,14 +200,14 @@ contains
 
    !> 1 m = 3.28084 ft, 25.4 mm = 1 in.
    subroutine test_ranges()
-      call assertEqual('> 0 mm', range_text(key_rule_type(unit=unit_diameter, low=0.0_wp, open=.true.), si_units(), si_units()))
-      call assertEqual('>= 1 m', range_text(key_rule_type(unit=unit_length, low=1.0_wp), si_units(), si_units()))
-      call assertEqual('1 to 2', range_text(key_rule_type(low=1.0_wp, high=2.0_wp), si_units(), si_units()))
+      call assertEqual('> 0 mm', range_text(key_rule_type(unit=unit_diameter, low=0.0_wp, open=.true.), si_units()))
+      call assertEqual('>= 1 m', range_text(key_rule_type(unit=unit_length, low=1.0_wp), si_units()))
+      call assertEqual('1 to 2', range_text(key_rule_type(low=1.0_wp, high=2.0_wp), si_units()))
       call assertEqual('3.2808 to 6.5617 ft', range_text(key_rule_type(unit=unit_length, low=1.0_wp, high=2.0_wp), &
-                                                         field_units(), si_units()))
+                                                         field_units()))
       call assertEqual('> 0 and <= 1 in', range_text(key_rule_type(unit=unit_diameter, low=0.0_wp, high=25.4_wp, &
-                                                                   open=.true.), field_units(), si_units()))
-      call assertEqual('', range_text(key_rule_type(), si_units(), si_units()))
+                                                                   open=.true.), field_units()))
+      call assertEqual('', range_text(key_rule_type(), si_units()))
    end subroutine test_ranges
 
    subroutine test_order_of_faults()

@@ -174,7 +174,7 @@ contains
       call draw('for n in $names; do case $n in a) whole a;; *) cut $n; sleep 1000;; esac; done', 1.0_wp, drawn, error)
       call assertTrue(all(drawn .eqv. [.true., .false., .false.]))
       call assertTrue(allocated(error))
-      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 1.0 s and was ended: 1 of 3') > 0 &
+      if (allocated(error)) call assertTrue(index(error%message, 'drew nothing for 1 s and was ended: 1 of 3') > 0 &
                                             .and. index(error%message, ' b.gp ') > 0, message=error%message)
       call assertFalse(is_file('b.svg') .or. is_file('b.svg.unfinished'))
       call draw('for n in $names; do whole $n; done; sleep 1000', 1.0_wp, drawn, error)

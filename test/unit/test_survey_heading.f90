@@ -269,13 +269,9 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(column_names_type) :: named
       type(error_type), allocatable :: error
-      integer :: i
       call write_text_file(path, lines_between(table, ';'), error)
       call assertFalse(allocated(error))
-      do i = 1, 3
-         named%names(i)%text = ''
-         if (present(names)) named%names(i)%text = trim(names(i))
-      end do
+      if (present(names)) named%names = names
       call read_survey_file(path, si_units(), stations, sound, faults, named=named)
    end subroutine read_table
 end module dg_test_survey_heading

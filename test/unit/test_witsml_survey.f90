@@ -148,12 +148,8 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(column_names_type) :: named
       type(error_type), allocatable :: error
-      integer :: i
       call write_text_file(path, lines_between(document, '|'), error)
       call assertFalse(allocated(error))
-      do i = 1, 3
-         named%names(i)%text = ''
-      end do
       named%well = wanted
       call read_survey_file(path, si_units(), stations, sound, faults, named=named)
    end subroutine read_document

@@ -174,8 +174,6 @@ contains
       logical, intent(in) :: uppermost
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: lines(:)
-      logical :: is_stabilizer
-      is_stabilizer = part%kind == 'stabilizer'
       if (part%remark /= '') call append_text(lines, '! '//comment(part%remark))
       call append_text(lines, '&component')
       call put_text(lines, 'name', part%name)
@@ -186,43 +184,44 @@ contains
       end if
       if (uppermost) then
          call put_number(lines, 'length', 0.0_wp, 'to surface; the file: '//to_text(part%length/units%length, digits))
-      else if (part%length > 0.0_wp) then
-         call put_number(lines, 'length', part%length/units%length, '')
       else
-         call put_number(lines, 'length', part_length/units%length, 'GUESSED: MISSING in the file')
+         call put_known('length', part%length, units%length, part_length, 'GUESSED: MISSING in the file')
       end if
-      if (part%od > 0.0_wp) then
-         call put_number(lines, 'od', part%od/units%diameter, '')
+      call put_known('od', part%od, units%diameter, max(pipe_od, part%id*wider), 'GUESSED: MISSING in the file')
+      call put_known('id', merge(part%id, 0.0_wp, part%id < part%od .or. part%od <= 0.0_wp), units%diameter, 0.0_wp, &
+                     'GUESSED: solid; the file: '//to_text(part%id/units%diameter, digits))
+      call put_known('mass', part%mass, units%mass_per_length)
+      if (part%mass <= 0.0_wp) call append_text(lines, '  ! mass MISSING: that of a steel tube of od and id')
+      if (part%kind == 'stabilizer') then
+         call put_known('joint_od', part%joint_od, units%diameter, max(part%od, pipe_od), &
+                        'GUESSED: diameter of the blades is MISSING')
       else
-         call put_number(lines, 'od', max(pipe_od, part%id*wider)/units%diameter, 'GUESSED: MISSING in the file')
+         call put_known('joint_od', part%joint_od, units%diameter)
+         if (part%joint_od <= 0.0_wp .and. (part%kind == 'drillpipe' .or. part%kind == 'hwdp')) &
+            call append_text(lines, '  ! joint_od MISSING: the tool joints as wide as the body')
       end if
-      if (part%id > 0.0_wp .and. (part%id < part%od .or. part%od <= 0.0_wp)) then
-         call put_number(lines, 'id', part%id/units%diameter, '')
-      else
-         call put_number(lines, 'id', 0.0_wp, 'GUESSED: solid; the file: '//to_text(part%id/units%diameter, digits))
-      end if
-      if (part%mass > 0.0_wp) then
-         call put_number(lines, 'mass', part%mass/units%mass_per_length, '')
-      else
-         call append_text(lines, '  ! mass MISSING: that of a steel tube of od and id')
-      end if
-      if (part%joint_od > 0.0_wp) then
-         call put_number(lines, 'joint_od', part%joint_od/units%diameter, '')
-      else if (is_stabilizer) then
-         call put_number(lines, 'joint_od', max(part%od, pipe_od)/units%diameter, 'GUESSED: diameter of the blades is MISSING')
-      else if (part%kind == 'drillpipe' .or. part%kind == 'hwdp') then
-         call append_text(lines, '  ! joint_od MISSING: the tool joints as wide as the body')
-      end if
-      if (part%joint_id > 0.0_wp) call put_number(lines, 'joint_id', part%joint_id/units%diameter, '')
-      if (part%joint_length > 0.0_wp) call put_number(lines, 'joint_length', part%joint_length/units%length, '')
-      if (part%yield > 0.0_wp) call put_number(lines, 'yield', part%yield/units%stress, '')
-      if (part%makeup_torque > 0.0_wp) call put_number(lines, 'makeup_torque', part%makeup_torque/units%moment, '')
-      if (part%bend > 0.0_wp) then
-         call put_number(lines, 'bend', part%bend/degree, '')
-         call put_number(lines, 'bend_position', part%bend_position/units%length, &
-                         trim(merge('MISSING: 0', '          ', part%bend_position <= 0.0_wp)))
-      end if
+      call put_known('joint_id', part%joint_id, units%diameter)
+      call put_known('joint_length', part%joint_length, units%length)
+      call put_known('yield', part%yield, units%stress)
+      call put_known('makeup_torque', part%makeup_torque, units%moment)
+      call put_known('bend', part%bend, degree)
+      if (part%bend > 0.0_wp) call put_known('bend_position', part%bend_position, units%length, 0.0_wp, 'MISSING: 0')
       call append_text(lines, '/')
+
+   contains
+
+      !> A number that the files have, or a guess; without a guess nothing.
+      subroutine put_known(key, number, unit, guess, remark)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: number, unit               !< [SI]
+         real(wp), intent(in), optional :: guess            !< [SI]
+         character(*), intent(in), optional :: remark       !< on the guess
+         if (number > 0.0_wp) then
+            call put_number(lines, key, number/unit, '')
+         else if (present(guess)) then
+            call put_number(lines, key, guess/unit, remark)
+         end if
+      end subroutine put_known
    end subroutine put_part
 
    !> Three operations at the depth of the string.

@@ -12,8 +12,10 @@ module dg_import_case
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_units, only: field_units, si_units, unit_system, unit_system_type
-   use dg_witsml_case, only: has_trajectory, is_called, read_witsml_case, well_of, witsml_elements
-   use dg_xml_tree, only: read_tree, xml_tree_type
+   use dg_witsml_case, only: has_trajectory, is_called, read_witsml_case, witsml_elements
+   use dg_witsml_survey, only: well_of
+   use dg_xml, only: read_tree
+   use dg_xml_tree, only: xml_tree_type
    implicit none
    private
    public :: import_case
@@ -148,10 +150,7 @@ contains
       type(fault_list_type) :: faults
       type(column_names_type) :: names
       logical :: sound
-      integer :: i, at
-      do i = 1, size(names%names)
-         names%names(i)%text = ''
-      end do
+      integer :: at
       names%well = wanted
       call read_survey_file(path, si_units(), stations, sound, faults, named=names)
       if (.not. sound) then

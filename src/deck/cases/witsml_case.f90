@@ -6,10 +6,11 @@ module dg_witsml_case
    use dg_kinds, only: wp
    use dg_merge_sort, only: sorted_places
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
-   use dg_xml_tree, only: attribute, child, xml_tree_type
+   use dg_witsml_survey, only: object_name, well_of
+   use dg_xml_tree, only: attribute, child, text_at, xml_tree_type
    implicit none
    private
-   public :: witsml_elements, has_trajectory, is_called, read_witsml_case, well_of
+   public :: witsml_elements, has_trajectory, is_called, read_witsml_case
 
    character(*), parameter :: witsml_elements = 'trajectory tubular wbgeometry wellboregeometry fluidsreport'
 
@@ -54,35 +55,6 @@ contains
          has = has .or. (is_called(tree, i, well) .and. is_called(tree, i, name))
       end do
    end function has_trajectory
-
-   !> Well of an object; of series 2, which names the wellbore alone, that.
-   function well_of(tree, i) result(name)
-      type(xml_tree_type), intent(in) :: tree
-      integer, intent(in) :: i
-      character(:), allocatable :: name
-      name = text_at(tree, i, 'namewell')
-      if (name == '') name = text_at(tree, i, 'wellbore/title')
-   end function well_of
-
-   function object_name(tree, i) result(name)
-      type(xml_tree_type), intent(in) :: tree
-      integer, intent(in) :: i
-      character(:), allocatable :: name
-      name = text_at(tree, i, 'name')
-      if (name == '') name = text_at(tree, i, 'citation/title')
-   end function object_name
-
-   !> Text of the element at a path; '' where it is absent.
-   pure function text_at(tree, i, path) result(text)
-      type(xml_tree_type), intent(in) :: tree
-      integer, intent(in) :: i
-      character(*), intent(in) :: path
-      character(:), allocatable :: text
-      integer :: k
-      text = ''
-      k = child(tree, i, path)
-      if (k > 0) text = tree%elements(k)%text
-   end function text_at
 
    !> Takes hole, string and mud of a well from one document, each once.
    subroutine read_witsml_case(tree, well, case, failure)

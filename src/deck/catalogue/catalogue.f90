@@ -9,6 +9,7 @@ module dg_catalogue
    use dg_deck_schema, only: key_rule_type
    use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
    use dg_file_lines, only: beside, read_lines
+   use dg_merge_sort, only: first_equal
    use dg_quantity, only: system_count, unit_type
    use dg_table_text, only: split_fields, without_comment
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
@@ -30,8 +31,6 @@ module dg_catalogue
    character(*), parameter :: numeric_keys(15) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
       'opened_od', 'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion']
    character(*), parameter :: kind_of_grades = 'grade'
-   !> Lists of entries in which a name is looked for, so that a catalogue of many thousands takes no longer an entry.
-   integer, parameter :: buckets = 10007, spread_factor = 31
    !> Columns of texts, and those that no component needs.
    integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3, column_connection = -4
 
@@ -132,29 +131,17 @@ contains
       type(catalogue_type), intent(in) :: catalogue
       integer, intent(in) :: line_of(:)                 !< of each entry
       type(fault_list_type), intent(inout) :: faults
-      integer, allocatable :: next(:)
-      integer :: heads(0:buckets - 1)
-      integer :: i, j, k, bucket
-      character(:), allocatable :: name
-      allocate (next(size(catalogue%entries)))
-      heads = 0
-      do i = 1, size(catalogue%entries)
-         name = plain(catalogue%entries(i)%name)
-         if (name == '') cycle
-         bucket = 0
-         do k = 1, len(name)
-            bucket = modulo(bucket*spread_factor + iachar(name(k:k)), buckets)
-         end do
-         j = heads(bucket)
-         do while (j > 0)
-            if (plain(catalogue%entries(j)%name) == name .and. &
-                ((catalogue%entries(j)%kind == kind_of_grades) .eqv. (catalogue%entries(i)%kind == kind_of_grades))) exit
-            j = next(j)
-         end do
-         if (j > 0) call add_fault(faults, catalogue%path, line_of(i), 'catalogue: '//quoted(catalogue%entries(i)%name)// &
-                                   ' stands in line '//to_text(line_of(j))//' already; keep one')
-         next(i) = heads(bucket)
-         heads(bucket) = i
+      type(text_type) :: names(size(catalogue%entries))
+      integer :: first(size(names)), i
+      do i = 1, size(names)
+         names(i)%text = plain(catalogue%entries(i)%name)
+         if (catalogue%entries(i)%kind == kind_of_grades) names(i)%text = kind_of_grades//': '//names(i)%text
+      end do
+      first = first_equal(names)
+      do i = 1, size(names)
+         if (first(i) == i .or. catalogue%entries(i)%name == '') cycle
+         call add_fault(faults, catalogue%path, line_of(i), 'catalogue: '//quoted(catalogue%entries(i)%name)// &
+                        ' stands in line '//to_text(line_of(first(i)))//' already; keep one')
       end do
    end subroutine check_names
 
@@ -166,6 +153,8 @@ contains
       integer, allocatable, intent(out) :: columns(:)
       real(wp), allocatable, intent(out) :: factors(:)
       type(fault_list_type), intent(inout) :: faults
+      type(unit_system_type) :: units
+      type(key_rule_type) :: rule
       integer :: i, k, system
       allocate (columns(size(fields)), source=column_ignored)
       allocate (factors(size(fields)), source=1.0_wp)
@@ -177,8 +166,12 @@ contains
          case ('connection'); columns(i) = column_connection
          case default
             do k = 1, size(numeric_keys)
+               rule = rule_of(k)
                do system = 1, system_count
-                  call match(fields(i)%text, k, system_of(system))
+                  units = system_of(system)
+                  if (lower_case(fields(i)%text) /= lower_case(heading_of(rule, units))) cycle
+                  columns(i) = k
+                  factors(i) = unit_factor(units, rule%unit)
                end do
             end do
             if (columns(i) == column_ignored) call add_fault(faults, path, line, 'catalogue: unknown column '// &
@@ -187,19 +180,6 @@ contains
          end select
       end do
       if (.not. any(columns == column_name)) call add_fault(faults, path, line, 'catalogue: the header names no name')
-
-   contains
-
-      subroutine match(heading, key, units)
-         character(*), intent(in) :: heading
-         integer, intent(in) :: key
-         type(unit_system_type), intent(in) :: units
-         type(key_rule_type) :: rule
-         rule = rule_of(key)
-         if (lower_case(heading) /= lower_case(heading_of(rule, units))) return
-         columns(i) = key
-         factors(i) = unit_factor(units, rule%unit)
-      end subroutine match
    end subroutine read_header
 
    !> One row; a number outside the range that a deck may give is a fault.
@@ -262,31 +242,28 @@ contains
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
       integer, intent(out) :: entry, grade
-      integer :: i, cut
       character(:), allocatable :: wanted
+      integer :: cut
       wanted = plain(name)
-      entry = 0
       grade = 0
-      do i = 1, size(catalogue%entries)
-         if (is_grade(i)) cycle
-         if (plain(catalogue%entries(i)%name) == wanted) entry = i
-      end do
+      entry = place_of(catalogue, wanted, .false.)
       cut = index(wanted, ' ', back=.true.)
       if (entry > 0 .or. cut == 0) return
-      do i = 1, size(catalogue%entries)
-         if (is_grade(i)) then
-            if (plain(catalogue%entries(i)%name) == wanted(cut + 1:)) grade = i
-         else
-            if (plain(catalogue%entries(i)%name) == wanted(:cut - 1)) entry = i
-         end if
-      end do
-      if (grade == 0) entry = 0
-   contains
-      pure logical function is_grade(number)
-         integer, intent(in) :: number
-         is_grade = catalogue%entries(number)%kind == kind_of_grades
-      end function is_grade
+      grade = place_of(catalogue, wanted(cut + 1:), .true.)
+      if (grade > 0) entry = place_of(catalogue, wanted(:cut - 1), .false.)
    end subroutine find_entry
+
+   !> Place of a name, as `plain` gives it, among the entries or the grades of a catalogue; 0 where there is none.
+   pure function place_of(catalogue, name, among_grades) result(place)
+      type(catalogue_type), intent(in) :: catalogue
+      character(*), intent(in) :: name
+      logical, intent(in) :: among_grades
+      integer :: place
+      do place = size(catalogue%entries), 1, -1
+         if ((catalogue%entries(place)%kind == kind_of_grades) .neqv. among_grades) cycle
+         if (plain(catalogue%entries(place)%name) == name) return
+      end do
+   end function place_of
 
    !> What an entry with a grade (0: none) gives for one of `numeric_keys` [SI]; `has` tells whether it does.
    pure subroutine number_of(catalogue, entry, grade, key, has, number)

@@ -41,10 +41,10 @@ contains
          if (.not. tried) then
             tried = .true.
             call find_catalogue(path, named, file)
-            before = faults%count
+            before = faults%noted
             if (named == '') asked = fault_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
             call read_catalogue(file, catalogue, faults, asked)
-            sound = faults%count == before
+            sound = faults%noted == before
          end if
          if (sound) call fill(path, catalogue, groups(i), faults)
       end do

@@ -2,14 +2,13 @@
 module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, is_whole, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, text_of
    use dg_deck_draft, only: draft_component_type, draft_type
-   use dg_fault_list, only: add_fault, fault_list_type
-   use dg_merge_sort, only: first_equal
+   use dg_fault_list, only: fault_list_type
    use dg_missing, only: missing
    use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_centralizer
-   use dg_text, only: name_shown, quoted, suggestion, text_type, to_text
+   use dg_text, only: name_shown, quoted, suggestion, to_text
    implicit none
    private
    public :: take_centralizers
@@ -21,43 +20,40 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(fault_list_type), intent(inout) :: faults
+      !> Keys that say nothing of a rigid centraliser.
+      character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
-      integer :: named(size(groups))              !< first component of the name of each group; 0: none
-      integer :: next(size(draft%components))     !< component of the same name and string after each; 0: none
+      logical :: meant(size(draft%components))    ! by a group
+      character(:), allocatable :: name, string
       integer :: i, k, before
-      call match_names(groups, draft, named, next)
       do i = 1, size(groups)
          if (groups(i)%name /= 'centralizer') cycle
          associate (group => groups(i))
-            before = faults%count
+            before = faults%noted
             call draft_centralizer(group, centralizer)
             if (.not. is_whole(group)) cycle
-            if (named(i) == 0) call tell_unknown(draft, group, faults)
+            name = text_of(group, 'component', '')
+            string = text_of(group, 'string', 'main')
+            do k = 1, size(meant)
+               meant(k) = draft%components(k)%component%name == name .and. draft%components(k)%string == string
+            end do
+            if (.not. any(meant)) call tell_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
-               call fault('kind', "kind = 'bow' needs restoring_force")
-            if (.not. centralizer%bow) call refuse_bows('restoring_force')
-            if (.not. centralizer%bow) call refuse_bows('running_force')
-            if (.not. centralizer%bow) call refuse_bows('rated_hole')
-            k = named(i)
-            do while (k > 0)
-               if (draft%components(k)%sound .and. faults%count == before) then
-                  call check_on(draft%components(k))
-                  draft%components(k)%component%centralizer = centralizer
-                  if (.not. centralizer%bow) draft%components(k)%line_centralizer = line_of(group, 'od')
-               end if
-               k = next(k)
+               call group_fault(group, 'kind', "kind = 'bow' needs restoring_force", faults)
+            do k = 1, size(of_bows)
+               if (.not. centralizer%bow .and. is_given(group, trim(of_bows(k)))) call group_fault(group, trim(of_bows(k)), &
+                  trim(of_bows(k))//" has no meaning with kind = 'rigid'; leave it out, or give kind = 'bow'", faults)
+            end do
+            do k = 1, size(meant)
+               if (.not. (meant(k) .and. draft%components(k)%sound) .or. faults%noted > before) cycle
+               call check_on(draft%components(k))
+               draft%components(k)%component%centralizer = centralizer
+               if (.not. centralizer%bow) draft%components(k)%line_centralizer = line_of(group, 'od')
             end do
          end associate
       end do
 
    contains
-
-      !> A key that says nothing of a rigid centraliser.
-      subroutine refuse_bows(key)
-         character(*), intent(in) :: key
-         if (is_given(groups(i), key)) &
-            call fault(key, key//" has no meaning with kind = 'rigid'; leave it out, or give kind = 'bow'")
-      end subroutine refuse_bows
 
       !> Whether a component has no others, and is thinner.
       subroutine check_on(item)
@@ -67,19 +63,16 @@ contains
          integer :: m
          associate (part => item%component)
             if (part%centralizer%present) &
-               call fault('component', quoted(part%name)//' has centralisers already; a component takes one kind, so cut it in two')
+               call group_fault(groups(i), 'component', quoted(part%name)//' has centralisers already; a component takes one '// &
+                                'kind, so cut it in two', faults)
          end associate
          call check_centralizer(centralizer, item%component, 0, draft%units, found)
          do m = 1, found%count
             call fault_words(found%items(m), 'line '//to_text(item%line), words)
-            call fault(trim(found%items(m)%key), words)
+            call group_fault(groups(i), trim(found%items(m)%key), words, faults)
          end do
       end subroutine check_on
 
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(groups(i), key), 'group &centralizer: '//message)
-      end subroutine fault
    end subroutine take_centralizers
 
    !> Values of one group.
@@ -100,37 +93,6 @@ contains
       centralizer%friction_rotary = real_of(group, 'friction_rotary', friction)
    end subroutine draft_centralizer
 
-   !> Finds the components of the name and string that each group &centralizer names.
-   pure subroutine match_names(groups, draft, named, next)
-      type(checked_group_type), intent(in) :: groups(:)
-      type(draft_type), intent(in) :: draft
-      integer, intent(out) :: named(:)       !< first component of each group; 0: none, or another group
-      integer, intent(out) :: next(:)        !< component of the same name and string after each; 0: none
-      character, parameter :: divider = achar(0)
-      type(text_type) :: names(size(next) + size(groups))
-      integer :: first(size(next) + size(groups)), last(size(next))
-      integer :: i, n
-      named = 0
-      next = 0
-      if (.not. any([(groups(i)%name == 'centralizer', i=1, size(groups))])) return
-      n = size(next)
-      do i = 1, n
-         names(i)%text = trim(draft%components(i)%string)//divider//draft%components(i)%component%name
-      end do
-      do i = 1, size(groups)
-         names(n + i)%text = ''
-         if (groups(i)%name == 'centralizer') names(n + i)%text = &
-            trim(text_of(groups(i), 'string', 'main'))//divider//text_of(groups(i), 'component', '')
-      end do
-      first = first_equal(names)
-      last = 0
-      do i = 1, n
-         if (last(first(i)) > 0) next(last(first(i))) = i
-         last(first(i)) = i
-      end do
-      where (first(n + 1:) <= n) named = first(n + 1:)
-   end subroutine match_names
-
    !> Tells of a group whose name and string no component has.
    subroutine tell_unknown(draft, group, faults)
       type(draft_type), intent(in) :: draft
@@ -143,8 +105,7 @@ contains
          names(k) = draft%components(k)%component%name
       end do
       if (.not. all(draft%components%sound)) return     ! one of them may be meant
-      call add_fault(faults, draft%path, line_of(group, 'component'), 'group &centralizer: string '// &
-                     quoted(text_of(group, 'string', 'main'))//' has no component '//quoted(text_of(group, 'component', ''))// &
-                     '; '//suggestion(text_of(group, 'component', ''), names))
+      call group_fault(group, 'component', 'string '//quoted(text_of(group, 'string', 'main'))//' has no component '// &
+                       quoted(text_of(group, 'component', ''))//'; '//suggestion(text_of(group, 'component', ''), names), faults)
    end subroutine tell_unknown
 end module dg_deck_centralizer

@@ -5,7 +5,7 @@ module dg_deck_check
    use dg_kinds, only: wp
    use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
-   use dg_deck_draft, only: draft_case_type, draft_type, find_case
+   use dg_deck_draft, only: draft_case_type, draft_type, find_case, lowest_of, sections_of
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_hole_check, only: check_section, depth_round_off, join_sections
    use dg_hole_section, only: hole_section_type
@@ -19,7 +19,6 @@ module dg_deck_check
    private
    public :: close_holes, check_draft, check_case, tell_faults
 
-   !> What a message says of a component that is too wide.
    !> Words of check_passage, up to the case.
    character(*), parameter :: passes_not = 'does not pass', case_mark = ') in '
 
@@ -69,9 +68,7 @@ contains
       if (n == 0 .or. .not. all(draft%holes%sound)) return
       tops = draft%holes%section%md_top
       if (any(tops(2:) < tops(:n - 1))) draft%holes = draft%holes(sorted_places(tops))
-      do i = 1, n
-         sections(i) = draft%holes(i)%section
-      end do
+      sections = sections_of(draft)
       call join_sections(sections, draft%units, found)
       do i = 1, n
          draft%holes(i)%section%md_top = sections(i)%md_top
@@ -105,7 +102,9 @@ contains
       end do
       first = first_equal(names)
       do i = 1, size(draft%cases)
-         if (first(i) < i) call tell_name(draft, i, first(i), faults)
+         if (first(i) < i .and. names(i)%text /= '') call add_fault(faults, draft%path, draft%cases(i)%line_name, &
+            'group &load_case: name '//quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
+            to_text(draft%cases(first(i))%line)//'; names must be unique, letter case aside')
          if (.not. draft%cases(i)%sound) cycle
          item = draft%cases(i)
          call check_case(draft, item, faults)
@@ -164,27 +163,19 @@ contains
       type(draft_type), intent(in) :: draft
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
-      type(text_type) :: names(size(draft%components))
-      integer, dimension(size(draft%components)) :: first, last
+      integer, dimension(size(draft%components)) :: lowest, uppermost
       real(wp) :: heaviest
       integer :: i
-      do i = 1, size(names)
-         names(i)%text = draft%components(i)%string
-      end do
-      first = first_equal(names)
-      do i = 1, size(names)
-         last(first(i)) = i
+      lowest = lowest_of(draft)
+      do i = 1, size(lowest)
+         uppermost(lowest(i)) = i
       end do
       heaviest = 0.0_wp
       if (size(draft%fluids) > 0) heaviest = maxval(draft%fluids%fluid%density)
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (.not. item%sound) cycle
-            if (size(draft%fluids) > 0) then
-               call check_in_string(item%component, i, item%string, last(first(i)) == i, draft%units, found, heaviest)
-            else
-               call check_in_string(item%component, i, item%string, last(first(i)) == i, draft%units, found)
-            end if
+            call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found, heaviest)
          end associate
       end do
       call tell_faults(draft, found, faults)
@@ -198,9 +189,7 @@ contains
       type(hole_section_type) :: sections(size(draft%holes))
       integer :: i
       if (.not. all(draft%holes%sound)) return
-      do i = 1, size(sections)
-         sections(i) = draft%holes(i)%section
-      end do
+      sections = sections_of(draft)
       do i = 1, size(draft%components)
          if (.not. draft%components(i)%sound) cycle
          call settle_opening(draft%components(i)%component, i, sections, found)
@@ -208,18 +197,6 @@ contains
          call tell_faults(draft, found, faults)
       end do
    end subroutine settle_openings
-
-   !> Names of cases become file names: unique, also where letter case does not count.
-   subroutine tell_name(draft, i, first, faults)
-      type(draft_type), intent(in) :: draft
-      integer, intent(in) :: i                 !< a case
-      integer, intent(in) :: first             !< the first case of its name
-      type(fault_list_type), intent(inout) :: faults
-      if (draft%cases(i)%load_case%name == '') return
-      call add_fault(faults, draft%path, draft%cases(i)%line_name, 'group &load_case: name '// &
-                     quoted(draft%cases(i)%load_case%name)//' is taken by the case in line '// &
-                     to_text(draft%cases(first)%line)//'; names must be unique, letter case aside')
-   end subroutine tell_name
 
    !> Survey and holes reach the bit.
    subroutine check_depth(draft, item, faults)
@@ -248,7 +225,6 @@ contains
       type(model_faults_type) :: found
       integer, allocatable :: parts(:)
       type(component_type), allocatable :: string(:)
-      type(hole_section_type) :: sections(size(draft%holes))
       integer :: k, n
 
       associate (case => item%load_case)
@@ -275,10 +251,8 @@ contains
          call check_string_length(string, parts(size(parts)), case, 0, trim(item%depth_key), draft%units, found)
          call tell_faults(draft, found, faults, item)
          if (.not. all(draft%holes%sound)) return
-         do k = 1, size(sections)
-            sections(k) = draft%holes(k)%section
-         end do
-         call check_passage(string, parts, sections, case%bit_depth, trim(item%what)//' '//quoted(case%name), draft%units, found)
+         call check_passage(string, parts, sections_of(draft), case%bit_depth, trim(item%what)//' '//quoted(case%name), &
+                            draft%units, found)
          call tell_faults(draft, found, faults, item)
       end associate
    end subroutine check_string
@@ -350,19 +324,12 @@ contains
    pure function string_names(draft) result(names)
       type(draft_type), intent(in) :: draft
       character(name_shown), allocatable :: names(:)
-      type(text_type) :: all_names(size(draft%components))
-      logical :: is_first(size(draft%components))
-      integer :: i, n
-      do i = 1, size(all_names)
-         all_names(i)%text = draft%components(i)%string(:min(name_shown, len(draft%components(i)%string)))
-      end do
-      is_first = first_equal(all_names) == [(i, i=1, size(all_names))]
-      allocate (names(count(is_first)))
-      n = 0
-      do i = 1, size(all_names)
-         if (.not. is_first(i)) cycle
-         n = n + 1
-         names(n) = all_names(i)%text
+      integer :: lowest(size(draft%components))
+      integer :: i
+      lowest = lowest_of(draft)
+      allocate (names(0))
+      do i = 1, size(lowest)
+         if (lowest(i) == i) names = [character(name_shown) :: names, draft%components(i)%string]
       end do
    end function string_names
 end module dg_deck_check

@@ -4,8 +4,9 @@ module dg_deck_convert
    use dg_kinds, only: wp
    use dg_deck_comment, only: convert_comments, shortest
    use dg_deck_number, only: read_real
-   use dg_deck_schema, only: group_keys_type, group_place, key_rule_type, kind_real
-   use dg_deck_token, only: token_equals, token_group, token_text, token_type, token_word, tokenize
+   use dg_deck_schema, only: group_keys_type, group_place, kind_real, rule_place
+   use dg_deck_text, only: is_key
+   use dg_deck_token, only: token_group, token_text, token_type, token_word, tokenize
    use dg_load_case, only: operation_from_name, operation_name
    use dg_text, only: append_text, lower_case, text_type
    use dg_unit_kind, only: unit_factor
@@ -105,23 +106,22 @@ contains
          type(token_type), intent(in) :: token
          character(*), intent(in) :: written
          character(:), allocatable :: new
-         type(key_rule_type), allocatable :: rules(:)
          real(wp) :: number, from, to
          logical :: legal
-         integer :: k
+         integer :: k, key
          new = ''
          k = group_place(groups, group_of(i)%text)
          if (k == 0) return
-         allocate (rules, source=groups(k)%keys)
-         do k = 1, size(rules)
-            if (rules(k)%key /= key_of(i)%text .or. rules(k)%kind /= kind_real) cycle
-            from = unit_factor(units, rules(k)%unit)
-            to = unit_factor(other, rules(k)%unit)
-            if (abs(from - to) <= 0.0_wp) return
-            call read_real(token%text, number, legal)
-            if (abs(number) <= 0.0_wp) return
-            if (legal) new = written(:index(written, '*'))//shortest(number*from/to)
-         end do
+         key = rule_place(groups(k)%keys, key_of(i)%text)
+         if (key == 0) return
+         associate (rule => groups(k)%keys(key))
+            if (rule%kind /= kind_real) return
+            from = unit_factor(units, rule%unit)
+            to = unit_factor(other, rule%unit)
+         end associate
+         call read_real(token%text, number, legal)
+         if (abs(from - to) <= 0.0_wp .or. abs(number) <= 0.0_wp .or. .not. legal) return
+         new = written(:index(written, '*'))//shortest(number*from/to)
       end function converted
 
       !> What a group must say that it has not said: the units, or those of the file that it names.
@@ -154,14 +154,4 @@ contains
          end do
       end function has
    end subroutine convert_tokens
-
-   !> Whether a token is a key: a word before =.
-   pure function is_key(tokens, i) result(is)
-      type(token_type), intent(in) :: tokens(:)
-      integer, intent(in) :: i
-      logical :: is
-      is = .false.
-      if (tokens(i)%kind /= token_word .or. i == size(tokens)) return
-      is = tokens(i + 1)%kind == token_equals
-   end function is_key
 end module dg_deck_convert

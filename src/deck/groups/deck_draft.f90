@@ -10,6 +10,7 @@ module dg_deck_draft
    use dg_friction_estimate, only: friction_estimate_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
+   use dg_merge_sort, only: first_equal
    use dg_model, only: boundary_type
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
@@ -20,7 +21,7 @@ module dg_deck_draft
    implicit none
    private
    public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, find_case
-   public :: deck_type, string_use_type, note_use, take_cases
+   public :: deck_type, string_use_type, lowest_of, note_use, sections_of, take_cases
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -114,6 +115,28 @@ contains
       longer(n + 1)%depth = depth
       call move_alloc(longer, deck%uses)
    end subroutine note_use
+
+   !> For each component the lowest one of its string.
+   pure function lowest_of(draft) result(lowest)
+      type(draft_type), intent(in) :: draft
+      integer :: lowest(size(draft%components))
+      type(text_type) :: names(size(draft%components))
+      integer :: i
+      do i = 1, size(names)
+         names(i)%text = draft%components(i)%string
+      end do
+      lowest = first_equal(names)
+   end function lowest_of
+
+   !> The hole sections.
+   pure function sections_of(draft) result(sections)
+      type(draft_type), intent(in) :: draft
+      type(hole_section_type) :: sections(size(draft%holes))
+      integer :: i
+      do i = 1, size(sections)
+         sections(i) = draft%holes(i)%section
+      end do
+   end function sections_of
 
    !> Number of the load case that a group names at a line of the deck. Where there is none, 0 and a fault, unless the name of a
    !> load case is itself at fault.

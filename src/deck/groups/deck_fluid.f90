@@ -1,26 +1,40 @@
-!> The fluids of a deck: what one group &fluid says, and where its fluid begins.
+!> The fluids of a deck: what one group &fluid says, where its fluid begins, and what is worth saying of them: a string that floats,
+!> and what must hold pressures apart at the bit.
 module dg_deck_fluid
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of
+   use dg_component, only: buoyed_weight
    use dg_deck_check, only: tell_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
+   use dg_drillstring, only: component_at, component_tops
    use dg_fault_list, only: add_fault, fault_list_type
-   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud
+   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, density_at, fluid_tops, side_inside, &
+                       side_outside
    use dg_fluid_check, only: check_fluid, check_fluid_order
+   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
+   use dg_load_case, only: load_case_type
+   use dg_model, only: model_type, string_index
    use dg_model_fault, only: model_faults_type
-   use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_text, only: append_text, quoted, text_type
+   use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type, top_md, true_vertical_depth
+   use dg_unit_kind, only: in_units, unit_length, unit_pressure
+   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: draft_fluid, place_fluids
+   public :: draft_fluid, place_fluids, note_fluids
 
    integer, parameter :: depth_digits = 9
+
+   !> Difference of pressures that is round-off of depths [Pa].
+   real(wp), parameter :: no_pressure = 1.0e3_wp
+   !> Just above a depth [m].
+   real(wp), parameter :: hair = 1.0e-6_wp
+   integer, parameter :: digits = 4
 
 contains
 
    !> One fluid, with the checks that concern its group alone.
-   subroutine draft_fluid(path, group, item, faults)
-      character(*), intent(in) :: path
+   subroutine draft_fluid(group, item, faults)
       type(checked_group_type), intent(in) :: group
       type(draft_fluid_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
@@ -42,7 +56,7 @@ contains
          if (is_sound(group, 'float_collar')) &
             fluid%collar = findloc(collar_name == text_of(group, 'float_collar', collar_name(collar_none)), .true., dim=1)
          if (count([is_given(group, 'md_top'), is_given(group, 'tvd_top'), is_given(group, 'above_bit')]) > 1) &
-            call fault(group%line, 'md_top, tvd_top and above_bit all say where the fluid begins; keep one')
+            call group_fault(group, '', 'md_top, tvd_top and above_bit all say where the fluid begins; keep one', faults)
       end associate
       begun = item%fluid
       if (item%has_tvd) begun%md_top = item%tvd_top      ! at surface or not: the measured depth is not known yet
@@ -50,15 +64,9 @@ contains
       do i = 1, found%count
          associate (wrong => found%items(i))
             if (wrong%key == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
-            call fault(line_of(group, trim(wrong%key)), wrong%message)
+            call group_fault(group, trim(wrong%key), wrong%message, faults)
          end associate
       end do
-   contains
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &fluid: '//message)
-      end subroutine fault
    end subroutine draft_fluid
 
    !> The fluids of the model; air where the deck has none. Faults: a true vertical depth that the hole does not reach, a fluid
@@ -86,4 +94,75 @@ contains
       call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
       call tell_faults(draft, found, faults)
    end subroutine place_fluids
+
+   !> One note a matter, with the first load case where it is so.
+   subroutine note_fluids(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      logical :: held, floats
+      if (.not. allocated(model%mud%fluids)) return
+      held = model%boundary%packer_bore > 0.0_wp      ! its seal holds the difference
+      floats = .false.
+      do i = 1, size(model%cases)
+         if (.not. held) call note_bit(i, held)
+         if (.not. floats) call note_floating(i, floats)
+      end do
+
+   contains
+
+      subroutine note_bit(number, said)
+         integer, intent(in) :: number
+         logical, intent(out) :: said
+         type(fluid_column_type) :: inside, outside
+         type(load_case_type) :: still   ! without pump pressure: a closed collar keeps it from the bit
+         real(wp) :: within, around, tvd
+         still = model%cases(number)
+         still%pump_pressure = 0.0_wp
+         associate (case => still)
+            tvd = true_vertical_depth(model%trajectory, case%bit_depth)
+            call new_fluid_column(model, case, side_inside, inside)
+            call new_fluid_column(model, case, side_outside, outside)
+            within = pressure_at(inside, case%bit_depth, tvd)
+            around = pressure_at(outside, case%bit_depth, tvd)
+            said = abs(within - around) > no_pressure
+            if (said) call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &
+               ': without pump pressure the fluid inside presses on the bit with '//pressed(within)//', that outside with '// &
+               pressed(around)//'; a float valve or plug at the end of the string is taken to hold the difference')
+         end associate
+      end subroutine note_bit
+
+      subroutine note_floating(number, said)
+         integer, intent(in) :: number
+         logical, intent(out) :: said
+         real(wp), allocatable :: tops(:), depths(:)
+         real(wp) :: bit, md
+         integer :: k
+         said = .false.
+         bit = model%cases(number)%bit_depth
+         associate (string => model%strings(string_index(model%strings, model%cases(number)%string)))
+            allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+            allocate (depths, source=[bit, bit - tops, fluid_tops(model%mud, bit)])
+            do k = 1, size(depths)
+               md = depths(k) - hair        ! every piece of one weight ends at one of these depths
+               if (md <= top_md(model%trajectory)) cycle
+               associate (part => string%components(component_at(tops, bit - md)))
+                  said = buoyed_weight(part, density_at(model%mud, side_outside, md, bit), &
+                                       density_at(model%mud, side_inside, md, bit), model%gravity) < 0.0_wp
+                  if (said) call append_text(notes, 'group &fluid: load case '//quoted(model%cases(number)%name)//': '// &
+                     quoted(part%name)//' floats at '//trim(in_units(units, unit_length, depths(k), digits))// &
+                     ': with what is in it it weighs less than the fluid outside that it displaces')
+               end associate
+               if (said) return
+            end do
+         end associate
+      end subroutine note_floating
+
+      function pressed(pressure) result(text)
+         real(wp), intent(in) :: pressure
+         character(:), allocatable :: text
+         text = trim(in_units(units, unit_pressure, pressure, digits))
+      end function pressed
+   end subroutine note_fluids
 end module dg_deck_fluid

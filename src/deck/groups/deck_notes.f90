@@ -4,11 +4,10 @@ module dg_deck_notes
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, has_bend, has_blades, has_pad, is_open, opens, tube_area
    use dg_constants, only: degree
-   use dg_deck_draft, only: draft_component_type, draft_type, string_use_type
+   use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
-   use dg_merge_sort, only: first_equal
    use dg_minimum_curvature, only: dogleg_between
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
@@ -224,43 +223,32 @@ contains
       type(string_use_type), intent(in) :: uses(:)
       real(wp), intent(out) :: deepest_bit(:)   !< of all cases and other uses; -1: the string is not used [m]
       real(wp), intent(out) :: below(:)         !< [m]
-      type(text_type), allocatable :: names(:)
-      integer, allocatable :: first(:)
-      real(wp) :: length(size(below))           ! of each string so far, at the place of its first component
-      integer :: i, n, used
-      n = size(below)
-      allocate (names(n + size(draft%cases) + size(uses)))
-      do i = 1, n
-         names(i)%text = draft%components(i)%string
-      end do
-      do i = 1, size(draft%cases)
-         names(n + i)%text = draft%cases(i)%load_case%string
-      end do
-      used = n + size(draft%cases)
-      do i = 1, size(uses)
-         names(used + i)%text = uses(i)%string
-      end do
-      allocate (first, source=first_equal(names))
-      deepest_bit = -1.0_wp
-      do i = 1, size(draft%cases)
-         call deepen(first(n + i), draft%cases(i)%load_case%bit_depth)
-      end do
-      do i = 1, size(uses)
-         call deepen(first(used + i), uses(i)%depth)
-      end do
+      real(wp) :: length(size(below))           ! of each string so far, at the place of its lowest component
+      integer :: lowest(size(below)), i
+      lowest = lowest_of(draft)
       length = 0.0_wp
-      do i = 1, n
-         deepest_bit(i) = deepest_bit(first(i))
-         below(i) = length(first(i))
-         length(first(i)) = length(first(i)) + draft%components(i)%component%length
+      do i = 1, size(below)
+         if (lowest(i) == i) deepest_bit(i) = depth_of(draft%components(i)%string)
+         deepest_bit(i) = deepest_bit(lowest(i))
+         below(i) = length(lowest(i))
+         length(lowest(i)) = below(i) + draft%components(i)%component%length
       end do
+
    contains
-      !> A string, by the place of its first component, is used at a depth of the bit.
-      subroutine deepen(place, depth)
-         integer, intent(in) :: place
-         real(wp), intent(in) :: depth          !< [m]
-         if (place <= n) deepest_bit(place) = max(deepest_bit(place), depth)
-      end subroutine deepen
+
+      !> The greatest depth of a string; -1 where it is not used [m].
+      function depth_of(string) result(depth)
+         character(*), intent(in) :: string
+         real(wp) :: depth
+         integer :: k
+         depth = -1.0_wp
+         do k = 1, size(draft%cases)
+            if (draft%cases(k)%load_case%string == string) depth = max(depth, draft%cases(k)%load_case%bit_depth)
+         end do
+         do k = 1, size(uses)
+            if (uses(k)%string == string) depth = max(depth, uses(k)%depth)
+         end do
+      end function depth_of
    end subroutine find_uses
 
    !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.

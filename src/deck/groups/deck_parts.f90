@@ -3,14 +3,14 @@
 module dg_deck_parts
    use dg_kinds, only: wp
    use dg_case_check, only: check_operation
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, is_whole, line_of, real_of, integer_of, logical_of, &
-                               text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, integer_of, &
+                               logical_of, text_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
-   use dg_deck_tools, only: draft_tools
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
+   use dg_fault_list, only: fault_list_type
    use dg_load_case, only: operation_from_name, optional_real, given
    use dg_missing, only: is_missing, missing
    use dg_model, only: boundary_type, hold_free, packer_hold_name
@@ -64,20 +64,19 @@ contains
    end subroutine draft_hole
 
    !> A component; checks its diameters and its joints.
-   subroutine draft_component(path, group, units, item, faults)
-      character(*), intent(in) :: path
+   subroutine draft_component(group, units, item, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
-      integer :: i
+      integer :: i, before
+      before = faults%noted
       item%line = group%line
       item%line_length = line_of(group, 'length')
       item%line_density = line_of(group, 'density')
       item%line_diameter = line_of(group, 'od')
       item%line_opened = line_of(group, 'opened_od')
-      item%sound = is_whole(group)
       item%connected = is_sound(group, 'connection')
       item%string = text_of(group, 'string', 'main')
       if (is_given(group, 'string') .and. .not. is_sound(group, 'string')) item%string = ''
@@ -107,7 +106,7 @@ contains
          end select
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
-         call draft_tools(path, group, part, item%sound, faults)
+         call draft_tools(group, part, faults)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
       end associate
@@ -117,9 +116,10 @@ contains
             if (wrong%key == 'id' .and. .not. is_sound(group, 'id')) cycle
             if (any(wrong%key == [character(9) :: 'id', 'joint_od', 'opened_od']) .and. .not. is_sound(group, 'od')) cycle
             if (wrong%key == 'opened_below' .and. is_given(group, 'opened_od') .and. .not. is_sound(group, 'opened_od')) cycle
-            call fault(line_of(group, trim(wrong%key)), wrong%message)
+            call group_fault(group, trim(wrong%key), wrong%message, faults)
          end associate
       end do
+      item%sound = is_whole(group) .and. faults%noted == before
 
    contains
 
@@ -148,17 +148,46 @@ contains
          scale = 'friction_scale_'//way
          if (.not. is_given(group, scale)) scale = 'friction_scale'
          refused = is_given(group, scale)
-         if (refused) call fault(line_of(group, scale), scale//' has nothing to scale: the component has its own '//way// &
-                                 ' friction; give one of the two')
+         if (refused) call group_fault(group, scale, scale//' has nothing to scale: the component has its own '//way// &
+                                       ' friction; give one of the two', faults)
       end subroutine refuse_both
-
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &component: '//message)
-         item%sound = .false.
-      end subroutine fault
    end subroutine draft_component
+
+   !> What a component has beside pipe: a bent housing, pads, a survey sensor, a fatigue curve. A bend and pads say where they are.
+   subroutine draft_tools(group, part, faults)
+      type(checked_group_type), intent(in) :: group
+      type(component_type), intent(inout) :: part
+      type(fault_list_type), intent(inout) :: faults
+      part%sensor = real_of(group, 'sensor', part%sensor)
+      part%bend = real_of(group, 'bend', part%bend)
+      part%bend_position = real_of(group, 'bend_position', part%bend_position)
+      if (part%bend > 0.0_wp .and. .not. is_given(group, 'bend_position')) &
+         call group_fault(group, 'bend', 'bend needs bend_position, its distance above the lower end of the component', faults)
+      part%pad_force = real_of(group, 'pad_force', part%pad_force)
+      part%pad_clock = real_of(group, 'pad_clock', part%pad_clock)
+      part%pad_position = real_of(group, 'pad_position', part%pad_position)
+      if (part%pad_force > 0.0_wp .and. .not. is_given(group, 'pad_position')) &
+         call group_fault(group, 'pad_force', 'pad_force needs pad_position, its distance above the lower end of the '// &
+                          'component', faults)
+      call draft_fatigue(group, part%fatigue)
+      if (part%fatigue%curve == fatigue_own .and. .not. is_given(group, 'fatigue_limit')) &
+         call group_fault(group, 'fatigue_curve', "fatigue_curve = 'own' needs fatigue_limit", faults)
+      if (part%fatigue%curve /= fatigue_own .and. is_sound(group, 'fatigue_limit')) &
+         call group_fault(group, 'fatigue_limit', "fatigue_limit needs fatigue_curve = 'own'", faults)
+   end subroutine draft_tools
+
+   !> A fatigue curve by name, or an own one.
+   subroutine draft_fatigue(group, fatigue)
+      type(checked_group_type), intent(in) :: group
+      type(fatigue_curve_type), intent(inout) :: fatigue
+      if (is_sound(group, 'fatigue_curve')) &
+         fatigue%curve = findloc(fatigue_curve_name == text_of(group, 'fatigue_curve', 'none'), .true., dim=1)
+      fatigue%limit = real_of(group, 'fatigue_limit', fatigue%limit)
+      fatigue%tensile = real_of(group, 'tensile_strength', fatigue%tensile)
+      fatigue%share = real_of(group, 'fatigue_share', fatigue%share)
+      fatigue%exponent = real_of(group, 'fatigue_exponent', fatigue%exponent)
+      fatigue%turns = real_of(group, 'fatigue_turns', fatigue%turns)
+   end subroutine draft_fatigue
 
    !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
    function joint_torsion_of(group, part) result(torque)
@@ -198,14 +227,14 @@ contains
    end function draft_design
 
    !> A load case; checks its name and what its operation needs.
-   subroutine draft_case(path, group, item, faults)
-      character(*), intent(in) :: path
+   subroutine draft_case(group, item, faults)
       type(checked_group_type), intent(in) :: group
       type(draft_case_type), intent(out) :: item
       type(fault_list_type), intent(inout) :: faults
       type(optional_real) :: friction
       type(model_faults_type) :: found
-      integer :: i
+      integer :: i, before
+      before = faults%noted
       item%line = group%line
       item%line_name = line_of(group, 'name')
       item%line_depth = line_of(group, 'bit_depth')
@@ -213,7 +242,6 @@ contains
       item%length_reference = text_of(group, 'length_reference', '')
       item%line_reference = line_of(group, 'length_reference')
       if (is_given(group, 'wob')) item%line_wob = line_of(group, 'wob')
-      item%sound = is_whole(group)
       friction = optional_of('friction')
       associate (case => item%load_case)
          case%name = text_of(group, 'name', '')
@@ -238,26 +266,20 @@ contains
          case%measured_torque = optional_of('measured_torque')
          case%reference_hookload = optional_of('reference_hookload')
          if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) then
-            call fault(item%line_name, 'name = '//quoted(case%name)// &
-                       ' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
+            call group_fault(group, 'name', 'name = '//quoted(case%name)//' cannot be part of a file name; use 1 to 100 '// &
+                             'letters, digits and _ - . +, no dot first', faults)
             case%name = ''
          end if
       end associate
       if (is_sound(group, 'operation')) call check_operation(item%load_case, 0, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
-            if (is_sound(group, trim(wrong%key))) call fault(line_of(group, trim(wrong%key)), wrong%message)
+            if (is_sound(group, trim(wrong%key))) call group_fault(group, trim(wrong%key), wrong%message, faults)
          end associate
       end do
+      item%sound = is_whole(group) .and. faults%noted == before
 
    contains
-
-      subroutine fault(line, message)
-         integer, intent(in) :: line
-         character(*), intent(in) :: message
-         call add_fault(faults, path, line, 'group &load_case: '//message)
-         item%sound = .false.
-      end subroutine fault
 
       function optional_of(key) result(number)
          character(*), intent(in) :: key
@@ -267,8 +289,7 @@ contains
    end subroutine draft_case
 
    !> Supports of the string's ends, and the packer at the lower one.
-   subroutine draft_boundary(path, group, boundary, faults)
-      character(*), intent(in) :: path
+   subroutine draft_boundary(group, boundary, faults)
       type(checked_group_type), intent(in) :: group
       type(boundary_type), intent(out) :: boundary
       type(fault_list_type), intent(inout) :: faults
@@ -278,13 +299,11 @@ contains
       if (.not. is_sound(group, 'packer_hold')) return
       boundary%packer_hold = findloc(packer_hold_name == text_of(group, 'packer_hold', packer_hold_name(hold_free)), .true., dim=1)
       if (boundary%packer_hold /= hold_free .and. .not. is_given(group, 'packer_bore')) &
-         call add_fault(faults, path, line_of(group, 'packer_hold'), 'group &boundary: packer_hold needs packer_bore, the '// &
-                        'diameter of the seal bore')
+         call group_fault(group, 'packer_hold', 'packer_hold needs packer_bore, the diameter of the seal bore', faults)
    end subroutine draft_boundary
 
    !> The rig; sheaves that take tension need the number of lines.
-   subroutine draft_rig(path, group, rig, faults)
-      character(*), intent(in) :: path
+   subroutine draft_rig(group, rig, faults)
       type(checked_group_type), intent(in) :: group
       type(rig_type), intent(out) :: rig
       type(fault_list_type), intent(inout) :: faults
@@ -296,13 +315,12 @@ contains
       if (is_sound(group, 'max_hookload')) rig%max_hookload = given(real_of(group, 'max_hookload', 0.0_wp))
       if (is_sound(group, 'max_torque')) rig%max_torque = given(real_of(group, 'max_torque', 0.0_wp))
       if (is_sound(group, 'sheave_efficiency') .and. rig%sheave_efficiency < 1.0_wp .and. .not. is_given(group, 'lines')) &
-         call add_fault(faults, path, line_of(group, 'sheave_efficiency'), 'group &rig: sheave_efficiency = '// &
-                        to_text(rig%sheave_efficiency, length_digits)//' needs lines, the number strung to the travelling block')
+         call group_fault(group, 'sheave_efficiency', 'sheave_efficiency = '//to_text(rig%sheave_efficiency, length_digits)// &
+                          ' needs lines, the number strung to the travelling block', faults)
    end subroutine draft_rig
 
    !> Settings of the solver; checks their order.
-   subroutine draft_numerics(path, group, numerics, faults)
-      character(*), intent(in) :: path
+   subroutine draft_numerics(group, numerics, faults)
       type(checked_group_type), intent(in) :: group
       type(numerics_type), intent(out) :: numerics
       type(fault_list_type), intent(inout) :: faults
@@ -335,7 +353,7 @@ contains
       numerics%wall_climb = logical_of(group, 'wall_climb', numerics%wall_climb)
       call check_numerics(numerics, found)
       do i = 1, found%count
-         call add_fault(faults, path, line_of(group, trim(found%items(i)%key)), 'group &solver: '//found%items(i)%message)
+         call group_fault(group, trim(found%items(i)%key), found%items(i)%message, faults)
       end do
    end subroutine draft_numerics
 end module dg_deck_parts

@@ -1,21 +1,24 @@
 !> The stations of a deck: from &trajectory itself or from the survey file that it names, with those of the hole that it leaves.
 module dg_deck_survey
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, reals_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, reals_of, text_of
    use dg_constants, only: degree
    use dg_deck_keys, only: key_place, keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
+   use dg_error, only: error_type
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_listed_positions, only: position_words
-   use dg_model_fault, only: model_faults_type
-   use dg_parent_survey, only: join_parent
-   use dg_survey_check, only: begins_below, begins_vertical, check_station_order
+   use dg_minimum_curvature, only: dogleg_between
+   use dg_model_fault, only: model_faults_type, depth_words
+   use dg_survey, only: tangent_of
+   use dg_survey_check, only: begins_below, begins_vertical, check_station_order, at_surface, sharpest_tie
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
    use dg_survey_heading, only: column_name
    use dg_text, only: append_text, text_type, to_text
+   use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, position_at, trajectory_type
    use dg_unit_kind, only: in_units, unit_curvature, unit_factor, unit_length
-   use dg_units, only: si_units, unit_system, unit_system_type
+   use dg_units, only: unit_system, unit_system_type
    implicit none
    private
    public :: read_stations
@@ -24,13 +27,17 @@ module dg_deck_survey
    real(wp), parameter :: vertical = 1.0e-12_wp
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 9, few_digits = 4
+   character(*), parameter :: absent = ' is missing; give md, inc and azi, or a survey_file'
+
+   !> Angle between a parent and the first station of its sidetrack from which on they hardly belong together [rad].
+   real(wp), parameter :: apart = 1.0_wp*degree
+   integer, parameter :: angle_digits = 3
 
 contains
 
-   !> Stations of the group &trajectory of the deck `path`, in SI units and fit for new_trajectory where `sound`; every fault else.
-   !> `notes` receives messages on the survey files.
-   subroutine read_stations(path, group, units, stations, sound, notes, faults)
-      character(*), intent(in) :: path
+   !> Stations of the group &trajectory, in SI units and fit for new_trajectory where `sound`; every fault else. `notes` receives
+   !> messages on the survey files.
+   subroutine read_stations(group, units, stations, sound, notes, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(out) :: stations
@@ -38,45 +45,33 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(fault_list_type), intent(inout) :: faults
       character(*), parameter :: of_files(4) = [character(12) :: 'md_column', 'inc_column', 'azi_column', 'survey_well']
-      logical :: from_file
       integer :: i
       sound = .false.
-      stations%skipped = ''
-      stations%columns = ''
-      stations%headings = ''
-      from_file = is_given(group, 'survey_file')
-      if (from_file .and. is_given(group, 'md')) then
-         call fault(path, line_of(group, 'survey_file'), 'both survey_file and md are given; keep one', sound, faults)
+      if (is_given(group, 'survey_file') .and. is_given(group, 'md')) then
+         call group_fault(group, 'survey_file', 'both survey_file and md are given; keep one', faults)
          return
       end if
-      if (from_file) then
-         if (.not. is_sound(group, 'survey_file')) return
-         if (text_of(group, 'survey_file', '') == '') then
-            call fault(path, line_of(group, 'survey_file'), 'survey_file is empty; give a path relative to the deck', sound, faults)
-            return
-         end if
-         call read_table(path, group, 'survey_file', .true., units, stations, sound, faults)
+      if (is_given(group, 'survey_file')) then
+         call read_table(group, 'survey_file', units, stations, sound, faults)
       else
          do i = 1, size(of_files)
             if (.not. is_given(group, trim(of_files(i)))) cycle
-            call fault(path, line_of(group, trim(of_files(i))), &
-                       trim(of_files(i))//' has no meaning without survey_file. Leave it out', sound, faults)
+            call group_fault(group, trim(of_files(i)), trim(of_files(i))//' has no meaning without survey_file. Leave it out', &
+                             faults)
             return
          end do
-         call take_arrays(path, group, stations, sound, faults)
+         call take_arrays(group, stations, sound, faults)
       end if
-      if (sound) call check_stations(path, group, units, from_file, stations, sound, faults)
-      if (sound .and. from_file) call tell_file(stations, units, notes)
-      if (sound .and. is_given(group, 'parent_file')) call take_parent(path, group, units, stations, sound, notes, faults)
-      if (sound) call check_begin(path, group, units, from_file, stations, sound, faults)
+      if (sound) call check_stations(group, units, stations, sound, faults)
+      if (sound .and. is_given(group, 'survey_file')) call tell_file(stations, units, notes)
+      if (sound .and. is_given(group, 'parent_file')) call take_parent(group, units, stations, sound, notes, faults)
+      if (sound) call check_begin(group, units, stations, sound, faults)
    end subroutine read_stations
 
    !> Reads the table that a key names. Headings that the deck names are those of the survey; the parent's may be others.
-   subroutine read_table(path, group, key, names_hold, units, stations, sound, faults)
-      character(*), intent(in) :: path
+   subroutine read_table(group, key, units, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key                  !< survey_file or parent_file
-      logical, intent(in) :: names_hold                !< the headings named are those of this file
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
@@ -85,21 +80,25 @@ contains
       type(column_names_type) :: names
       type(fault_list_type) :: unused
       integer :: column
+      sound = .false.
+      if (.not. is_sound(group, key)) return
+      if (text_of(group, key, '') == '') then
+         call group_fault(group, key, key//' is empty'//merge('; g', '. G', key == 'survey_file')// &
+                          'ive a path relative to the deck', faults)
+         return
+      end if
       file_units = units
       if (is_given(group, 'survey_units')) file_units = unit_system(text_of(group, 'survey_units', ''))
       do column = 1, 3
-         names%names(column)%text = trim(adjustl(text_of(group, trim(column_name(column))//'_column', '')))
+         names%names(column) = trim(adjustl(text_of(group, trim(column_name(column))//'_column', '')))
       end do
       names%well = trim(adjustl(text_of(group, 'survey_well', '')))
-      if (names_hold) then
+      if (key == 'survey_file') then
          call read_named(faults)
       else
          call read_named(unused)
          if (sound) return
-         do column = 1, 3
-            names%names(column)%text = ''
-         end do
-         names%well = ''
+         names = column_names_type()
          call read_named(faults)
       end if
 
@@ -107,9 +106,9 @@ contains
 
       subroutine read_named(found)
          type(fault_list_type), intent(inout) :: found
-         call read_survey_file(beside(path, text_of(group, key, '')), file_units, stations, sound, found, &
+         call read_survey_file(beside(group%path, text_of(group, key, '')), file_units, stations, sound, found, &
                                is_given(group, 'survey_units'), &
-                               fault_at(path, line_of(group, key), 'group &trajectory: '//key), names)
+                               fault_at(group%path, line_of(group, key), 'group &trajectory: '//key), names)
       end subroutine read_named
    end subroutine read_table
 
@@ -126,8 +125,7 @@ contains
    end subroutine tell_file
 
    !> Puts the stations of the parent above those of the survey.
-   subroutine take_parent(path, group, units, stations, sound, notes, faults)
-      character(*), intent(in) :: path
+   subroutine take_parent(group, units, stations, sound, notes, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(inout) :: stations
@@ -136,30 +134,20 @@ contains
       type(fault_list_type), intent(inout) :: faults
       type(station_list_type) :: parent
       character(:), allocatable :: failure, words
-      sound = is_sound(group, 'parent_file')
-      if (.not. sound) return
-      if (text_of(group, 'parent_file', '') == '') then
-         call fault(path, line_of(group, 'parent_file'), 'parent_file is empty. Give a path relative to the deck', sound, faults)
-         return
-      end if
-      call read_table(path, group, 'parent_file', .false., units, parent, sound, faults)
-      if (sound) call check_stations(path, group, units, .true., parent, sound, faults)
+      call read_table(group, 'parent_file', units, parent, sound, faults)
+      if (sound) call check_stations(group, units, parent, sound, faults)
       if (.not. sound) return
       call tell_file(parent, units, notes)
       call join_parent(parent, units, stations, words, failure)
-      if (failure /= '') then
-         call fault(path, line_of(group, 'parent_file'), failure, sound, faults)
-      else
-         call append_text(notes, 'group &trajectory: '//words)
-      end if
+      sound = failure == ''
+      if (.not. sound) call group_fault(group, 'parent_file', failure, faults)
+      if (sound) call append_text(notes, 'group &trajectory: '//words)
    end subroutine take_parent
 
    !> Refuses a survey that begins inclined below surface without tie_on or parent_file.
-   subroutine check_begin(path, group, units, from_file, stations, sound, faults)
-      character(*), intent(in) :: path
+   subroutine check_begin(group, units, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
-      logical, intent(in) :: from_file
       type(station_list_type), intent(in) :: stations
       logical, intent(inout) :: sound
       type(fault_list_type), intent(inout) :: faults
@@ -174,119 +162,106 @@ contains
                 "surface. For a hole that is vertical at surface give tie_on = 'vertical', which makes "// &
                 trim(in_units(units, unit_curvature, stations%inclination(1)/stations%md(1), few_digits))// &
                 ' above the first station'
-      if (from_file) then
-         call add_fault(faults, stations%file, stations%lines(1), 'survey: '//message)
-         sound = .false.
-      else
-         call fault(path, stations%lines(1), message, sound, faults)
-      end if
+      call station_fault(group, stations, 1, message, sound, faults)
    end subroutine check_begin
 
-   !> A fault of the group; what is read is then not sound.
-   subroutine fault(path, line, message, sound, faults)
-      character(*), intent(in) :: path
-      integer, intent(in) :: line
+   !> Whether stations are those of a file, not of the deck itself.
+   pure function of_file(group, stations) result(are)
+      type(checked_group_type), intent(in) :: group
+      type(station_list_type), intent(in) :: stations
+      logical :: are
+      are = stations%file /= group%path
+   end function of_file
+
+   !> A fault of one station, where it stands; what is read is then not sound.
+   subroutine station_fault(group, stations, place, message, sound, faults)
+      type(checked_group_type), intent(in) :: group
+      type(station_list_type), intent(in) :: stations
+      integer, intent(in) :: place
       character(*), intent(in) :: message
       logical, intent(inout) :: sound
       type(fault_list_type), intent(inout) :: faults
-      call add_fault(faults, path, line, 'group &trajectory: '//message)
+      character(:), allocatable :: head
+      head = 'group &trajectory: '
+      if (of_file(group, stations)) head = 'survey: '
+      call add_fault(faults, stations%file, stations%lines(place), head//message)
       sound = .false.
-   end subroutine fault
-
-   !> A key of the stations that is not there.
-   subroutine missing(path, group, key, sound, faults)
-      character(*), intent(in) :: path
-      type(checked_group_type), intent(in) :: group
-      character(*), intent(in) :: key
-      logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
-      call fault(path, group%line, 'key '//key//' is missing; give md, inc and azi, or a survey_file', sound, faults)
-   end subroutine missing
+   end subroutine station_fault
 
    !> The stations that the group itself lists.
-   subroutine take_arrays(path, group, stations, sound, faults)
-      character(*), intent(in) :: path
+   subroutine take_arrays(group, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       type(station_list_type), intent(inout) :: stations
       logical, intent(out) :: sound
       type(fault_list_type), intent(inout) :: faults
-      integer :: n
-      stations%file = path
+      stations%file = group%path
       stations%md = reals_of(group, 'md')
       stations%inclination = reals_of(group, 'inc')
       stations%azimuth = reals_of(group, 'azi')
-      n = size(stations%md)
       sound = .true.
-      if (.not. is_given(group, 'md')) call missing(path, group, 'md', sound, faults)
-      if (.not. is_given(group, 'inc')) call missing(path, group, 'inc', sound, faults)
-      if (is_given(group, 'md')) sound = sound .and. is_sound(group, 'md')
-      if (is_given(group, 'inc')) sound = sound .and. is_sound(group, 'inc')
-      if (is_given(group, 'azi')) sound = sound .and. is_sound(group, 'azi')
+      call take('md')
+      call take('inc')
+      if (is_given(group, 'azi')) call take('azi')
       if (.not. sound) return
       stations%has_azimuth = is_given(group, 'azi')
-      if (size(stations%inclination) /= n) call uneven('inc', size(stations%inclination))
-      if (stations%has_azimuth .and. size(stations%azimuth) /= n) call uneven('azi', size(stations%azimuth))
+      call check_size('inc', size(stations%inclination))
       if (.not. stations%has_azimuth) stations%azimuth = 0.0_wp*stations%md
-      stations%lines = spread(line_of(group, 'md'), 1, n)
+      call check_size('azi', size(stations%azimuth))
+      stations%lines = spread(line_of(group, 'md'), 1, size(stations%md))
+
    contains
-      subroutine uneven(key, found)
+
+      subroutine take(key)
+         character(*), intent(in) :: key
+         sound = sound .and. is_sound(group, key)
+         if (.not. is_given(group, key)) call group_fault(group, '', 'key '//key//absent, faults)
+      end subroutine take
+
+      subroutine check_size(key, found)
          character(*), intent(in) :: key
          integer, intent(in) :: found
-         call fault(path, line_of(group, key), key//' has '//to_text(found)//' values, md has '//to_text(n)// &
-                    '; give one for each station', sound, faults)
-      end subroutine uneven
+         if (found == size(stations%md)) return
+         call group_fault(group, key, key//' has '//to_text(found)//' values, md has '//to_text(size(stations%md))// &
+                          '; give one for each station', faults)
+         sound = .false.
+      end subroutine check_size
    end subroutine take_arrays
 
    !> Whether stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
-   subroutine check_stations(path, group, units, from_file, stations, sound, faults)
-      character(*), intent(in) :: path
+   subroutine check_stations(group, units, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
-      logical, intent(in) :: from_file
       type(station_list_type), intent(in) :: stations
       logical, intent(inout) :: sound
       type(fault_list_type), intent(inout) :: faults
       type(model_faults_type) :: found
       integer :: i, n
       n = size(stations%md)
-      if (n < 2) then
-         if (from_file) then
-            call add_fault(faults, stations%file, 0, 'survey: '//to_text(n)//' station(s); at least two are needed')
-            sound = .false.
-         else
-            call fault(path, line_of(group, 'md'), 'md holds '//to_text(n)//' station; at least two are needed', sound, faults)
-         end if
-         return
+      sound = n >= 2
+      if (.not. sound .and. of_file(group, stations)) then
+         call add_fault(faults, stations%file, 0, 'survey: '//to_text(n)//' station(s); at least two are needed')
+      else if (.not. sound) then
+         call group_fault(group, 'md', 'md holds '//to_text(n)//' station; at least two are needed', faults)
       end if
+      if (.not. sound) return
       call check_station_order(stations%md, units, found)
       do i = 1, found%count
-         call station_fault(found%items(i)%place, found%items(i)%message)
+         call station_fault(group, stations, found%items(i)%place, found%items(i)%message, sound, faults)
       end do
-      if (from_file) then         ! the table of keys has checked the deck's own numbers
+      if (of_file(group, stations)) then         ! the table of keys has checked the deck's own numbers
          call check_range('md', stations%md)
          call check_range('inc', stations%inclination)
          call check_range('azi', stations%azimuth)
       end if
       if (.not. sound .or. stations%has_azimuth .or. all(stations%inclination <= vertical)) return
-      if (from_file) then
-         call station_fault(1, 'the hole is inclined, but '//stations%headings)
+      sound = .false.
+      if (of_file(group, stations)) then
+         call station_fault(group, stations, 1, 'the hole is inclined, but '//stations%headings, sound, faults)
       else
-         call missing(path, group, 'azi', sound, faults)
+         call group_fault(group, '', 'key azi'//absent, faults)
       end if
 
    contains
-
-      !> A fault of one station, where it stands.
-      subroutine station_fault(place, message)
-         integer, intent(in) :: place
-         character(*), intent(in) :: message
-         if (from_file) then
-            call add_fault(faults, stations%file, stations%lines(place), 'survey: '//message)
-            sound = .false.
-         else
-            call fault(path, stations%lines(place), message, sound, faults)
-         end if
-      end subroutine station_fault
 
       !> Stations of a file have the ranges of those in the deck.
       subroutine check_range(key, values)
@@ -294,20 +269,69 @@ contains
          real(wp), intent(in) :: values(:)      !< [SI]
          type(key_rule_type) :: rules(size(keys_of(group%name)))
          type(key_rule_type) :: rule
-         type(unit_system_type) :: si
          real(wp) :: held
          integer :: k
          logical :: holds
-         si = si_units()
          rules = keys_of(group%name)
          rule = rules(key_place(group%name, key))
          do k = 1, size(values)
             held = values(k)
-            call hold_in_range(rule, si, held, holds)
+            call hold_in_range(rule, held, holds)
             if (holds) cycle
-            call station_fault(k, key//' = '//to_text(values(k)/unit_factor(units, rule%unit), depth_digits)// &
-                               ' is out of range; needs a number, '//range_text(rule, units, si))
+            call station_fault(group, stations, k, key//' = '//to_text(values(k)/unit_factor(units, rule%unit), depth_digits)// &
+                               ' is out of range; needs a number, '//range_text(rule, units), sound, faults)
          end do
       end subroutine check_range
    end subroutine check_stations
+
+   !> Puts the stations of a parent that lie above the first one of a survey before these. `words` tells how many, and how the hole
+   !> turns between the two. `failure` says why nothing was joined; else ''.
+   subroutine join_parent(parent, units, stations, words, failure)
+      type(station_list_type), intent(in) :: parent      !< without fault
+      type(unit_system_type), intent(in) :: units        !< of the words
+      type(station_list_type), intent(inout) :: stations !< without fault
+      character(:), allocatable, intent(out) :: words, failure
+      real(wp) :: first, turn, off
+      integer :: n
+      failure = ''
+      words = ''
+      first = stations%md(1)
+      n = count(parent%md < first - at_surface)
+      if (n == 0) then
+         failure = 'the survey begins at '//depth_words(units, first)// &
+                   ', and parent_file has no station above. Leave parent_file out'
+         return
+      end if
+      turn = dogleg_between(tangent_of(parent%inclination(n), parent%azimuth(n)), &
+                            tangent_of(stations%inclination(1), stations%azimuth(1)))
+      words = to_text(n)//' stations of parent_file are taken, down to '//depth_words(units, parent%md(n))// &
+              '. From there to the first one of the survey, at '//depth_words(units, first)// &
+              ', the hole turns by '//to_text(turn/degree, angle_digits)//' deg, '// &
+              trim(in_units(units, unit_curvature, turn/(first - parent%md(n)), few_digits))
+      off = angle_to_parent()
+      if (off > apart) words = words//'. There the parent points '//to_text(off/degree, angle_digits)// &
+                               ' deg away from the first station'
+      if (off > apart .or. turn > sharpest_tie*(first - parent%md(n))) words = words// &
+         '. Warning: check that both surveys count depth from the same datum and azimuth from the same north'
+      stations%md = [parent%md(:n), stations%md]
+      stations%inclination = [parent%inclination(:n), stations%inclination]
+      stations%azimuth = [parent%azimuth(:n), stations%azimuth]
+      stations%lines = [spread(stations%lines(1), 1, n), stations%lines]
+
+   contains
+
+      !> Angle between the parent and the first station at its depth; 0 where the parent ends above [rad].
+      function angle_to_parent() result(angle)
+         real(wp) :: angle
+         type(trajectory_type) :: path
+         type(error_type), allocatable :: error
+         real(wp) :: position(3), tangent(3)
+         angle = 0.0_wp
+         if (parent%md(size(parent%md)) < first) return
+         call new_trajectory(path, parent%md, parent%inclination, parent%azimuth, interpolation_minimum_curvature, error)
+         if (allocated(error)) return
+         call position_at(path, first, position, tangent)
+         angle = dogleg_between(tangent, tangent_of(stations%inclination(1), stations%azimuth(1)))
+      end function angle_to_parent
+   end subroutine join_parent
 end module dg_deck_survey

@@ -2,18 +2,19 @@
 !> kick-off and one arc from there, or as straight.
 module dg_deck_tie_on
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_fault_list, only: fault_list_type
+   use dg_model_fault, only: depth_words
    use dg_survey_check, only: at_surface, begins_below, begins_vertical, sharpest_tie
    use dg_text, only: append_text, to_text
-   use dg_unit_kind, only: in_units, unit_curvature, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature
    implicit none
    private
    public :: tie_on
 
-   integer, parameter :: digits = 9, few_digits = 4
+   integer, parameter :: few_digits = 4
 
 contains
 
@@ -36,7 +37,8 @@ contains
             if (text_of(group, 'tie_on', 'none') /= 'vertical') then
                call fault("kick_off has no meaning without tie_on = 'vertical'; give both or none")
             else if (kick_off >= stations%md(1)) then
-               call fault('kick_off is not above the first station, '//depth(stations%md(1))//'; needs a depth above it')
+               call fault('kick_off is not above the first station, '//depth_words(draft%units, stations%md(1))// &
+                          '; needs a depth above it')
             end if
          end if
          if (.not. draft%has_stations .or. .not. begins_below(stations%md(1))) return
@@ -55,7 +57,7 @@ contains
 
       subroutine fault(message)
          character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'kick_off'), 'group &trajectory: '//message)
+         call group_fault(group, 'kick_off', message, faults)
          draft%has_stations = .false.
       end subroutine fault
 
@@ -65,14 +67,14 @@ contains
          real(wp) :: length
          associate (stations => draft%stations, units => draft%units)
             length = stations%md(1) - added(size(added))
-            text = 'group &trajectory: the survey begins at '//depth(stations%md(1))//' with '// &
+            text = 'group &trajectory: the survey begins at '//depth_words(draft%units, stations%md(1))//' with '// &
                    to_text(stations%inclination(1)/degree, few_digits)//' deg. The hole is taken as '
             if (straight) then
                text = text//'straight up to surface, in the direction of the first station (a station added there)'
                return
             end if
             text = text//'vertical at surface'
-            if (size(added) > 1) text = text//' and down to '//depth(kick_off)
+            if (size(added) > 1) text = text//' and down to '//depth_words(draft%units, kick_off)
             if (size(added) > 1) then
                text = text//' (stations added at both)'
             else
@@ -88,11 +90,5 @@ contains
                    "or a river crossing tie_on = 'straight'"
          end associate
       end function note
-
-      function depth(md) result(text)
-         real(wp), intent(in) :: md
-         character(:), allocatable :: text
-         text = trim(in_units(draft%units, unit_length, md, digits))
-      end function depth
    end subroutine tie_on
 end module dg_deck_tie_on

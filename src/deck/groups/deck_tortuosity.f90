@@ -1,11 +1,11 @@
 !> Reads &tortuosity and lays it on the stations of the deck.
 module dg_deck_tortuosity
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_whole, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_whole, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_type
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_fault_list, only: fault_list_type
    use dg_text, only: append_text, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
@@ -31,7 +31,7 @@ contains
       type(tortuosity_type), allocatable :: sections(:)
       integer, allocatable :: lines(:)
       integer :: i, k, before
-      before = faults%count
+      before = faults%noted
       allocate (sections(0), lines(0))
       do i = 1, size(groups)
          if (groups(i)%name /= 'tortuosity') cycle
@@ -45,14 +45,14 @@ contains
             call check(sections(size(sections)))
          end associate
       end do
-      if (size(sections) == 0 .or. faults%count > before) return
+      if (size(sections) == 0 .or. faults%noted > before) return
       call lay(sections, lines, draft)
 
    contains
 
       subroutine fault(key, message)
          character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(groups(i), key), 'group &tortuosity: '//message)
+         call group_fault(groups(i), key, message, faults)
       end subroutine fault
 
       function section_of(group) result(section)

@@ -2,37 +2,37 @@
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_open_deck
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, logical_of, places_of, real_of, &
-                               text_of
    use dg_catalogue, only: catalogue_within
-   use dg_deck_centralizer, only: take_centralizers
+   use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, places_of, real_of, &
+                               text_of
+   use dg_deck_advice, only: key_advice
    use dg_deck_catalogue, only: fill_from_catalogue
+   use dg_deck_centralizer, only: take_centralizers
    use dg_deck_check, only: close_holes, check_draft
-   use dg_deck_draft, only: deck_type, draft_type
-   use dg_deck_fluid, only: draft_fluid
-   use dg_deck_model, only: build_model
-   use dg_numerics, only: settings_of
+   use dg_deck_draft, only: deck_type, draft_type, lowest_of, sections_of
+   use dg_deck_fluid, only: draft_fluid, note_fluids, place_fluids
    use dg_deck_notes, only: note_oddities
    use dg_deck_parts, only: draft_hole, draft_component, draft_case, draft_boundary, draft_design, draft_numerics, draft_rig
-   use dg_fluid_notes, only: note_fluids
    use dg_deck_schema, only: group_keys_type, group_place, name_length
-   use dg_deck_survey, only: read_stations
-   use dg_deck_tortuosity, only: take_tortuosity
-   use dg_deck_tie_on, only: tie_on
    use dg_deck_source, only: default_folder, input_path
+   use dg_deck_survey, only: read_stations
    use dg_deck_text, only: group_type, parse_groups
+   use dg_deck_tie_on, only: tie_on
    use dg_deck_token, only: token_type, tokenize
+   use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_values, only: check_group
+   use dg_drillstring, only: drillstring_type
+   use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_file_lines, only: beside
-   use dg_foreign_names, only: group_advice
    use dg_job, only: job_type, model_name
    use dg_load_case, only: given
    use dg_model, only: model_type
+   use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
-   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
-   use dg_unusual_input, only: note_unusual
+   use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: unit_system, unit_system_type, si_units
+   use dg_unusual_input, only: note_unusual
    implicit none
    private
    public :: open_deck, close_deck
@@ -58,8 +58,7 @@ contains
       deallocate (tokens)
       call check_group_names(path, groups, rules, faults)
       deck%draft%path = path
-      deck%draft%units = units_of(groups)
-      call check_units(path, groups, rules, deck%draft%units, known, faults)
+      call find_units(path, groups, rules, deck%draft%units, known, faults)
       if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
       allocate (deck%groups(size(groups)))
       do i = 1, size(groups)
@@ -121,7 +120,7 @@ contains
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
-                           group_advice(groups(i)%name, names))
+                           key_advice('', groups(i)%name, names))
             cycle
          end if
          found(k) = found(k) + 1
@@ -166,43 +165,32 @@ contains
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
    end function inputs_of
 
-   !> Units of the deck: needed before anything else is read. SI where the deck is silent or wrong.
-   pure function units_of(groups) result(units)
-      type(group_type), intent(in) :: groups(:)
-      type(unit_system_type) :: units
-      integer :: i, j
-      units = si_units()
-      do i = 1, size(groups)
-         if (groups(i)%name /= 'job') cycle
-         do j = 1, size(groups(i)%entries)
-            if (groups(i)%entries(j)%key /= 'units' .or. size(groups(i)%entries(j)%values) == 0) cycle
-            units = unit_system(groups(i)%entries(j)%values(1)%text)
-            return
-         end do
-      end do
-   end function units_of
-
-   !> Whether the units that the deck names are known; the faults of &job where not.
-   subroutine check_units(path, groups, rules, units, known, faults)
+   !> Units of the deck, needed before anything else is read: SI where it is silent. `known` is false, and the faults of &job are
+   !> noted, where it names none that is known.
+   subroutine find_units(path, groups, rules, units, known, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
       type(group_keys_type), intent(in) :: rules(:)
-      type(unit_system_type), intent(in) :: units
+      type(unit_system_type), intent(out) :: units
       logical, intent(out) :: known
       type(fault_list_type), intent(inout) :: faults
       type(checked_group_type) :: checked
       type(fault_list_type) :: found
       integer :: i
+      units = si_units()
       known = .true.
       do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
-         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, found)
-         if (.not. is_given(checked, 'units') .or. is_sound(checked, 'units')) return
-         known = .false.
-         call check_group(path, groups(i), rules(group_place(rules, 'job'))%keys, units, checked, faults)
+         associate (keys => rules(group_place(rules, 'job'))%keys)
+            call check_group(path, groups(i), keys, units, checked, found)
+            if (.not. is_given(checked, 'units')) cycle
+            known = is_sound(checked, 'units')
+            if (.not. known) call check_group(path, groups(i), keys, units, checked, faults)
+         end associate
+         if (known) units = unit_system(text_of(checked, 'units', ''))
          return
       end do
-   end subroutine check_units
+   end subroutine find_units
 
    !> Fills the job from &job, or from defaults where the deck has none.
    subroutine take_job(path, units, groups, job)
@@ -247,8 +235,7 @@ contains
       if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
          do i = 1, size(groups)
             if (groups(i)%name /= 'rig') cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'max_hookload'), &
-                           'group &rig: max_hookload is rig_limit of &job under another name; keep one')
+            call group_fault(groups(i), 'max_hookload', 'max_hookload is rig_limit of &job under another name; keep one', faults)
             return
          end do
       end if
@@ -295,26 +282,26 @@ contains
             draft%trajectory_line = groups(i)%line
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
-            call read_stations(draft%path, groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
+            call read_stations(groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
             if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1
             call draft_hole(groups(i), holes, draft%holes(holes))
          case ('fluid')
             fluids = fluids + 1
-            call draft_fluid(draft%path, groups(i), draft%fluids(fluids), faults)
+            call draft_fluid(groups(i), draft%fluids(fluids), faults)
          case ('rig')
-            call draft_rig(draft%path, groups(i), draft%rig, faults)
+            call draft_rig(groups(i), draft%rig, faults)
          case ('component')
             components = components + 1
-            call draft_component(draft%path, groups(i), draft%units, draft%components(components), faults)
+            call draft_component(groups(i), draft%units, draft%components(components), faults)
          case ('load_case')
             cases = cases + 1
-            call draft_case(draft%path, groups(i), draft%cases(cases), faults)
+            call draft_case(groups(i), draft%cases(cases), faults)
          case ('boundary')
-            call draft_boundary(draft%path, groups(i), draft%boundary, faults)
+            call draft_boundary(groups(i), draft%boundary, faults)
          case ('solver')
-            call draft_numerics(draft%path, groups(i), draft%numerics, faults)
+            call draft_numerics(groups(i), draft%numerics, faults)
          case default
          end select
       end do
@@ -329,4 +316,54 @@ contains
          end do
       end function count_of
    end subroutine take_draft
+
+   !> Builds the model. Faults left to find are a path that the stations do not allow, and what fluids need the path for.
+   subroutine build_model(draft, model, faults)
+      type(draft_type), intent(in) :: draft
+      type(model_type), intent(out) :: model
+      type(fault_list_type), intent(inout) :: faults
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call new_trajectory(model%trajectory, draft%stations%md, draft%stations%inclination, draft%stations%azimuth, &
+                          draft%interpolation, error)
+      if (allocated(error)) then
+         call add_fault(faults, draft%path, draft%trajectory_line, 'group &trajectory: '//error%message)
+         return
+      end if
+      if (allocated(draft%path_notes)) model%path_notes = draft%path_notes
+      model%holes = sections_of(draft)
+      allocate (model%cases(size(draft%cases)))
+      do i = 1, size(draft%cases)
+         model%cases(i) = draft%cases(i)%load_case
+      end do
+      call build_strings(draft, model%strings)
+      model%boundary = draft%boundary
+      model%numerics = draft%numerics
+      model%rig = draft%rig
+      call place_fluids(draft, model%trajectory, model%mud, faults)
+      model%gravity = draft%gravity
+      model%units = draft%units
+   end subroutine build_model
+
+   !> Components of one name make one string, in the deck's order.
+   pure subroutine build_strings(draft, strings)
+      type(draft_type), intent(in) :: draft
+      type(drillstring_type), allocatable, intent(out) :: strings(:)
+      integer :: lowest(size(draft%components)), i, k, n
+      integer, allocatable :: parts(:)
+      lowest = lowest_of(draft)
+      allocate (strings(count(lowest == [(i, i=1, size(lowest))])))
+      n = 0
+      do i = 1, size(lowest)
+         if (lowest(i) < i) cycle
+         n = n + 1
+         strings(n)%name = draft%components(i)%string
+         parts = pack([(k, k=1, size(lowest))], lowest == i)
+         allocate (strings(n)%components(size(parts)))
+         do k = 1, size(parts)
+            strings(n)%components(k) = draft%components(parts(k))%component
+         end do
+      end do
+   end subroutine build_strings
 end module dg_open_deck

@@ -5,8 +5,8 @@ module dg_unusual_input
    use dg_component, only: is_bit, opens
    use dg_constants, only: degree, pi
    use dg_contact_friction, only: axial_friction
-   use dg_deck_draft, only: draft_component_type, draft_type
-   use dg_load_case, only: load_case_type, operation_static
+   use dg_deck_draft, only: draft_type, lowest_of
+   use dg_load_case, only: operation_static
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
@@ -62,8 +62,7 @@ contains
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
-         call note_range('group &fluid', usual_density, draft%fluids(i)%fluid%density, &
-                         to_text(draft%fluids(i)%fluid%density/draft%units%density, digits))
+         call note_range('group &fluid', usual_density, draft%fluids(i)%fluid%density)
       end do
       if (.not. fitted) call note_friction(draft, notes)
       do i = 1, size(draft%components)
@@ -71,18 +70,14 @@ contains
       end do
       call note_order(draft, notes)
       call note_length(draft, notes)
-      call note_range('group &rig', usual_block, draft%rig%block_weight, &
-                      trim(in_units(draft%units, unit_force, draft%rig%block_weight, digits)))
-      if (draft%rig%max_torque%present) call note_range('group &rig', usual_top_drive, draft%rig%max_torque%value, &
-         trim(in_units(draft%units, unit_moment, draft%rig%max_torque%value, digits)))
+      call note_range('group &rig', usual_block, draft%rig%block_weight)
+      if (draft%rig%max_torque%present) call note_range('group &rig', usual_top_drive, draft%rig%max_torque%value)
       do i = 1, size(draft%cases)
-         associate (load_case => draft%cases(i)%load_case)
-            call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_wob, load_case%wob, &
-                            trim(in_units(draft%units, unit_force, load_case%wob, digits)))
-            call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), usual_tob, load_case%tob, &
-                            trim(in_units(draft%units, unit_moment, load_case%tob, digits)))
-            if (load_case%pump_pressure > 0.0_wp) call note_range(trim(draft%cases(i)%what)//' '//quoted(load_case%name), &
-               usual_pump, load_case%pump_pressure, trim(in_units(draft%units, unit_pressure, load_case%pump_pressure, digits)))
+         associate (load_case => draft%cases(i)%load_case, what => trim(draft%cases(i)%what)//' ')
+            call note_range(what//quoted(load_case%name), usual_wob, load_case%wob)
+            call note_range(what//quoted(load_case%name), usual_tob, load_case%tob)
+            if (load_case%pump_pressure > 0.0_wp) &
+               call note_range(what//quoted(load_case%name), usual_pump, load_case%pump_pressure)
          end associate
       end do
 
@@ -93,8 +88,7 @@ contains
          integer, intent(in) :: number
          associate (item => draft%components(number), part => draft%components(number)%component, units => draft%units)
             if (part%yield > 0.0_wp) &
-               call note_range('group &component in line '//to_text(item%line)//': '//quoted(part%name), usual_yield, &
-                               part%yield, trim(in_units(units, unit_stress, part%yield, digits)))
+               call note_range('group &component in line '//to_text(item%line)//': '//quoted(part%name), usual_yield, part%yield)
             if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
             if (index(lower_case(part%kind), 'rod') > 0) return
             call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
@@ -104,24 +98,28 @@ contains
       end subroutine note_component
 
       !> A value out of its usual range.
-      subroutine note_range(what, number, value, told)
+      subroutine note_range(what, number, value)
          character(*), intent(in) :: what
          integer, intent(in) :: number       !< of the range
          real(wp), intent(in) :: value       !< [SI]
-         character(*), intent(in) :: told    !< the value in units
          character(:), allocatable :: range
-         if (value >= usual(number)%low .and. value <= usual(number)%high) return
-         if (number == usual_density) then
-            range = to_text(usual(number)%high/draft%units%density, digits)
-         else if (value > usual(number)%high) then
-            range = trim(in_units(draft%units, usual(number)%unit, usual(number)%high, digits))
-         else
-            range = trim(in_units(draft%units, usual(number)%unit, usual(number)%low, digits))
-         end if
-         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//told//' is unusual. Usual is '// &
-                          trim(merge('at most ', 'at least', value > usual(number)%high))//' '//range// &
-                          '. Check the unit')
+         associate (low => usual(number)%low, high => usual(number)%high)
+            if (value >= low .and. value <= high) return
+            range = 'at least '//told(number, low)
+            if (value > high) range = 'at most '//told(number, high)
+         end associate
+         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//told(number, value)//' is unusual. Usual is '// &
+                          range//'. Check the unit')
       end subroutine note_range
+
+      !> A value in the units of the deck, with its unit where the range has one.
+      function told(number, value) result(text)
+         integer, intent(in) :: number       !< of the range
+         real(wp), intent(in) :: value       !< [SI]
+         character(:), allocatable :: text
+         text = to_text(value/draft%units%density, digits)
+         if (number /= usual_density) text = trim(in_units(draft%units, usual(number)%unit, value, digits))
+      end function told
    end subroutine note_unusual
 
    !> Inclinations that look like radians.
@@ -214,7 +212,8 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i, k
       do k = 1, size(draft%cases)
-         if (.not. relies(draft%cases(k)%load_case)) cycle
+         if (draft%cases(k)%load_case%operation == operation_static .or. &
+             draft%cases(k)%load_case%friction_axial%present) cycle
          do i = 1, size(draft%holes)
             associate (hole => draft%holes(i))
                if (hole%friction_given .or. axial_friction(hole%section, draft%cases(k)%load_case%operation) > 0.0_wp .or. &
@@ -225,53 +224,37 @@ contains
          end do
          return
       end do
-   contains
-      !> True where a load case takes its friction from the hole.
-      pure function relies(load_case) result(does)
-         type(load_case_type), intent(in) :: load_case
-         logical :: does
-         does = load_case%operation /= operation_static .and. .not. load_case%friction_axial%present
-      end function relies
    end subroutine note_friction
 
    !> A bit above other components of its string: the string is listed from the top.
    subroutine note_order(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i, k
+      integer :: lowest(size(draft%components))
+      integer :: i
+      lowest = lowest_of(draft)
       do i = 2, size(draft%components)
          associate (item => draft%components(i))
-            if (.not. is_bit(item%component) .or. opens(item%component)) cycle
-            k = first_of(item)
-            if (k == i) cycle
+            if (.not. is_bit(item%component) .or. opens(item%component) .or. lowest(i) == i) cycle
             call append_text(notes, 'group &component in line '//to_text(item%line)//': bit '//quoted(item%component%name)// &
-                             ' stands above '//quoted(draft%components(k)%component%name)// &
+                             ' stands above '//quoted(draft%components(lowest(i))%component%name)// &
                              '. List components from the bit upwards')
          end associate
       end do
-   contains
-      !> Lowest component of the string of a component.
-      pure function first_of(item) result(place)
-         type(draft_component_type), intent(in) :: item
-         integer :: place
-         do place = 1, size(draft%components)
-            if (draft%components(place)%string == item%string) return
-         end do
-      end function first_of
    end subroutine note_order
 
    !> A string longer than the hole, whose last component has a length.
    subroutine note_length(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: lowest(size(draft%components))
       real(wp) :: length, depth
-      integer :: i, k
+      integer :: i
       depth = draft%stations%md(size(draft%stations%md))
+      lowest = lowest_of(draft)
       do i = 1, size(draft%components)
-         if (any([(draft%components(k)%string == draft%components(i)%string, k=i + 1, size(draft%components))])) cycle
-         if (.not. draft%components(i)%component%length > 0.0_wp) cycle
-         length = sum([(merge(draft%components(k)%component%length, 0.0_wp, &
-                              draft%components(k)%string == draft%components(i)%string), k=1, i)])
+         if (any(lowest(i + 1:) == lowest(i)) .or. .not. draft%components(i)%component%length > 0.0_wp) cycle
+         length = sum(draft%components%component%length, mask=lowest == lowest(i))
          if (length <= depth + above_surface) cycle
          call append_text(notes, 'String '//quoted(draft%components(i)%string)//' is '// &
                           trim(in_units(draft%units, unit_length, length, depth_digits))//' long, the hole ends at '// &

@@ -1,35 +1,24 @@
 !> Cells of the rows of a survey table: between separators, or by their place below the headings.
 module dg_survey_cells
-   use dg_deck_number, only: read_real
-   use dg_kinds, only: wp
-   use dg_survey_columns, only: layout_type
+   use dg_deck_number, only: is_number
+   use dg_survey_columns, only: layout_type, no_extent
    use dg_table_number, only: plain_number
-   use dg_table_text, only: content_length, row_type, split_row
-   use dg_text, only: text_type
+   use dg_table_text, only: content_length, split_row
+   use dg_text, only: append_text, text_type
    implicit none
    private
-   public :: cell, count_numbers, find_extents, part_phrases, split_cells
+   public :: count_numbers, find_extents, part_phrases, split_cells
 
    character, parameter :: tab = achar(9)
 
 contains
 
-   !> The text in a cell of a row.
-   pure function cell(row, place) result(text)
-      type(row_type), intent(in) :: row
-      integer, intent(in) :: place
-      character(row%last(place) - row%first(place) + 1) :: text
-      text = row%text(row%first(place):row%last(place))
-   end function cell
-
    !> Numbers in a line, whatever separates them.
    pure function count_numbers(text) result(numbers)
       character(*), intent(in) :: text
       integer :: numbers
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       character(len(text)) :: plain
-      real(wp) :: number
-      logical :: legal
       integer :: i
       numbers = 0
       if (content_length(text) == 0) return
@@ -38,24 +27,21 @@ contains
          if (scan(text(i:i), ';|"'//tab) == 1) plain(i:i) = ' '
       end do
       call split_row(plain(:content_length(plain)), ' ', row)
-      if (row%count == 1) then
+      if (size(row) == 1) then
          do i = 1, len(plain)
             if (plain(i:i) == ',') plain(i:i) = ' '
          end do
          call split_row(plain(:content_length(plain)), ' ', row)
       end if
-      do i = 1, row%count
-         call read_real(plain_number(row%text(row%first(i):row%last(i)), .false.), number, legal)
-         if (legal) numbers = numbers + 1
-      end do
+      numbers = count([(is_number(plain_number(row(i)%text, .false.)), i=1, size(row))])
    end function count_numbers
 
    !> Fields between which two blanks or more stand, or tabs.
    pure subroutine part_phrases(text, row)
       character(*), intent(in) :: text
-      type(row_type), intent(inout) :: row
+      type(text_type), allocatable, intent(inout) :: row(:)
       character(len(text)) :: marked
-      type(row_type) :: cells
+      type(text_type), allocatable :: cells(:)
       integer :: i
       marked = text
       do i = 2, len(text)
@@ -63,14 +49,11 @@ contains
       end do
       ! a single blank joins; a run of tabs parts once
       call split_row(marked, tab, cells)
-      row = cells
-      row%count = 0
-      do i = 1, cells%count
-         if (cells%last(i) < cells%first(i)) cycle
-         row%count = row%count + 1
-         row%first(row%count) = cells%first(i)
-         row%last(row%count) = cells%last(i)
+      if (allocated(row)) deallocate (row)
+      do i = 1, size(cells)
+         if (cells(i)%text /= '') call append_text(row, cells(i)%text)
       end do
+      if (.not. allocated(row)) allocate (row(0))
    end subroutine part_phrases
 
    !> First and last letters of the columns of rows that have as many fields as the first one; none where fields of neighbours
@@ -100,14 +83,12 @@ contains
          if (has) then
             extent = found
          else
-            deallocate (extent)
-            allocate (extent(2, 0))
+            extent = no_extent
          end if
          return
       end do
       if (any(extent(2, :) == 0)) then
-         deallocate (extent)
-         allocate (extent(2, 0))
+         extent = no_extent
       end if
    end subroutine find_extents
 
@@ -142,27 +123,28 @@ contains
    pure subroutine split_cells(text, layout, row)
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout
-      type(row_type), intent(inout) :: row
+      type(text_type), allocatable, intent(inout) :: row(:)
       if (layout%wide) then
          call part_phrases(text, row)
-         if (row%count == layout%width) return
+         if (size(row) == layout%width) return
       end if
       call split_row(text, layout%separator, row)
-      if (layout%separator /= ' ' .or. row%count == layout%width) return
-      if (row%count < layout%width .and. size(layout%extent, 2) == layout%width) call place_fields(text, layout, row)
-      if (row%count > layout%width .and. .not. layout%wide) call join_first(layout, row)
+      if (layout%separator /= ' ' .or. size(row) == layout%width) return
+      if (size(row) < layout%width .and. size(layout%extent, 2) == layout%width) call place_fields(text, layout, row)
+      if (size(row) > layout%width .and. .not. layout%wide) call join_first(layout, row)
    end subroutine split_cells
 
    !> Gives each field the column below which it stands alone; leaves the row as it is where one stands below none or two.
    pure subroutine place_fields(text, layout, row)
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout
-      type(row_type), intent(inout) :: row
-      integer :: found(2, row%count), column(row%count), i, k, times, start(layout%width), finish(layout%width)
+      type(text_type), allocatable, intent(inout) :: row(:)
+      type(text_type), allocatable :: placed(:)
+      integer :: found(2, size(row)), column(size(row)), i, k, times
       logical :: has
-      call find_fields(text, row%count, found, has)
+      call find_fields(text, size(row), found, has)
       if (.not. has) return
-      do i = 1, row%count
+      do i = 1, size(row)
          times = 0
          do k = 1, layout%width
             if (found(1, i) > layout%extent(2, k) .or. found(2, i) < layout%extent(1, k)) cycle
@@ -171,40 +153,31 @@ contains
          end do
          if (times /= 1) return
       end do
-      if (any(column(2:) <= column(:row%count - 1))) return
-      start = 1
-      finish = 0
-      do i = 1, row%count
-         start(column(i)) = row%first(i)
-         finish(column(i)) = row%last(i)
+      if (any(column(2:) <= column(:size(row) - 1))) return
+      allocate (placed(0))
+      do k = 1, layout%width
+         call append_text(placed, '')
       end do
-      if (size(row%first) < layout%width) then
-         deallocate (row%first, row%last)
-         allocate (row%first(layout%width), row%last(layout%width))
-      end if
-      row%count = layout%width
-      row%first(:layout%width) = start
-      row%last(:layout%width) = finish
+      do i = 1, size(row)
+         placed(column(i))%text = row(i)%text
+      end do
+      call move_alloc(placed, row)
    end subroutine place_fields
 
    !> Joins the words of a name in the first column, where all fields behind it are numbers.
    pure subroutine join_first(layout, row)
       type(layout_type), intent(in) :: layout
-      type(row_type), intent(inout) :: row
-      real(wp) :: number
+      type(text_type), allocatable, intent(inout) :: row(:)
       integer :: i, more
-      logical :: legal
       if (any(layout%place == 1) .or. layout%width < 2) return
-      more = row%count - layout%width
-      do i = more + 2, row%count
-         call read_real(plain_number(row%text(row%first(i):row%last(i)), .false.), number, legal)
-         if (.not. legal) return
+      more = size(row) - layout%width
+      do i = more + 2, size(row)
+         if (.not. is_number(plain_number(row(i)%text, .false.))) return
       end do
-      call read_real(row%text(row%first(1):row%last(1)), number, legal)
-      if (legal) return
-      row%last(1) = row%last(more + 1)
-      row%first(2:layout%width) = row%first(more + 2:row%count)
-      row%last(2:layout%width) = row%last(more + 2:row%count)
-      row%count = layout%width
+      if (is_number(row(1)%text)) return
+      do i = 1, more
+         row(more + 1)%text = row(more + 1 - i)%text//row(more + 1)%text
+      end do
+      row = row(more + 1:)
    end subroutine join_first
 end module dg_survey_cells

@@ -4,16 +4,16 @@ module dg_survey_columns
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
    use dg_table_text, only: squeezed
    use dg_table_unit, only: read_unit
-   use dg_text, only: nearest_name, quoted, text_type
+   use dg_text, only: nearest_name, quoted
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: layout_type, column_names_type, choose_columns, take_unit, missing_columns
+   public :: layout_type, no_extent, column_names_type, choose_columns, take_unit, missing_columns
 
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type
-      type(text_type) :: names(3)
-      character(:), allocatable :: well          !< trajectory of a WITSML document; not allocated: the only one
+      character(200) :: names(3) = ''
+      character(200) :: well = ''                !< trajectory of a WITSML document; '': the only one
    end type column_names_type
 
    !> Columns of a table and the SI values of their units.
@@ -36,6 +36,7 @@ module dg_survey_columns
       character(:), allocatable :: unknown       !< what is wrong with a name in the deck, for a message; '': nothing
    end type layout_type
 
+   integer, parameter :: no_extent(2, 0) = reshape([integer ::], [2, 0])
    !> Headings of the name of a well, without blanks and marks.
    character(*), parameter :: well_names(17) = [character(16) :: 'well', 'wellname', 'wellbore', 'wellborename', 'borehole', &
       'boreholename', 'uwi', 'api', 'apino', 'apinumber', 'apiwellno', 'apiwellnumber', 'wellno', 'wellid', 'wellboreid', &
@@ -70,16 +71,12 @@ contains
       end do
       named = .false.
       do column = 1, column_azi
-         if (names%names(column)%text == '') cycle
+         if (names%names(column) == '') cycle
          named(column) = .true.
-         call find_named(headings, names%names(column)%text, column, layout)
+         call find_named(headings, trim(names%names(column)), column, layout)
       end do
       do column = 1, size(layout%place)
-         do i = 1, size(headings)
-            if (headings(i)%column /= column .or. named(column) .or. is_taken(i)) cycle
-            call put_candidate(column, i)
-         end do
-         if (column <= column_azi) call drop_loose(column)
+         if (.not. named(column)) call choose(column)
          if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
       end do
       do column = 1, column_azi
@@ -88,54 +85,26 @@ contains
 
    contains
 
-      pure function is_taken(place) result(taken)
-         integer, intent(in) :: place
-         logical :: taken
-         taken = any(layout%place == place)
-      end function is_taken
-
-      !> A column that may be taken; the one that is not is a rival.
-      subroutine put_candidate(wanted, place)
-         integer, intent(in) :: wanted, place
-         integer :: best, other
-         best = layout%place(wanted)
-         if (best == 0) then
-            layout%place(wanted) = place
-            return
-         end if
-         other = place
-         if (headings(place)%rank < headings(best)%rank) then
-            layout%place(wanted) = place
-            other = best
-            best = place
-         end if
-         if (wanted > column_azi) return
-         if (headings(best)%rank < loose_rank .and. headings(other)%rank >= loose_rank) then
-            if (layout%rival(wanted) == 0) return
-            if (headings(layout%rival(wanted))%rank >= loose_rank) layout%rival(wanted) = 0
-            return
-         end if
-         if (layout%rival(wanted) == 0) then
-            layout%rival(wanted) = other
-         else if (headings(other)%rank < headings(layout%rival(wanted))%rank) then
-            layout%rival(wanted) = other
-         else if (headings(layout%rival(wanted))%rank >= loose_rank .and. headings(best)%rank < loose_rank) then
-            layout%rival(wanted) = other
-         end if
-      end subroutine put_candidate
-
-      !> A heading that is only likely is not taken where another speaks of the quantity in words that are not known: the user
-      !> must choose.
-      subroutine drop_loose(wanted)
+      !> The column of the lowest rank; the next one is a rival of md, inc or azi, unless it alone is only likely.
+      subroutine choose(wanted)
          integer, intent(in) :: wanted
-         integer :: k
-         if (layout%place(wanted) == 0 .or. named(wanted)) return
-         if (headings(layout%place(wanted))%rank < loose_rank) return
-         do k = 1, size(headings)
-            if (headings(k)%speaks(wanted) .and. headings(k)%column == no_column) layout%place(wanted) = 0
-            if (layout%place(wanted) == 0) return
-         end do
-      end subroutine drop_loose
+         logical :: may(size(headings)), unclear
+         integer :: other
+         may = [(headings(i)%column == wanted .and. .not. any(layout%place == i), i=1, size(headings))]
+         if (.not. any(may)) return
+         layout%place(wanted) = minloc(headings%rank, dim=1, mask=may)
+         if (wanted > column_azi) return
+         associate (rank => headings(layout%place(wanted))%rank)
+            may(layout%place(wanted)) = .false.
+            other = minloc(headings%rank, dim=1, mask=may)
+            if (other > 0) then
+               if (rank >= loose_rank .or. headings(other)%rank < loose_rank) layout%rival(wanted) = other
+            end if
+            ! another heading speaks of the quantity in words that are not known: the user must choose
+            unclear = any([(headings(i)%speaks(wanted) .and. headings(i)%column == no_column, i=1, size(headings))])
+            if (rank >= loose_rank .and. unclear) layout%place(wanted) = 0
+         end associate
+      end subroutine choose
    end subroutine choose_columns
 
    !> The column that the deck names: its heading as it stands, else without regard to capitals, blanks and unit.
@@ -145,18 +114,15 @@ contains
       integer, intent(in) :: wanted
       type(layout_type), intent(inout) :: layout
       type(heading_type) :: asked
-      integer :: k, attempt, times
+      logical :: alike(size(headings))
+      integer :: k, attempt
       call read_heading(name, asked)
       do attempt = 1, 3
-         times = 0
-         do k = size(headings), 1, -1
-            if (.not. is_alike(headings(k), asked, attempt)) cycle
-            times = times + 1
-            layout%place(wanted) = k
-         end do
-         if (times > 1) layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)// &
+         alike = [(is_alike(headings(k), asked, attempt), k=1, size(headings))]
+         layout%place(wanted) = findloc(alike, .true., dim=1)
+         if (count(alike) > 1) layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)// &
             ' stands twice in the header. Rename one of them'
-         if (times > 0) return
+         if (any(alike)) return
       end do
       layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is no heading of the file. '// &
                        seen_headings(headings)//nearest_heading(asked%text, headings)

@@ -8,7 +8,7 @@ module dg_survey_file
    use dg_survey_heading, only: column_azi
    use dg_survey_layout, only: find_layout
    use dg_survey_rows, only: kind_names, read_rows, without_azimuth
-   use dg_survey_stations, only: cut_stations, order_stations, rival_words, station_list_type
+   use dg_survey_stations, only: order_stations, pick_stations, rival_words, station_list_type
    use dg_table_number, only: doubt, doubtful_line, marks_type
    use dg_table_text, only: skipped_rows_type, skipped_words
    use dg_text, only: text_type, to_text
@@ -36,12 +36,9 @@ contains
       type(column_names_type) :: names
       type(skipped_rows_type) :: skipped(size(kind_names))
       character(:), allocatable :: failure, chosen
-      integer :: n, i
+      integer :: i, n
       logical :: told
 
-      do i = 1, size(names%names)
-         names%names(i)%text = ''
-      end do
       if (present(named)) names = named
       stations%file = path
       stations%skipped = ''
@@ -54,8 +51,7 @@ contains
       allocate (lines(0))
       chosen = ''
       if (is_xml(path)) then
-         if (.not. allocated(names%well)) names%well = ''
-         call witsml_table(path, names%well, lines, chosen, failure)
+         call witsml_table(path, trim(names%well), lines, chosen, failure)
       else if (failure == '') then
          call read_lines(path, lines, failure)
       end if
@@ -80,7 +76,7 @@ contains
             call add_fault(faults, path, line, 'survey: '//doubt(marks, line))
          end associate
       end if
-      call cut_stations(stations, n)
+      call pick_stations(stations, [(i, i=1, n)])
       if (sound) call finish_stations(layout, skipped, stations, sound, faults)
       if (chosen /= '' .and. stations%columns /= '') chosen = chosen//'. '
       stations%columns = chosen//stations%columns

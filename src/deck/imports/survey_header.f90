@@ -1,12 +1,12 @@
 !> Finds the header of a survey table, on one, two or three lines, and the columns that it names.
 module dg_survey_header
    use dg_survey_cells, only: count_numbers, part_phrases
-   use dg_survey_columns, only: choose_columns, column_names_type, layout_type
+   use dg_survey_columns, only: choose_columns, column_names_type, layout_type, no_extent
    use dg_survey_heading, only: column_inc, heading_type, is_heading_text, read_heading
    use dg_survey_stack, only: stack_by_count, stack_by_place
    use dg_survey_words, only: role_along, role_corrected, role_magnetic, role_md, role_measured, role_of, role_plan, role_sea, &
                               role_tvd, role_vertical, words_of
-   use dg_table_text, only: content_length, find_separator, row_type, split_row
+   use dg_table_text, only: content_length, find_separator, split_row
    use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none
@@ -74,12 +74,11 @@ contains
    pure function is_header_line(text) result(is)
       character(*), intent(in) :: text
       logical :: is
-      integer :: length, i
-      length = content_length(text)
-      is = .false.
-      do i = 1, length
-         is = is .or. scan(text(i:i), 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ') == 1 .or. iachar(text(i:i)) > 127
-      end do
+      integer :: i
+      associate (content => text(:content_length(text)))
+         is = scan(content, 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ') > 0 .or. &
+              any([(iachar(content(i:i)) > 127, i=1, len(content))])
+      end associate
    end function is_header_line
 
    pure function is_complete(layout) result(complete)
@@ -125,8 +124,7 @@ contains
    pure function belongs(text) result(is)
       character(*), intent(in) :: text
       logical :: is
-      type(row_type) :: row
-      type(text_type), allocatable :: words(:)
+      type(text_type), allocatable :: row(:), words(:)
       character :: separator
       integer :: i, filled, length
       is = .false.
@@ -140,8 +138,8 @@ contains
          call split_row(text(:length), separator, row)
       end if
       filled = 0
-      do i = 1, row%count
-         if (row%last(i) >= row%first(i)) filled = filled + 1
+      do i = 1, size(row)
+         if (row(i)%text /= '') filled = filled + 1
       end do
       is = filled >= 2
       if (is) return
@@ -169,8 +167,7 @@ contains
       do attempt = 1, 3
          layout%wide = .false.
          layout%separator = separator
-         if (allocated(layout%extent)) deallocate (layout%extent)
-         allocate (layout%extent(2, 0))
+         layout%extent = no_extent
          if (separator == ' ') then
             call stack_by_place(lines, first_line, last, data_line, layout, texts)
          else
@@ -213,11 +210,11 @@ contains
       character(*), intent(in) :: text
       integer, intent(in) :: width
       character, intent(inout) :: separator
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: length
       length = content_length(text)
       if (separator == ' ' .or. index(text(:length), separator) > 0) return
       call split_row(text(:length), ' ', row)
-      if (row%count == width .and. width > 1) separator = ' '
+      if (size(row) == width .and. width > 1) separator = ' '
    end subroutine find_row_separator
 end module dg_survey_header

@@ -20,6 +20,10 @@ module dg_survey_heading
    integer, parameter :: north_rank(5) = [1, 2, 3, 4, 6]     ! grid, corrected, true, none named, magnetic
    integer, parameter :: grid_north = 1, corrected_north = 2, true_north = 3, no_north = 4, magnetic_north = 5
 
+   !> Parts of words that tell the quantity in brackets, too: (TVD), (true), (planned).
+   integer, parameter :: quantity_roles(*) = [role_md, role_measured, role_along, role_tvd, role_vertical, role_true, role_grid, &
+      role_corrected, role_magnetic, role_sea, role_plan, role_inc, role_azi]
+
    type :: heading_type
       integer :: column = no_column             !< the quantity
       integer :: rank = 0                       !< low where the heading is a usual one
@@ -60,7 +64,7 @@ contains
          heading%name = heading%name//words(i)%text
       end do
       do i = 1, size(bracket_words)
-         if (tells_quantity(role_of(bracket_words(i)%text))) roles = [roles, role_of(bracket_words(i)%text)]
+         if (any(role_of(bracket_words(i)%text) == quantity_roles)) roles = [roles, role_of(bracket_words(i)%text)]
       end do
       call classify(roles, words, index(lower_case(text), 'from') > 0, heading)
    end subroutine read_heading
@@ -142,14 +146,6 @@ contains
       if (inside == '-') inside = ''
    end subroutine part_brackets
 
-   !> Whether a word in brackets tells the quantity: (TVD), (true), (planned).
-   pure function tells_quantity(role) result(tells)
-      integer, intent(in) :: role
-      logical :: tells
-      tells = any(role == [role_md, role_measured, role_along, role_tvd, role_vertical, role_true, role_grid, role_corrected, &
-                           role_magnetic, role_sea, role_plan, role_inc, role_azi])
-   end function tells_quantity
-
    !> The text in brackets without words that are no part of a unit: (corr), (planned).
    pure function unit_text(inside) result(unit)
       character(*), intent(in) :: inside
@@ -230,10 +226,10 @@ contains
             return
          heading%column = column_azi
          north = no_north
-         if (has(role_magnetic) .or. any_letter('m')) north = magnetic_north
-         if (has(role_true) .or. any_letter('t')) north = true_north
+         if (has(role_magnetic) .or. any_word(words, 'm')) north = magnetic_north
+         if (has(role_true) .or. any_word(words, 't')) north = true_north
          if (has(role_corrected)) north = corrected_north
-         if (has(role_grid) .or. any_letter('g')) north = grid_north
+         if (has(role_grid) .or. any_word(words, 'g')) north = grid_north
          heading%rank = north_rank(north)
          if (north == no_north .and. .not. has(role_azi)) heading%rank = heading%rank + 1
       end subroutine name_azimuth
@@ -246,7 +242,7 @@ contains
          heading%rank = modified_rank
          if (size(roles) == 1) heading%rank = plain_rank
          if (.not. has(role_inc)) heading%rank = drift_rank
-         if (.not. has(role_inc) .and. .not. has(role_drift) .and. .not. any_word('hole')) heading%rank = loose_rank
+         if (.not. has(role_inc) .and. .not. has(role_drift) .and. .not. any_word(words, 'hole')) heading%rank = loose_rank
       end subroutine name_inclination
 
       subroutine name_depth()
@@ -267,27 +263,19 @@ contains
             heading%column = column_md
             heading%rank = loose_rank + 1
             if (has(role_station)) heading%rank = loose_rank
-            if (has(role_total) .or. any_word('hole')) heading%rank = loose_rank + 2
+            if (has(role_total) .or. any_word(words, 'hole')) heading%rank = loose_rank + 2
          end if
       end subroutine name_depth
-
-      pure function any_word(word)
-         character(*), intent(in) :: word
-         logical :: any_word
-         integer :: i
-         any_word = .false.
-         do i = 1, size(words)
-            any_word = any_word .or. words(i)%text == word
-         end do
-      end function any_word
-
-      !> Whether a letter that tells the north stands behind the name.
-      pure function any_letter(letter)
-         character, intent(in) :: letter
-         logical :: any_letter
-         any_letter = any_word(letter)
-      end function any_letter
    end subroutine classify
+
+   !> Whether a word stands in a heading.
+   pure function any_word(words, word)
+      type(text_type), intent(in) :: words(:)
+      character(*), intent(in) :: word
+      logical :: any_word
+      integer :: i
+      any_word = any([(words(i)%text == word, i=1, size(words))])
+   end function any_word
 
    !> Positions to the north and east: '+N/-S', 'N-S', 'Northing', 'DY', 'Y offset'.
    pure subroutine find_position(roles, words, heading)
@@ -317,7 +305,8 @@ contains
             east = east .or. scan(words(i)%text, 'ewx') == 1
             other = other .or. scan(words(i)%text, 'tg') == 1
             ! x and y alone may be anything
-            if (scan(words(i)%text, 'xy') == 1 .and. .not. any_offset()) other = .true.
+            if (scan(words(i)%text, 'xy') == 1 .and. .not. (any_word(words, 'offset') .or. any_word(words, 'displacement'))) &
+               other = .true.
          case (role_other)
             other = other .or. .not. any(words(i)%text == [character(12) :: 'local', 'offset', 'coord', 'coordinate', 'coords', &
                                                            'displacement', 'disp', 'distance', 'dist', 'rectangular', 'departure'])
@@ -332,15 +321,5 @@ contains
       else
          heading%column = merge(column_north, column_east, north)
       end if
-
-   contains
-      pure function any_offset()
-         logical :: any_offset
-         integer :: k
-         any_offset = .false.
-         do k = 1, size(words)
-            any_offset = any_offset .or. any(words(k)%text == [character(12) :: 'offset', 'displacement'])
-         end do
-      end function any_offset
    end subroutine find_position
 end module dg_survey_heading

@@ -3,12 +3,12 @@ module dg_survey_layout
    use dg_kinds, only: wp
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_las_file, only: is_las, las_table
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: is_number, read_real
    use dg_survey_cells, only: split_cells
    use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
    use dg_survey_header, only: find_header
    use dg_survey_heading, only: column_inc, column_md, column_name, heading_type, loose_rank, read_heading
-   use dg_table_text, only: content_length, row_type, without_comment
+   use dg_table_text, only: content_length, without_comment
    use dg_table_unit, only: resembles_unit
    use dg_text, only: lower_case, quoted, text_type
    use dg_units, only: unit_system_type
@@ -139,20 +139,16 @@ contains
       type(layout_type), intent(in) :: layout
       type(column_names_type), intent(in) :: names
       character(:), allocatable :: message
-      integer :: i, column, times
+      integer :: i, column
       message = ''
       do column = 1, 3
-         times = 0
-         if (layout%place(column) == 0) cycle
-         if (names%names(column)%text /= '') cycle
-         do i = 1, layout%width
-            associate (heading => layout%headings(i))
-               if (heading%name == column_name(column) .and. heading%unit == layout%headings(layout%place(column))%unit) &
-                  times = times + 1
-            end associate
-         end do
-         if (times > 1) message = 'the header names '//trim(column_name(column))//' twice; keep one'
-         if (times > 1) return
+         if (layout%place(column) == 0 .or. names%names(column) /= '') cycle
+         associate (headings => layout%headings, taken => layout%headings(layout%place(column)))
+            if (count([(headings(i)%name == column_name(column) .and. headings(i)%unit == taken%unit, &
+                        i=1, layout%width)]) < 2) cycle
+         end associate
+         message = 'the header names '//trim(column_name(column))//' twice; keep one'
+         return
       end do
       do i = 1, layout%width
          if (.not. layout%headings(i)%minutes) cycle
@@ -250,36 +246,33 @@ contains
       character(*), intent(in) :: line
       type(layout_type), intent(in) :: layout
       logical :: is
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: column, alike, filled
-      real(wp) :: number
-      logical :: legal
       is = .false.
       call split_cells(tight(line, layout), layout, row)
       alike = 0
       filled = 0
       do column = 1, 3
-         if (layout%place(column) == 0 .or. layout%place(column) > row%count) cycle
-         associate (cell => row%text(row%first(layout%place(column)):row%last(layout%place(column))))
-            call read_real(cell, number, legal)
-            if (legal) return
+         if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
+         associate (cell => row(layout%place(column))%text)
+            if (is_number(cell)) return
             if (cell /= '') filled = filled + 1
             if (resembles_unit(cell, column /= column_md)) alike = alike + 1
          end associate
       end do
-      is = alike >= 2 .or. (alike == 1 .and. row%count > 1 .and. &
-                             (filled == 1 .or. layout%separator /= ' ' .or. row%count == layout%width))
+      is = alike >= 2 .or. (alike == 1 .and. size(row) > 1 .and. &
+                             (filled == 1 .or. layout%separator /= ' ' .or. size(row) == layout%width))
    end function is_unit_row
 
    pure subroutine take_units(line, layout)
       character(*), intent(in) :: line
       type(layout_type), intent(inout) :: layout
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: column
       call split_cells(tight(line, layout), layout, row)
       do column = 1, size(layout%place)
-         if (layout%place(column) == 0 .or. layout%place(column) > row%count) cycle
-         call take_unit(layout, column, row%text(row%first(layout%place(column)):row%last(layout%place(column))))
+         if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
+         call take_unit(layout, column, row(layout%place(column))%text)
       end do
    end subroutine take_units
 

@@ -1,43 +1,41 @@
 !> Lines of a survey file that hold no station, and those that may hold a damaged one.
 module dg_survey_lines
-   use dg_deck_number, only: read_real
-   use dg_kinds, only: wp
-   use dg_survey_cells, only: cell
+   use dg_deck_number, only: is_number
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_md
    use dg_survey_layout, only: is_unit_row
    use dg_table_number, only: plain_number
-   use dg_table_text, only: content_length, row_type, squeezed
+   use dg_table_text, only: content_length, squeezed
    use dg_text, only: lower_case, text_type
    implicit none
    private
    public :: is_text, longest_run, is_header_again, is_error_cell, is_quadrant
 
-   character(*), parameter :: digits = '0123456789'
+   character(*), parameter :: digits = '0123456789', letters = 'abcdefghijklmnopqrstuvwxyz'
 
 contains
 
    !> Whether a line without all three numbers is text: a footer, a note, the title of a page. Where it may be a damaged station it
    !> is none: two of the three numbers are there, or md is, numbers stand side by side, or a cell begins like a number.
    pure function is_text(row, layout, legal) result(is)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       logical, intent(in) :: legal(3)
       logical :: is
       integer :: numbers, k, place
       is = .false.
-      if (row%count == 0 .or. .not. any_letters(row)) return
+      if (.not. any([(scan(lower_case(row(k)%text), letters) > 0, k=1, size(row))])) return
       numbers = count(legal .and. layout%place(:3) > 0)
-      if (row%count == layout%width) then
+      if (size(row) == layout%width) then
          if (numbers > merge(1, 0, layout%separator == ' ') .or. legal(column_md)) return
          if (numbers == 1 .and. count_words(row) < 2) return
          do k = 1, 3
             place = layout%place(k)
             if (place == 0 .or. legal(k)) cycle
-            if (may_be_number(cell(row, place))) return
+            if (may_be_number(row(place)%text)) return
          end do
       else
-         if (numbers > 1 .or. may_be_number(cell(row, 1))) return
+         if (numbers > 1 .or. may_be_number(row(1)%text)) return
          if (legal(column_md) .and. layout%place(column_md) == 1) return
       end if
       is = longest_run(row) < 2
@@ -45,15 +43,14 @@ contains
 
    !> Cells that hold a word of two letters or more, other than those for a value that is absent or wrong.
    pure function count_words(row) result(words)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       integer :: words
       character(*), parameter :: no_words(9) = [character(5) :: 'na', 'nan', 'null', 'none', 'err', 'error', 'bad', 'fail', 'inf']
-      character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyz'
       character(:), allocatable :: text
       integer :: i
       words = 0
-      do i = 1, row%count
-         text = lower_case(cell(row, i))
+      do i = 1, size(row)
+         text = lower_case(row(i)%text)
          if (len(text) > 1 .and. verify(text, letters//':,.') == 0 .and. .not. any(no_words == text)) words = words + 1
       end do
    end function count_words
@@ -86,29 +83,16 @@ contains
 
    !> Numbers that stand side by side in a row, the most.
    pure function longest_run(row) result(longest)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       integer :: longest
       integer :: i, run
-      real(wp) :: number
-      logical :: legal
       longest = 0
       run = 0
-      do i = 1, row%count
-         call read_real(plain_number(cell(row, i), .false.), number, legal)
-         run = merge(run + 1, 0, legal)
+      do i = 1, size(row)
+         run = merge(run + 1, 0, is_number(plain_number(row(i)%text, .false.)))
          longest = max(longest, run)
       end do
    end function longest_run
-
-   pure function any_letters(row) result(any)
-      type(row_type), intent(in) :: row
-      logical :: any
-      integer :: i
-      any = .false.
-      do i = 1, row%count
-         any = any .or. scan(lower_case(cell(row, i)), 'abcdefghijklmnopqrstuvwxyz') > 0
-      end do
-   end function any_letters
 
    !> Whether a line is one of the header, or of its units, once more.
    pure function is_header_again(lines, layout, line) result(is)

@@ -1,18 +1,18 @@
 !> Rows of a survey table: stations, lines that are none and are counted by kind, and lines that may be damaged stations.
 module dg_survey_rows
    use dg_constants, only: degree
-   use dg_deck_number, only: read_real
+   use dg_deck_number, only: is_number
    use dg_fault_list, only: add_fault, fault_list_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
-   use dg_survey_cells, only: cell, split_cells
+   use dg_survey_cells, only: split_cells
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name
    use dg_survey_layout, only: is_rule
    use dg_survey_lines, only: is_error_cell, is_header_again, is_quadrant, is_text, longest_run
    use dg_survey_stations, only: station_list_type
    use dg_table_number, only: marks_type, read_cell
-   use dg_table_text, only: content_length, row_type, skipped_rows_type, split_row
+   use dg_table_text, only: content_length, skipped_rows_type, split_row
    use dg_text, only: lower_case, quoted, text_type, to_text
    implicit none
    private
@@ -44,7 +44,7 @@ contains
       type(skipped_rows_type), intent(out) :: skipped(kinds)
       logical, intent(inout) :: sound
       type(fault_list_type), intent(inout) :: faults
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       real(wp) :: numbers(3)
       integer :: line, length, column
       logical :: legal(3), null(3), needed(3)
@@ -72,12 +72,12 @@ contains
          legal = .not. needed
          null = .false.
          do column = 1, 3
-            if (.not. needed(column) .or. layout%place(column) > row%count) cycle
-            call read_cell(cell(row, layout%place(column)), layout%separator == ',', line, marks, numbers(column), legal(column))
+            if (.not. needed(column) .or. layout%place(column) > size(row)) cycle
+            call read_cell(row(layout%place(column))%text, layout%separator == ',', line, marks, numbers(column), legal(column))
             if (layout%has_null .and. legal(column)) null(column) = abs(numbers(column) - layout%null) <= spacing(layout%null)
          end do
          below = below .or. (n > 0 .and. any(other_tables == lower_case(adjustl(lines(line)%text(:length)))))
-         if (all(legal) .and. row%count == layout%width) then
+         if (all(legal) .and. size(row) == layout%width) then
             below = .false.
          else if (below .or. .not. all(legal)) then
             if (is_header_again(lines, layout, line)) then
@@ -93,7 +93,7 @@ contains
             call skipped(empty)%add(line)
             cycle
          end if
-         if (row%count /= layout%width) call fault(width_fault(row, layout))
+         if (size(row) /= layout%width) call fault(width_fault(row, layout))
          call fault(well_fault(row, layout, well))
          do column = 1, 3
             call fault(cell_fault(row, layout, legal, column))
@@ -118,8 +118,8 @@ contains
          if (numbers(column_inc)*layout%factor(column_inc) >= vertical) return
          absent = null(column_azi)
          if (.not. legal(column_azi)) then
-            if (layout%place(column_azi) > row%count) return       ! a row that is cut off
-            absent = any(no_values == lower_case(cell(row, layout%place(column_azi))))
+            if (layout%place(column_azi) > size(row)) return       ! a row that is cut off
+            absent = any(no_values == lower_case(row(layout%place(column_azi))%text))
          end if
          if (.not. absent) return
          if (.not. null(column_azi)) call skipped(without_azimuth)%add(line)
@@ -139,24 +139,24 @@ contains
 
    !> Fault of a row that is of another well than the rows above; '' where it is of the same. `well` is theirs, '' before the first.
    function well_fault(row, layout, well) result(message)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       character(:), allocatable, intent(inout) :: well
       character(:), allocatable :: message
       character(*), parameter :: several = '?'      ! was told already
       message = ''
-      if (layout%well == 0 .or. layout%well > row%count .or. well == several) return
-      if (cell(row, layout%well) == '') return
-      if (well == '') well = cell(row, layout%well)
-      if (well == cell(row, layout%well)) return
-      message = 'the row is of well '//quoted(cell(row, layout%well))//', rows above are of '//quoted(well)// &
+      if (layout%well == 0 .or. layout%well > size(row) .or. well == several) return
+      if (row(layout%well)%text == '') return
+      if (well == '') well = row(layout%well)%text
+      if (well == row(layout%well)%text) return
+      message = 'the row is of well '//quoted(row(layout%well)%text)//', rows above are of '//quoted(well)// &
                 '. Keep the rows of one well'
       well = several
    end function well_fault
 
    !> Fault of the cell for md, inc or azi that holds no number; '' where there is none.
    pure function cell_fault(row, layout, legal, column) result(message)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       logical, intent(in) :: legal(3)
       integer, intent(in) :: column
@@ -165,15 +165,15 @@ contains
       message = ''
       place = layout%place(column)
       if (place == 0 .or. legal(column)) return
-      if (place > row%count) then
-         message = 'no value for '//trim(column_name(column))//': the row has '//to_text(row%count)// &
+      if (place > size(row)) then
+         message = 'no value for '//trim(column_name(column))//': the row has '//to_text(size(row))// &
                    ' columns, the header puts it in column '//to_text(place)
-      else if (cell(row, place) == '') then
+      else if (row(place)%text == '') then
          message = 'no value for '//trim(column_name(column))//'. Put # before a line that is no station'
-      else if (column == column_azi .and. is_quadrant(cell(row, place))) then
-         message = 'azi = '//quoted(cell(row, place))//' is a bearing by quadrants. Write azimuths from 0 to 360 deg'
+      else if (column == column_azi .and. is_quadrant(row(place)%text)) then
+         message = 'azi = '//quoted(row(place)%text)//' is a bearing by quadrants. Write azimuths from 0 to 360 deg'
       else
-         message = trim(column_name(column))//' = '//quoted(cell(row, place))// &
+         message = trim(column_name(column))//' = '//quoted(row(place)%text)// &
                    ' is no number. Put # before a line that is no station'
       end if
    end function cell_fault
@@ -181,41 +181,38 @@ contains
    !> Numbers beyond the last heading, or between blanks fewer than headings, leave open which number belongs to which; '' where it
    !> is clear.
    pure function width_fault(row, layout) result(message)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       character(:), allocatable :: message
-      real(wp) :: number
       integer :: i
-      logical :: is_number
       message = ''
-      do i = layout%width + 1, row%count
-         call read_real(cell(row, i), number, is_number)
-         if (.not. is_number) cycle
+      do i = layout%width + 1, size(row)
+         if (.not. is_number(row(i)%text)) cycle
          message = 'the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
                    ' columns; give each a name, and numbers with decimal points'
          return
       end do
-      if (row%count < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= row%count) .and. &
+      if (size(row) < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= size(row)) .and. &
           .not. lacks_remark(row, layout)) &
-         message = 'the row has '//to_text(row%count)//' columns, the header names '//to_text(layout%width)// &
+         message = 'the row has '//to_text(size(row))//' columns, the header names '//to_text(layout%width)// &
                    '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs'
    end function width_fault
 
    !> Whether a row of numbers alone lacks nothing but the remark that the last column is for.
    pure function lacks_remark(row, layout) result(lacks)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       logical :: lacks
       character(*), parameter :: remarks(7) = [character(10) :: 'remark', 'remarks', 'comment', 'comments', 'note', 'notes', &
                                                'annotation']
-      lacks = row%count == layout%width - 1 .and. longest_run(row) == row%count
+      lacks = size(row) == layout%width - 1 .and. longest_run(row) == size(row)
       if (lacks) lacks = any(remarks == layout%headings(layout%width)%name)
    end function lacks_remark
 
    !> Positions of a station as the file lists them, and what other columns show for md, inc and azi; `missing` where a cell holds
    !> no number.
    subroutine take_others(row, layout, stations, n)
-      type(row_type), intent(in) :: row
+      type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       type(station_list_type), intent(inout) :: stations
       integer, intent(in) :: n
@@ -234,8 +231,8 @@ contains
          logical :: legal
          type(marks_type) :: unused
          number = missing
-         if (place == 0 .or. place > row%count) return
-         call read_cell(cell(row, place), layout%separator == ',', 1, unused, number, legal)
+         if (place == 0 .or. place > size(row)) return
+         call read_cell(row(place)%text, layout%separator == ',', 1, unused, number, legal)
          if (.not. legal) number = missing
          if (legal .and. layout%has_null) then
             if (abs(number - layout%null) <= spacing(layout%null)) number = missing
@@ -263,20 +260,20 @@ contains
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout
       logical :: has
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       type(marks_type) :: unused
       real(wp) :: number
       integer :: first, column, place
-      logical :: is_number
+      logical :: legal
       has = .false.
       first = verify(text, '# '//achar(9))
       if (first == 0 .or. index(text, '#') == 0) return
       call split_row(text(first:), layout%separator, row)
       do column = column_md, column_inc
          place = layout%place(column)
-         if (place > row%count) return
-         call read_cell(cell(row, place), layout%separator == ',', 1, unused, number, is_number)
-         if (.not. is_number) return
+         if (place > size(row)) return
+         call read_cell(row(place)%text, layout%separator == ',', 1, unused, number, legal)
+         if (.not. legal) return
       end do
       has = .true.
    end function has_station
@@ -286,16 +283,11 @@ contains
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout
       logical :: all_are
-      type(row_type) :: row
-      real(wp) :: number
+      type(text_type), allocatable :: row(:)
       integer :: i
       all_are = .false.
       if (content_length(text) == 0) return
       call split_row(text(:content_length(text)), layout%separator, row)
-      do i = 1, row%count
-         call read_real(cell(row, i), number, all_are)
-         if (.not. all_are) return
-      end do
-      all_are = row%count > 1
+      all_are = size(row) > 1 .and. all([(is_number(row(i)%text), i=1, size(row))])
    end function all_numbers
 end module dg_survey_rows

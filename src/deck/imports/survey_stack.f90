@@ -1,11 +1,11 @@
 !> Headings of a survey table, put together from the lines of its header.
 module dg_survey_stack
    use dg_survey_cells, only: count_numbers, find_extents, part_phrases
-   use dg_survey_columns, only: layout_type
+   use dg_survey_columns, only: layout_type, no_extent
    use dg_survey_words, only: role_along, role_angle, role_azi, role_corrected, role_datum, role_direction, role_drift, role_grid, &
       role_magnetic, role_measured, role_neutral, role_of, role_plan, role_station, role_total, role_true, role_unit, &
       role_unknown, role_vertical, words_of
-   use dg_table_text, only: close_brackets, content_length, row_type, split_row
+   use dg_table_text, only: close_brackets, content_length, split_row
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -20,7 +20,7 @@ contains
       integer, intent(in) :: first_line           !< the next row; 0: none
       integer, intent(in) :: words, phrases       !< of the header, on one line; 0: on several
       integer, intent(out) :: line
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer, parameter :: most = 200
       integer :: i, length, best, rank, best_rank
       line = first_line
@@ -32,12 +32,12 @@ contains
          length = content_length(lines(i)%text)
          call split_row(lines(i)%text(:length), ' ', row)
          rank = 0
-         if (count_numbers(lines(i)%text) == row%count) rank = 1
-         if (row%count == phrases) rank = 2
-         if (row%count == words) rank = 3
-         if (rank < best_rank .or. (rank == best_rank .and. (row%count <= best .or. rank == 0))) cycle
+         if (count_numbers(lines(i)%text) == size(row)) rank = 1
+         if (size(row) == phrases) rank = 2
+         if (size(row) == words) rank = 3
+         if (rank < best_rank .or. (rank == best_rank .and. (size(row) <= best .or. rank == 0))) cycle
          best_rank = rank
-         best = row%count
+         best = size(row)
          line = i
       end do
    end subroutine find_example
@@ -48,17 +48,17 @@ contains
       integer, intent(in) :: first_line, last
       character, intent(in) :: separator
       type(text_type), allocatable, intent(out) :: texts(:)
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: line, i, length
       allocate (texts(0))
       do line = first_line, last
          length = content_length(lines(line)%text)
          call split_row(lines(line)%text(:length), separator, row)
-         do i = size(texts) + 1, row%count
+         do i = size(texts) + 1, size(row)
             call append_text(texts, '')
          end do
-         do i = 1, row%count
-            call put_beside(texts(i)%text, row%text(row%first(i):row%last(i)))
+         do i = 1, size(row)
+            call put_beside(texts(i)%text, row(i)%text)
          end do
       end do
    end subroutine stack_by_count
@@ -80,14 +80,14 @@ contains
       integer, intent(in) :: first_line, last, next_line
       type(layout_type), intent(inout) :: layout
       type(text_type), allocatable, intent(out) :: texts(:)
-      type(row_type) :: words, phrases, row, wide_row
+      type(text_type), allocatable :: words(:), phrases(:), row(:), wide_row(:)
       character(:), allocatable :: header, data_text
       integer :: i, data_line
       header = close_brackets(lines(last)%text(:content_length(lines(last)%text)), joint=.true.)
       call split_row(header, ' ', words)
       call part_phrases(header, phrases)
       if (first_line == last) then
-         call find_example(lines, next_line, words%count, phrases%count, data_line)
+         call find_example(lines, next_line, size(words), size(phrases), data_line)
       else
          call find_example(lines, next_line, 0, 0, data_line)
       end if
@@ -95,35 +95,34 @@ contains
       if (data_line > 0) data_text = lines(data_line)%text(:content_length(lines(data_line)%text))
       call split_row(data_text, ' ', row)
       call part_phrases(data_text, wide_row)
-      if (data_line > 0) call find_extents(lines, data_line, row%count, layout%extent)
+      if (data_line > 0) call find_extents(lines, data_line, size(row), layout%extent)
       if (first_line == last) then
-         if (words%count == row%count .or. data_line == 0) then
+         if (size(words) == size(row) .or. data_line == 0) then
             call take(words)
             return
-         else if (phrases%count == row%count) then
+         else if (size(phrases) == size(row)) then
             call take(phrases)
             return
          end if
          call join_words(words)
-         if (words%count == row%count) then
+         if (size(words) == size(row)) then
             call take(words)
             return
          end if
          call split_row(header, ' ', words)
-         if (phrases%count == wide_row%count .and. phrases%count > 1) then
+         if (size(phrases) == size(wide_row) .and. size(phrases) > 1) then
             layout%wide = .true.
-            deallocate (layout%extent)
-            allocate (layout%extent(2, 0))
+            layout%extent = no_extent
             call take(phrases)
             return
          end if
       end if
-      if (size(layout%extent, 2) == 0 .or. (first_line == last .and. phrases%count < row%count .and. words%count < row%count)) then
+      if (size(layout%extent, 2) == 0 .or. (first_line == last .and. size(phrases) < size(row) .and. size(words) < size(row))) then
          call take(words)
          return
       end if
-      allocate (texts(row%count))
-      do i = 1, row%count
+      allocate (texts(size(row)))
+      do i = 1, size(row)
          texts(i)%text = ''
       end do
       do i = first_line, last
@@ -133,53 +132,39 @@ contains
    contains
 
       subroutine take(fields)
-         type(row_type), intent(in) :: fields
-         integer :: k
-         allocate (texts(fields%count))
-         do k = 1, fields%count
-            texts(k)%text = fields%text(fields%first(k):fields%last(k))
-         end do
-         if (fields%count /= size(layout%extent, 2)) then
-            deallocate (layout%extent)
-            allocate (layout%extent(2, 0))
+         type(text_type), intent(in) :: fields(:)
+         texts = fields
+         if (size(fields) /= size(layout%extent, 2)) then
+            layout%extent = no_extent
          end if
       end subroutine take
    end subroutine stack_by_place
 
    !> Joins words that make one heading: Measured Depth, Hole Angle, Inc deg.
    subroutine join_words(words)
-      type(row_type), intent(inout) :: words
-      character(:), allocatable :: text
-      type(row_type) :: joined
+      type(text_type), allocatable, intent(inout) :: words(:)
+      integer, parameter :: modifiers(*) = [role_measured, role_along, role_vertical, role_true, role_grid, role_corrected, &
+                                            role_magnetic, role_total, role_station, role_neutral, role_plan]
+      character(:), allocatable :: text, word
       type(text_type), allocatable :: parts(:)
       integer :: role, before, i
       text = ''
       before = role_unknown
-      do i = 1, words%count
-         associate (word => words%text(words%first(i):words%last(i)))
-            call words_of(word, parts)
-            role = role_unknown
-            if (size(parts) == 1) role = role_of(parts(1)%text)
-            if (scan(word(1:1), '([') == 1) role = role_unit
-            if (i > 1 .and. (is_modifier(before) .or. any(role == [role_unit, role_angle, role_datum]) .or. &
-                             (before == role_drift .and. any(role == [role_azi, role_direction])))) then
-               text = text//' '//word
-            else
-               text = text//achar(9)//word
-            end if
-            before = role
-         end associate
+      do i = 1, size(words)
+         word = words(i)%text
+         call words_of(word, parts)
+         role = role_unknown
+         if (size(parts) == 1) role = role_of(parts(1)%text)
+         if (scan(word(1:1), '([') == 1) role = role_unit
+         if (i > 1 .and. (any(before == modifiers) .or. any(role == [role_unit, role_angle, role_datum]) .or. &
+                          (before == role_drift .and. any(role == [role_azi, role_direction])))) then
+            text = text//' '//word
+         else
+            text = text//achar(9)//word
+         end if
+         before = role
       end do
-      call split_row(text(2:), achar(9), joined)
-      words = joined
-
-   contains
-      pure function is_modifier(kind) result(is)
-         integer, intent(in) :: kind
-         logical :: is
-         is = any(kind == [role_measured, role_along, role_vertical, role_true, role_grid, role_corrected, role_magnetic, &
-                           role_total, role_station, role_neutral, role_plan])
-      end function is_modifier
+      call split_row(text(2:), achar(9), words)
    end subroutine join_words
 
    !> Puts each word of a line, brackets with what they hold as one, to the column above which it stands.

@@ -8,7 +8,7 @@ module dg_survey_stations
    use dg_text, only: quoted, to_text
    implicit none
    private
-   public :: station_list_type, order_stations, cut_stations, rival_words
+   public :: station_list_type, order_stations, pick_stations, rival_words
 
    !> Stations as read, with the place of each for messages. SI units.
    type :: station_list_type
@@ -34,14 +34,6 @@ module dg_survey_stations
    real(wp), parameter :: inclined = 1.0_wp*degree
 
 contains
-
-   !> Keeps the first stations of lists that are longer.
-   pure subroutine cut_stations(stations, n)
-      type(station_list_type), intent(inout) :: stations
-      integer, intent(in) :: n
-      integer :: i
-      call pick_stations(stations, [(i, i=1, n)])
-   end subroutine cut_stations
 
    !> Keeps stations by their numbers, in that order.
    pure subroutine pick_stations(stations, places)

@@ -1,25 +1,14 @@
 !> Rows and headings of tables as people have them: separators, quotes, comments, units behind names.
 module dg_table_text
    use dg_table_number, only: plain_number
-   use dg_text, only: lower_case, text_type, to_text
+   use dg_text, only: append_text, lower_case, text_type, to_text
    implicit none
    private
    public :: skipped_rows_type, skipped_words
-   public :: row_type, blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
+   public :: blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
              split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
-   integer, parameter :: first_capacity = 16
-   !> gfortran 12 compares a letter with a blank by a call of its library, with a code at once.
-   integer, parameter :: blank_code = iachar(' ')
-
-   !> The fields of a row, kept in place from row to row: a list of texts would cost more than all else that reading does.
-   type :: row_type
-      integer :: count = 0
-      integer, allocatable :: first(:), last(:)   !< letters of each field in `text`
-      character(:), allocatable :: text           !< without quotes
-   end type row_type
-
    !> Rows that are not read, of one kind.
    type :: skipped_rows_type
       integer :: count = 0
@@ -168,12 +157,10 @@ contains
       character(*), intent(in) :: text
       character, intent(in) :: separator
       type(text_type), allocatable, intent(out) :: fields(:)
-      type(row_type) :: row
       integer :: i
-      call split_row(text, separator, row)
-      allocate (fields(row%count))
-      do i = 1, row%count
-         fields(i)%text = plain_number(row%text(row%first(i):row%last(i)), separator == ',')
+      call split_row(text, separator, fields)
+      do i = 1, size(fields)
+         fields(i)%text = plain_number(fields(i)%text, separator == ',')
       end do
    end subroutine split_fields
 
@@ -186,79 +173,40 @@ contains
       if (opens) opens = text(2:2) /= separator .and. index(text(2:), text(1:1)) > 0
    end function opens_quotes
 
-   !> Fields of a row, as they stand there; blanks and tabs together are one separator. A field in quotes may hold the separator.
+   !> Fields of a row without quotes and without blanks at their ends. Blanks and tabs together are one separator. A field in quotes
+   !> may hold the separator.
    pure subroutine split_row(text, separator, row)
       character(*), intent(in) :: text
       character, intent(in) :: separator
-      type(row_type), intent(inout) :: row      !< used again from row to row
-      character :: letter
-      integer :: quote          ! code of the one that is open; 0: none
-      logical :: was_quoted, blank
-      integer :: i, n, start
-      if (.not. allocated(row%first)) allocate (row%first(first_capacity), row%last(first_capacity))
-      if (.not. allocated(row%text)) allocate (character(len(text)) :: row%text)
-      if (len(row%text) < len(text)) then
-         deallocate (row%text)
-         allocate (character(2*len(text)) :: row%text)
-      end if
-      row%count = 0
-      quote = 0
+      type(text_type), allocatable, intent(inout) :: row(:)   !< its fields (gfortran 12 warns of intent(out))
+      type(text_type), allocatable :: fields(:)
+      character(len(text)) :: field
+      character :: letter, quote          ! the quote that is open; blank: none
+      logical :: was_quoted
+      integer :: i, n
+      allocate (fields(0))
+      quote = ' '
       was_quoted = .false.
-      blank = .true.
       n = 0
-      start = 1
-      do i = 1, len(text)
-         letter = text(i:i)
-         if (quote > 0 .and. iachar(letter) == quote) then
-            quote = 0
-         else if (quote == 0 .and. blank .and. opens_quotes(text(i:), separator)) then
-            quote = iachar(letter)
-            was_quoted = .true.
-         else if (quote == 0 .and. (letter == separator .or. (iachar(separator) == blank_code .and. letter == tab))) then
-            call close_field(separator, was_quoted, start, n, row)
+      do i = 1, len(text) + 1
+         letter = separator
+         if (i <= len(text)) letter = text(i:i)
+         if (letter == tab .and. separator /= tab) letter = ' '
+         if (quote /= ' ' .and. letter == quote) then
+            quote = ' '
+         else if (quote == ' ' .and. letter == separator) then
+            ! between blanks a field holds something, or quotes
+            if (separator /= ' ' .or. was_quoted .or. field(:n) /= '') call append_text(fields, trim(adjustl(field(:n))))
             was_quoted = .false.
-            blank = .true.
+            n = 0
+         else if (quote == ' ' .and. field(:n) == '' .and. opens_quotes(text(i:), separator)) then
+            quote = letter
+            was_quoted = .true.
          else
             n = n + 1
-            if (letter == tab) letter = achar(blank_code)
-            row%text(n:n) = letter
-            if (iachar(letter) /= blank_code) blank = .false.
+            field(n:n) = letter
          end if
       end do
-      call close_field(separator, was_quoted, start, n, row)
+      call move_alloc(fields, row)
    end subroutine split_row
-
-   !> Notes a field that has ended, without blanks at its ends; between blanks only one that holds something, or quotes.
-   pure subroutine close_field(separator, was_quoted, start, n, row)
-      character, intent(in) :: separator
-      logical, intent(in) :: was_quoted
-      integer, intent(inout) :: start      !< its first letter in the row's text; on return that of the next
-      integer, intent(in) :: n             !< its last letter
-      type(row_type), intent(inout) :: row
-      integer, allocatable :: longer(:)
-      integer :: first, last
-      first = start
-      last = n
-      start = n + 1
-      do while (first <= last)
-         if (iachar(row%text(first:first)) /= blank_code) exit
-         first = first + 1
-      end do
-      do while (last >= first)
-         if (iachar(row%text(last:last)) /= blank_code) exit
-         last = last - 1
-      end do
-      if (last < first .and. iachar(separator) == blank_code .and. .not. was_quoted) return
-      if (row%count == size(row%first)) then
-         allocate (longer(2*row%count))
-         longer(:row%count) = row%first
-         call move_alloc(longer, row%first)
-         allocate (longer(2*row%count))
-         longer(:row%count) = row%last
-         call move_alloc(longer, row%last)
-      end if
-      row%count = row%count + 1
-      row%first(row%count) = first
-      row%last(row%count) = last
-   end subroutine close_field
 end module dg_table_text

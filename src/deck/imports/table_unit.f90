@@ -5,7 +5,7 @@ module dg_table_unit
    use dg_text, only: lower_case
    implicit none
    private
-   public :: read_unit, resembles_unit
+   public :: plain_letters, read_unit, resembles_unit
 
    !> Feet of 1959 and of the United States' surveys (NIST SP 811) [m].
    real(wp), parameter :: foot = 0.3048_wp, survey_foot = 1200.0_wp/3937.0_wp
@@ -94,42 +94,61 @@ contains
       if (.not. angle) is = is .or. any(other_lengths == trim(plain_words(cell)))
    end function resembles_unit
 
-   !> Small letters with single blanks for brackets and marks; a degree sign, in UTF-8 or Latin 1, is the word for it.
+   !> Small letters with blanks for brackets and marks; a degree sign is the word for it.
    pure function plain_words(text) result(plain)
       character(*), intent(in) :: text
       character(:), allocatable :: plain
       character(*), parameter :: marks = '()[]{}<>,;:_-/'//achar(9)   ! no quotes: those are feet and inches
-      !> Degree sign, masculine ordinal and ring above, all used for degrees.
-      character(2), parameter :: signs(3) = [char(194)//char(176), char(194)//char(186), char(203)//char(154)]
-      character(*), parameter :: latin_sign = char(176)
-      character :: letter
       integer :: i
-      plain = ''
-      i = 0
-      do while (i < len(text))
-         i = i + 1
-         letter = lower_case(text(i:i))
-         if (i < len(text)) then
-            if (any(signs == text(i:i + 1))) then
-               plain = plain//' deg '
-               i = i + 1
-               cycle
-            end if
-            if (letter == '.' .and. scan(text(i + 1:i + 1), ' )]') == 1) letter = ' '     ! 'deg.', 'ft.)'
-         else if (letter == '.') then
-            letter = ' '
-         end if
-         if (letter == latin_sign) then
-            plain = plain//' deg '
-         else if (scan(letter, marks) == 1 .or. letter == ' ') then
-            plain = plain//' '
-         else
-            plain = plain//letter
-         end if
+      plain = plain_letters(text)//' '
+      do i = 1, len(plain) - 1
+         if (plain(i:i) == '.' .and. scan(plain(i + 1:i + 1), ' )]') == 1) plain(i:i) = ' '     ! 'deg.', 'ft.)'
+         if (scan(plain(i:i), marks) == 1) plain(i:i) = ' '
       end do
       plain = trim(adjustl(plain))
    end function plain_words
 
+   !> Small letters without accents; a degree sign is the word for it. UTF-8 or Latin 1.
+   pure function plain_letters(text) result(plain)
+      character(*), intent(in) :: text
+      character(:), allocatable :: plain
+      !> Letters of Latin 1 from A with grave accent on; ? where there is none.
+      character(*), parameter :: bases = 'aaaaaaaceeeeiiiidnooooo?ouuuuyts'
+      character(*), parameter :: ring = char(203)//char(154)     ! above, used for degrees
+      character(len(text)*5) :: buffer
+      integer :: i, code, n
+      buffer = ''
+      n = 0
+      i = 0
+      do while (i < len(text))
+         i = i + 1
+         code = iachar(text(i:i))
+         if (code == 194 .and. i < len(text)) then
+            i = i + 1
+            code = iachar(text(i:i))
+         else if (code == 195 .and. i < len(text)) then
+            i = i + 1
+            code = iachar(text(i:i)) + 64
+         end if
+         if (code == 203 .and. index(text(i:), ring) == 1) then
+            i = i + 1
+            code = 176
+         end if
+         if (code == 176 .or. code == 186) then
+            buffer(n + 1:n + 5) = ' deg '
+            n = n + 5
+         else if (code >= 192 .and. code <= 255) then
+            n = n + 1
+            buffer(n:n) = bases(mod(code, 32) + 1:mod(code, 32) + 1)
+         else if (code == 160) then
+            n = n + 1
+         else
+            n = n + 1
+            buffer(n:n) = lower_case(text(i:i))
+         end if
+      end do
+      plain = buffer(:n)
+   end function plain_letters
    !> SI value of a unit by its name in small letters [m or rad]; 0 where it is none that is converted.
    pure function unit_of(name, angle) result(value)
       character(*), intent(in) :: name

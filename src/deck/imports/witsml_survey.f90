@@ -6,10 +6,11 @@ module dg_witsml_survey
    use dg_merge_sort, only: sorted_places
    use dg_table_unit, only: read_unit
    use dg_text, only: lower_case, quoted, text_type, to_text
-   use dg_xml, only: read_xml, xml_reader_type
+   use dg_xml, only: read_tree
+   use dg_xml_tree, only: attribute, text_at, xml_tree_type
    implicit none
    private
-   public :: witsml_table
+   public :: witsml_table, object_name, well_of
 
    !> Elements of a station, and the headings that their columns get.
    integer, parameter :: of_md = 1, of_inc = 2, of_azi = 3, value_count = 6
@@ -20,7 +21,6 @@ module dg_witsml_survey
    !> Names of units in WITSML, and as tables of surveys have them.
    character(*), parameter :: unit_names(2, 4) = reshape([character(6) :: 'dega', 'deg', 'ftus', 'usft', 'ft[us]', 'usft', &
       'ftkb', 'ft'], [2, 4])
-   integer, parameter :: deepest = 100, first_room = 256
 
    !> Names of a trajectory.
    type :: trajectory_type
@@ -28,21 +28,12 @@ module dg_witsml_survey
       integer :: stations = 0
    end type trajectory_type
 
-   type, extends(xml_reader_type) :: witsml_type
-      character(40) :: path(deepest) = ''          !< open elements, in lower case
-      integer :: depth = 0
-      type(trajectory_type), allocatable :: trajectories(:)
-      integer :: n = 0                             !< stations
-      integer, allocatable :: of(:), line(:)       !< trajectory and line of a station
-      real(wp), allocatable :: values(:, :)        !< (value_count,n) [m or deg]
-      logical, allocatable :: has(:, :)
-      real(wp) :: unit = 1.0_wp                    !< of the number that is being read
-      integer :: here = 0                          !< line of the last element
-      character(:), allocatable :: failure         !< the first
-   contains
-      procedure :: begin => begin_element
-      procedure :: finish => finish_element
-   end type witsml_type
+   type :: station_type
+      integer :: trajectory = 0                    !< its number in the document
+      integer :: line = 0
+      real(wp) :: values(value_count) = 0.0_wp     !< [m or deg]
+      logical :: has(value_count) = .false.
+   end type station_type
 
 contains
 
@@ -54,23 +45,114 @@ contains
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(:), allocatable, intent(out) :: chosen
       character(:), allocatable, intent(out) :: failure
-      type(witsml_type) :: document
-      integer :: number
-      allocate (document%trajectories(0), document%of(first_room), document%line(first_room))
-      allocate (document%values(value_count, first_room), document%has(value_count, first_room))
-      document%failure = ''
+      type(xml_tree_type) :: tree
+      type(trajectory_type), allocatable :: trajectories(:)
+      type(station_type), allocatable :: stations(:)
+      integer :: i, n, number
       chosen = ''
-      call read_xml(path, document, failure)
-      if (failure == '') failure = document%failure
+      call read_tree(path, 'trajectory', 'uom', tree, failure)
+      allocate (trajectories(0), stations(tree%n))
+      n = 0
+      do i = 1, tree%n
+         if (failure /= '') return
+         if (tree%elements(i)%name == 'trajectory') trajectories = [trajectories, trajectory_of(tree, i)]
+         if (tree%elements(i)%name /= 'trajectorystation') cycle
+         n = n + 1
+         number = size(trajectories)
+         trajectories(number)%stations = trajectories(number)%stations + 1
+         stations(n)%trajectory = number
+         call read_station(tree, i, stations(n), failure)
+      end do
+      if (failure == '') call choose(trajectories, wanted, number, failure)
       if (failure /= '') return
-      call choose(document%trajectories, wanted, number, failure)
-      if (failure /= '') return
-      associate (found => document%trajectories(number))
+      associate (found => trajectories(number))
          chosen = 'WITSML trajectory '//quoted(found%name)//' of well '//quoted(found%well)//', '//to_text(found%stations)// &
                   ' stations'
       end associate
-      call write_table(document, number, lines)
+      call write_table(pack(stations(:n), stations(:n)%trajectory == number), lines)
    end subroutine witsml_table
+
+   !> The names of a trajectory.
+   function trajectory_of(tree, i) result(one)
+      type(xml_tree_type), intent(in) :: tree
+      integer, intent(in) :: i
+      type(trajectory_type) :: one
+      one%name = object_name(tree, i)
+      one%well = well_of(tree, i)
+      one%wellbore = text_at(tree, i, 'namewellbore')
+      if (one%wellbore == '') one%wellbore = text_at(tree, i, 'wellbore/title')
+   end function trajectory_of
+
+   !> Name of an object of a document: a trajectory, a string.
+   pure function object_name(tree, i) result(name)
+      type(xml_tree_type), intent(in) :: tree
+      integer, intent(in) :: i
+      character(:), allocatable :: name
+      name = text_at(tree, i, 'name')
+      if (name == '') name = text_at(tree, i, 'citation/title')
+   end function object_name
+
+   !> Well of an object; of series 2, which names the wellbore alone, that.
+   pure function well_of(tree, i) result(name)
+      type(xml_tree_type), intent(in) :: tree
+      integer, intent(in) :: i
+      character(:), allocatable :: name
+      name = text_at(tree, i, 'namewell')
+      if (name == '') name = text_at(tree, i, 'wellbore/title')
+   end function well_of
+
+   !> The values directly in a station, which has md and inc. `failure` begins with the line in the document.
+   subroutine read_station(tree, i, station, failure)
+      type(xml_tree_type), intent(in) :: tree
+      integer, intent(in) :: i                     !< element of the station
+      type(station_type), intent(inout) :: station
+      character(:), allocatable, intent(inout) :: failure
+      integer :: line, k, value
+      line = tree%elements(i)%line
+      station%line = line
+      do k = i + 1, tree%n
+         if (tree%elements(k)%parent < i .or. failure /= '') exit
+         line = tree%elements(k)%line
+         value = findloc(value_names == tree%elements(k)%name, .true., dim=1)
+         if (tree%elements(k)%parent == i .and. value > 0) call read_value()
+      end do
+      do value = of_md, of_inc
+         if (.not. station%has(value)) call fail('a trajectoryStation has no '//trim(value_names(value)))
+      end do
+
+   contains
+
+      !> A number and its unit, which is in the attribute uom.
+      subroutine read_value()
+         character(:), allocatable :: uom
+         real(wp) :: unit
+         logical :: known
+         integer :: m
+         associate (element => tree%elements(k))
+            uom = attribute(element, 'uom')
+            do m = 1, size(unit_names, 2)
+               if (lower_case(uom) == unit_names(1, m)) uom = trim(unit_names(2, m))
+            end do
+            unit = 0.0_wp
+            known = .false.
+            if (uom /= '') call read_unit(uom, is_angle(value), unit, known)
+            if (.not. (known .and. unit > 0.0_wp)) call fail('the unit of '//trim(value_names(value))//', uom = '//quoted(uom)// &
+               ', is not known; '//trim(merge('deg and rad     ', 'm, ft and ft[US]', is_angle(value)))//' are')
+            if (element%text == '') return
+            call read_real(element%text, station%values(value), station%has(value))
+            if (.not. station%has(value)) &
+               call fail(trim(value_names(value))//' = '//quoted(element%text)//' is not a number')
+            if (is_angle(value)) unit = unit/degree
+            station%values(value) = station%values(value)*unit
+         end associate
+      end subroutine read_value
+
+      !> Keeps the first failure.
+      subroutine fail(why)
+         character(*), intent(in) :: why
+         if (failure == '') failure = 'line '//to_text(line)//': '//why
+      end subroutine fail
+   end subroutine read_station
 
    !> The trajectory that is meant. Several and none named, or none of the name, are a failure that lists them.
    pure subroutine choose(trajectories, wanted, number, failure)
@@ -124,24 +206,24 @@ contains
       end do
    end function names_of
 
-   !> The table of a trajectory, by measured depth. Columns of positions are those that each station has.
-   pure subroutine write_table(document, number, lines)
-      type(witsml_type), intent(in) :: document
-      integer, intent(in) :: number
+   !> The table of stations, by measured depth. Columns of positions are those that each station has.
+   pure subroutine write_table(stations, lines)
+      type(station_type), intent(in) :: stations(:)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      integer :: order(count(document%of(:document%n) == number)), i, k, row, length
-      real(wp) :: md(size(order))
+      type(station_type) :: sorted(size(stations))
+      real(wp) :: md(size(stations))
+      integer :: i, k, row, length, n
       logical :: wanted(value_count), in_place
       character(:), allocatable :: text
-      order = pack([(i, i=1, document%n)], document%of(:document%n) == number)
-      md = document%values(of_md, order)
-      order = order(sorted_places(md))
+      n = size(stations)
+      md = stations%values(of_md)
+      sorted = stations(sorted_places(md))
       do k = 1, value_count
-         wanted(k) = k <= of_azi .or. all(document%has(k, order))
+         wanted(k) = k <= of_azi .or. all(stations%has(k))
       end do
       ! A station keeps its line where each begins a line of its own, below the first and in order.
-      in_place = document%line(order(1)) > 1 .and. all(document%line(order(2:)) > document%line(order(:size(order) - 1)))
-      length = merge(document%line(order(size(order))), size(order) + 1, in_place)
+      in_place = sorted(1)%line > 1 .and. all(sorted(2:)%line > sorted(:n - 1)%line)
+      length = merge(sorted(n)%line, n + 1, in_place)
       deallocate (lines)
       allocate (lines(length))
       do i = 1, length
@@ -152,159 +234,15 @@ contains
          if (wanted(k)) text = text//','//trim(headings(k))
       end do
       lines(1)%text = text(2:)
-      do i = 1, size(order)
-         row = merge(document%line(order(i)), i + 1, in_place)
+      do i = 1, n
+         row = merge(sorted(i)%line, i + 1, in_place)
          text = ''
          do k = 1, value_count
             if (.not. wanted(k)) cycle
             text = text//','
-            if (document%has(k, order(i))) text = text//to_text(document%values(k, order(i)))
+            if (sorted(i)%has(k)) text = text//to_text(sorted(i)%values(k))
          end do
          lines(row)%text = text(2:)
       end do
    end subroutine write_table
-
-   !> An element begins: a trajectory, a station, or a number with its unit.
-   subroutine begin_element(reader, name, attributes, line)
-      class(witsml_type), intent(inout) :: reader
-      character(*), intent(in) :: name
-      type(text_type), intent(in) :: attributes(:)
-      integer, intent(in) :: line
-      type(trajectory_type) :: empty
-      reader%here = line
-      if (reader%depth == deepest) return
-      reader%depth = reader%depth + 1
-      reader%path(reader%depth) = lower_case(name)
-      select case (reader%path(reader%depth))
-      case ('trajectory')
-         empty%name = ''
-         empty%well = ''
-         empty%wellbore = ''
-         reader%trajectories = [reader%trajectories, empty]
-      case ('trajectorystation')
-         if (size(reader%trajectories) == 0) return
-         call add_station(reader, line)
-      case default
-         if (number_here(reader) > 0) call read_uom(reader, number_here(reader), attributes)
-      end select
-   end subroutine begin_element
-
-   !> An element ends: a name, or a number of a station.
-   subroutine finish_element(reader, name, text)
-      class(witsml_type), intent(inout) :: reader
-      character(*), intent(in) :: name, text
-      real(wp) :: number
-      logical :: is_number
-      integer :: k
-      if (lower_case(name) /= reader%path(reader%depth)) return
-      if (size(reader%trajectories) > 0) call take_name(reader, trim(adjustl(text)))
-      k = number_here(reader)
-      if (k > 0 .and. text /= '') then
-         call read_real(trim(adjustl(text)), number, is_number)
-         if (is_number) then
-            reader%values(k, reader%n) = number*reader%unit
-            reader%has(k, reader%n) = .true.
-         else
-            call fail(reader, trim(value_names(k))//' = '//quoted(trim(adjustl(text)))//' is not a number')
-         end if
-      end if
-      if (reader%path(reader%depth) == 'trajectorystation' .and. reader%n > 0) then
-         do k = of_md, of_inc
-            if (.not. reader%has(k, reader%n)) call fail(reader, 'a trajectoryStation has no '//trim(value_names(k)))
-         end do
-      end if
-      reader%depth = reader%depth - 1
-   end subroutine finish_element
-
-   !> Number of the value whose element is open, directly in a station; 0: another element.
-   pure function number_here(reader) result(number)
-      class(witsml_type), intent(in) :: reader
-      integer :: number
-      number = 0
-      if (reader%depth < 2 .or. reader%n == 0) return
-      if (reader%path(reader%depth - 1) /= 'trajectorystation') return
-      number = findloc(value_names == reader%path(reader%depth), .true., dim=1)
-   end function number_here
-
-   !> The unit of a number, in its attribute uom.
-   subroutine read_uom(reader, k, attributes)
-      class(witsml_type), intent(inout) :: reader
-      integer, intent(in) :: k
-      type(text_type), intent(in) :: attributes(:)
-      character(:), allocatable :: uom
-      real(wp) :: unit
-      logical :: known
-      integer :: i
-      uom = ''
-      do i = 1, size(attributes) - 1, 2
-         if (attributes(i)%text == 'uom') uom = attributes(i + 1)%text
-      end do
-      do i = 1, size(unit_names, 2)
-         if (lower_case(uom) == unit_names(1, i)) uom = trim(unit_names(2, i))
-      end do
-      unit = 0.0_wp
-      known = .false.
-      if (uom /= '') call read_unit(uom, is_angle(k), unit, known)
-      if (.not. (known .and. unit > 0.0_wp)) then
-         call fail(reader, 'the unit of '//trim(value_names(k))//', uom = '//quoted(uom)//', is not known; '// &
-                   trim(merge('deg and rad     ', 'm, ft and ft[US]', is_angle(k)))//' are')
-         unit = 1.0_wp
-      end if
-      reader%unit = unit
-      if (is_angle(k)) reader%unit = unit/degree
-   end subroutine read_uom
-
-   !> Takes a name of the trajectory that is open.
-   subroutine take_name(reader, text)
-      class(witsml_type), intent(inout) :: reader
-      character(*), intent(in) :: text
-      character(40) :: parent, above
-      parent = ''
-      above = ''
-      if (reader%depth > 1) parent = reader%path(reader%depth - 1)
-      if (reader%depth > 2) above = reader%path(reader%depth - 2)
-      associate (one => reader%trajectories(size(reader%trajectories)))
-         select case (reader%path(reader%depth))
-         case ('name')
-            if (parent == 'trajectory') one%name = text
-         case ('namewell')
-            if (parent == 'trajectory') one%well = text
-         case ('namewellbore')
-            if (parent == 'trajectory') one%wellbore = text
-         case ('title')
-            if (parent == 'citation' .and. above == 'trajectory') one%name = text
-            if (parent == 'wellbore') one%wellbore = text
-            if (parent == 'wellbore' .and. one%well == '') one%well = text
-         case default
-         end select
-      end associate
-   end subroutine take_name
-
-   !> Room for one more station, and the station.
-   subroutine add_station(reader, line)
-      class(witsml_type), intent(inout) :: reader
-      integer, intent(in) :: line
-      integer :: room
-      room = size(reader%of)
-      if (reader%n == room) then
-         reader%of = [reader%of, spread(0, 1, room)]
-         reader%line = [reader%line, spread(0, 1, room)]
-         reader%values = reshape([reader%values, reader%values], [value_count, 2*room])
-         reader%has = reshape([reader%has, reader%has], [value_count, 2*room])
-      end if
-      reader%n = reader%n + 1
-      reader%of(reader%n) = size(reader%trajectories)
-      reader%line(reader%n) = line
-      reader%has(:, reader%n) = .false.
-      associate (one => reader%trajectories(size(reader%trajectories)))
-         one%stations = one%stations + 1
-      end associate
-   end subroutine add_station
-
-   !> Keeps the first failure, with its line.
-   subroutine fail(reader, why)
-      class(witsml_type), intent(inout) :: reader
-      character(*), intent(in) :: why
-      if (reader%failure == '') reader%failure = 'line '//to_text(reader%here)//': '//why
-   end subroutine fail
 end module dg_witsml_survey

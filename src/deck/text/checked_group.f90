@@ -2,10 +2,11 @@
 module dg_checked_group
    use dg_kinds, only: wp
    use dg_deck_schema, only: name_length
+   use dg_fault_list, only: add_fault, fault_list_type
    use dg_text, only: text_type
    implicit none
    private
-   public :: value_type, checked_group_type, is_whole
+   public :: value_type, checked_group_type, group_fault, is_whole
    public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
 
    !> Numbers or texts of a key.
@@ -28,6 +29,7 @@ module dg_checked_group
 
    !> One group with a value for each of its keys.
    type :: checked_group_type
+      character(:), allocatable :: path           !< of its deck
       character(:), allocatable :: name
       integer :: line = 0
       type(value_type), allocatable :: values(:)  !< in the order of the rules of its keys
@@ -69,6 +71,17 @@ contains
       integer :: line
       line = group%values(place_of(group, key))%line
    end function line_of
+
+   !> Notes a fault of a key, or of the group as a whole where `key` is ''.
+   pure subroutine group_fault(group, key, message, faults)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key, message
+      type(fault_list_type), intent(inout) :: faults
+      integer :: line
+      line = group%line
+      if (key /= '') line = line_of(group, key)
+      call add_fault(faults, group%path, line, 'group &'//group%name//': '//message)
+   end subroutine group_fault
 
    !> Whether every key of a group that is given or required has a legal value.
    pure function is_whole(group) result(whole)

@@ -1,12 +1,11 @@
 !> Numbers and logicals as a namelist writes them. Read with rules of our own, because a processor's
 !> list-directed read takes more than it should (1*, infinities) and says less than a user needs.
 module dg_deck_number
-   use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_text, only: lower_case
    implicit none
    private
-   public :: read_real, read_integer, read_logical, read_fraction
+   public :: is_number, read_real, read_integer, read_logical, read_fraction
 
    character(*), parameter :: digits = '0123456789'
 
@@ -21,9 +20,8 @@ contains
       !> Beyond this a decimal exponent does not fit a double with any sensible mantissa.
       integer, parameter :: greatest_exponent = 290
       integer, parameter :: longest_number = 40
-      call read_plain(text, number, legal)
-      if (legal) return
       number = 0.0_wp
+      legal = .false.
       if (len(text) == 0 .or. len(text) > longest_number) return
       at = 1
       if (scan(text(1:1), '+-') == 1) at = 2
@@ -49,45 +47,13 @@ contains
       legal = status == 0
    end subroutine read_real
 
-   !> Digits with at most one point, few enough that both the digits as a whole number and the power of ten below them are
-   !> doubles without round-off: their quotient is then rounded once, as the processor rounds (Clinger 1990), in a tenth of
-   !> the time. Anything else is not `legal` here.
-   pure subroutine read_plain(text, number, legal)
+   !> Whether a text is a real.
+   pure function is_number(text) result(is)
       character(*), intent(in) :: text
-      real(wp), intent(out) :: number
-      logical, intent(out) :: legal
-      integer, parameter :: most_digits = 15
-      real(wp), parameter :: power(0:most_digits) = [1e0_wp, 1e1_wp, 1e2_wp, 1e3_wp, 1e4_wp, 1e5_wp, 1e6_wp, 1e7_wp, 1e8_wp, &
-                                                     1e9_wp, 1e10_wp, 1e11_wp, 1e12_wp, 1e13_wp, 1e14_wp, 1e15_wp]
-      integer, parameter :: ten = 10, zero = iachar('0')
-      integer(int64) :: whole
-      integer :: i, first, found, below
-      number = 0.0_wp
-      legal = .false.
-      first = 1
-      if (len(text) > 0) then
-         if (text(1:1) == '-' .or. text(1:1) == '+') first = 2
-      end if
-      whole = 0
-      found = 0
-      below = -1
-      do i = first, len(text)
-         if (text(i:i) >= '0' .and. text(i:i) <= '9') then
-            found = found + 1
-            if (found > most_digits) return
-            whole = whole*ten + (iachar(text(i:i)) - zero)
-            if (below >= 0) below = below + 1
-         else if (text(i:i) == '.' .and. below < 0) then
-            below = 0
-         else
-            return
-         end if
-      end do
-      if (found == 0) return
-      legal = .true.
-      number = real(whole, wp)/power(max(below, 0))
-      if (text(1:1) == '-') number = -number
-   end subroutine read_plain
+      logical :: is
+      real(wp) :: number
+      call read_real(text, number, is)
+   end function is_number
 
    !> A whole number of at most nine digits.
    pure subroutine read_integer(text, number, legal)
@@ -143,6 +109,6 @@ contains
    pure function all_digits(text) result(are)
       character(*), intent(in) :: text
       logical :: are
-      are = len(text) > 0 .and. verify(text, '0123456789') == 0
+      are = len(text) > 0 .and. verify(text, digits) == 0
    end function all_digits
 end module dg_deck_number

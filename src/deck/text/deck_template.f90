@@ -172,8 +172,8 @@ contains
          line = line//': '//listed(operation_words())
       else if (rule%choices /= '') then
          line = line//': '//listed(rule%choices)
-      else if (range_text(rule, units, si_units()) /= '') then
-         line = line//' ['//range_text(rule, units, si_units())//']'
+      else if (range_text(rule, units) /= '') then
+         line = line//' ['//range_text(rule, units)//']'
       else if (rule%unit /= unit_none) then
          line = line//' ['//unit_label(units, rule%unit)//']'
       end if

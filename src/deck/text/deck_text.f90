@@ -1,19 +1,11 @@
 !> The groups of a deck as they stand in its text: keys with their values, still as text, with line numbers.
 module dg_deck_text
-   use dg_deck_token, only: token_type, token_group, token_end, token_word, token_text, token_open_text, &
-      token_equals, token_comma, token_stray
+   use dg_deck_token, only: token_type, token_group, token_end, token_word, token_open_text, token_equals, token_comma
    use dg_fault_list, only: fault_list_type, add_fault
    use dg_text, only: lower_case, quoted, to_text
    implicit none
    private
-   public :: value_text_type, entry_type, group_type, parse_groups
-
-   !> One value as written.
-   type :: value_text_type
-      character(:), allocatable :: text
-      logical :: in_quotes = .false.
-      integer :: line = 0
-   end type value_text_type
+   public :: entry_type, group_type, is_key, parse_groups
 
    !> `key = values`, or `key(first:last) = values`.
    type :: entry_type
@@ -22,7 +14,7 @@ module dg_deck_text
       integer :: first = 0                   !< subscript of the first value; 0: none given
       integer :: last = 0                    !< subscript of the last value; 0: none given
       logical :: sound = .true.              !< no fault found in its text
-      type(value_text_type), allocatable :: values(:)
+      type(token_type), allocatable :: values(:)     !< words and quoted texts, repeated ones as often
    end type entry_type
 
    type :: group_type
@@ -32,22 +24,9 @@ module dg_deck_text
       type(entry_type), allocatable :: entries(:)
    end type group_type
 
-   !> Groups as far as they are read, with the group and the entry that are open.
-   type :: parser_type
-      character(:), allocatable :: path
-      type(group_type), allocatable :: groups(:)
-      type(group_type) :: group
-      type(entry_type) :: entry
-      type(value_text_type), allocatable :: values(:)             !< of the entry
-      integer :: n_groups = 0, n_entries = 0, n_values = 0        !< of the lists, which have room for more
-      logical :: in_group = .false., in_entry = .false.
-      logical :: lost = .false.     !< after a fault: nothing more is said until the next key
-   end type parser_type
-
    character(*), parameter :: digits = '0123456789'
    !> Subscripts of more digits are no station of a deck.
    integer, parameter :: longest_subscript = 6
-   integer, parameter :: first_capacity = 64
 
 contains
 
@@ -58,174 +37,159 @@ contains
       type(token_type), intent(in) :: tokens(:)
       type(group_type), allocatable, intent(out) :: groups(:)
       type(fault_list_type), intent(inout) :: faults
-      type(parser_type) :: parser
-      integer :: i, previous, this, next, stray_line
-      parser%path = path
-      allocate (parser%groups(first_capacity), parser%values(first_capacity))
+      integer :: at, n, stray_line
+      allocate (groups(count(tokens%kind == token_group)))
+      n = 0
       stray_line = 0
-      this = 0
-      do i = 1, size(tokens)
-         previous = this
-         this = tokens(i)%kind
-         next = 0
-         if (i < size(tokens)) next = tokens(i + 1)%kind
-         associate (token => tokens(i))
+      at = 1
+      do while (at <= size(tokens))
+         associate (token => tokens(at))
             select case (token%kind)
-            case (token_stray)
-               if (token%line == stray_line) cycle
-               stray_line = token%line
-               call add_fault(faults, path, token%line, 'text outside any group: '//quoted(token%text)// &
-                              '; start a comment with !, put a text that holds a / into quotes')
             case (token_group)
-               call close_entry(parser, faults)
-               if (parser%in_group) then
-                  if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed before &'// &
-                     lower_case(token%text)//' in line '//to_text(token%line)//'; end it with /', faults)
-                  call close_group(parser)
-               end if
-               call open_group(parser, token)
+               n = n + 1
+               call parse_group(path, tokens, at, groups(n), faults)
+               cycle
             case (token_end)
-               call close_entry(parser, faults)
-               if (parser%in_group) then
-                  call close_group(parser)
-               else
-                  call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
-               end if
-            case (token_equals)
-               if (parser%in_entry .and. previous == token_word) then
-                  if (parser%n_values == 0) cycle   ! the key's own
-               end if
-               if (.not. parser%lost) &
-                  call group_fault(parser, token%line, "'=' without a key before it; write key = value", faults)
-               call close_entry(parser, faults)
-               parser%lost = .true.
-            case (token_comma)
-               if (.not. parser%in_entry) cycle
-               if (previous == token_comma .or. previous == token_equals) &
-                  call entry_fault(parser, 'no value before a comma; give every value', faults)
-            case (token_word, token_text, token_open_text)
-               if (token%kind == token_word .and. next == token_equals) then
-                  call close_entry(parser, faults)
-                  call open_entry(parser, token, faults)
-               else if (parser%in_entry) then
-                  call take_value(parser, token, faults)
-               else if (.not. parser%lost) then
-                  call group_fault(parser, token%line, quoted(token%text)//' belongs to no key; write key = value', faults)
-                  parser%lost = .true.
-               end if
+               call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
             case default
+               if (token%line /= stray_line) call add_fault(faults, path, token%line, 'text outside any group: '// &
+                  quoted(token%text)//'; start a comment with !, put a text that holds a / into quotes')
+               stray_line = token%line
             end select
          end associate
+         at = at + 1
       end do
-      call close_entry(parser, faults)
-      if (parser%in_group) then
-         if (.not. parser%group%torn) call group_fault(parser, parser%group%line, 'not closed; end it with /', faults)
-         call close_group(parser)
-      end if
-      allocate (groups(parser%n_groups))
-      call move_groups(parser%groups, groups)
    end subroutine parse_groups
 
-   subroutine open_group(parser, token)
-      type(parser_type), intent(inout) :: parser
-      type(token_type), intent(in) :: token
-      parser%in_group = .true.
-      parser%lost = .false.
-      parser%group%name = lower_case(token%text)
-      parser%group%line = token%line
-      parser%group%torn = .false.
-      if (allocated(parser%group%entries)) deallocate (parser%group%entries)
-      allocate (parser%group%entries(first_capacity))
-      parser%n_entries = 0
-   end subroutine open_group
-
-   subroutine close_group(parser)
-      type(parser_type), intent(inout) :: parser
-      parser%group%entries = parser%group%entries(:parser%n_entries)
-      call append_group(parser%groups, parser%n_groups, parser%group)
-      parser%in_group = .false.
-   end subroutine close_group
-
-   !> A fault within the group that is open, or was last.
-   subroutine group_fault(parser, line, message, faults)
-      type(parser_type), intent(in) :: parser
-      integer, intent(in) :: line
-      character(*), intent(in) :: message
+   !> Reads the group that begins at a token; `at` is then the token behind it.
+   subroutine parse_group(path, tokens, at, group, faults)
+      character(*), intent(in) :: path
+      type(token_type), intent(in) :: tokens(:)
+      integer, intent(inout) :: at
+      type(group_type), intent(inout) :: group
       type(fault_list_type), intent(inout) :: faults
-      call add_fault(faults, parser%path, line, 'group &'//parser%group%name//': '//message)
-   end subroutine group_fault
-
-   !> One fault an entry is enough: what follows from it would only confuse.
-   subroutine entry_fault(parser, message, faults)
-      type(parser_type), intent(inout) :: parser
-      character(*), intent(in) :: message
-      type(fault_list_type), intent(inout) :: faults
-      if (parser%entry%sound) call group_fault(parser, parser%entry%line, parser%entry%key//': '//message, faults)
-      parser%entry%sound = .false.
-   end subroutine entry_fault
-
-   subroutine open_entry(parser, token, faults)
-      type(parser_type), intent(inout) :: parser
-      type(token_type), intent(in) :: token
-      type(fault_list_type), intent(inout) :: faults
-      logical :: legal
-      parser%in_entry = .true.
-      parser%lost = .false.
-      parser%n_values = 0
-      associate (entry => parser%entry)
-         entry%line = token%line
-         entry%sound = .true.
-         call split_subscript(lower_case(token%text), entry%key, entry%first, entry%last, legal)
-      end associate
-      if (.not. legal) call entry_fault(parser, 'the subscript of '//quoted(token%text)// &
-                                        ' is none; write key(1) = or key(2:5) =', faults)
-   end subroutine open_entry
-
-   subroutine take_value(parser, token, faults)
-      type(parser_type), intent(inout) :: parser
-      type(token_type), intent(in) :: token
-      type(fault_list_type), intent(inout) :: faults
-      type(value_text_type) :: value
-      if (token%kind == token_open_text) then
-         call entry_fault(parser, 'the quote before '//quoted(token%text)//' is not closed on its line'//inches(), faults)
-         parser%group%torn = .true.
-      else if (token%kind == token_word .and. token%text == '') then
-         call entry_fault(parser, 'a repeat count without a value; write 3*0.1', faults)
-      else if (token%repeat < 1) then
-         call entry_fault(parser, 'repeat counts are 1 to 999999', faults)
+      integer :: last, k, n
+      logical :: lost          ! after a fault: nothing more is said until the next key
+      group%name = lower_case(tokens(at)%text)
+      group%line = tokens(at)%line
+      last = at
+      do while (last < size(tokens))
+         if (any(tokens(last + 1)%kind == [token_end, token_group])) exit
+         last = last + 1
+      end do
+      allocate (group%entries(count([(is_key(tokens, k), k=at + 1, last)])))
+      n = 0
+      lost = .false.
+      at = at + 1
+      do while (at <= last)
+         if (is_key(tokens, at)) then
+            n = n + 1
+            lost = .false.
+            call parse_entry(path, group, tokens(:last), at, group%entries(n), faults)
+            cycle
+         end if
+         if (tokens(at)%kind == token_equals .and. .not. lost) then
+            call fault(tokens(at)%line, "'=' without a key before it; write key = value")
+         else if (tokens(at)%kind /= token_comma .and. .not. lost) then
+            call fault(tokens(at)%line, quoted(tokens(at)%text)//' belongs to no key; write key = value')
+         end if
+         lost = lost .or. tokens(at)%kind /= token_comma
+         at = at + 1
+      end do
+      if (at > size(tokens)) then
+         if (.not. group%torn) call fault(group%line, 'not closed; end it with /')
+      else if (tokens(at)%kind == token_end) then
+         at = at + 1
+      else if (.not. group%torn) then
+         call fault(group%line, 'not closed before &'//lower_case(tokens(at)%text)//' in line '//to_text(tokens(at)%line)// &
+                    '; end it with /')
       end if
-      value%text = token%text
-      value%in_quotes = token%kind /= token_word
-      value%line = token%line
-      if (parser%entry%sound) call append_values(parser%values, parser%n_values, value, token%repeat)
+
    contains
-      !> Advice where a mark of inches stands behind a number.
-      function inches() result(advice)
-         character(:), allocatable :: advice
-         advice = ''
-         if (parser%n_values == 0) return
-         if (parser%values(parser%n_values)%in_quotes) return
-         if (verify(parser%values(parser%n_values)%text, '0123456789.-+/') == 0) &
-            advice = '; a number has no mark of inches behind it'
-      end function inches
-   end subroutine take_value
 
-   !> Puts the entry that is open, if one is, into its group.
-   subroutine close_entry(parser, faults)
-      type(parser_type), intent(inout) :: parser
+      subroutine fault(line, message)
+         integer, intent(in) :: line
+         character(*), intent(in) :: message
+         call add_fault(faults, path, line, 'group &'//group%name//': '//message)
+      end subroutine fault
+   end subroutine parse_group
+
+   !> Reads the entry whose key is a token; `at` is then the token behind it. Values are those before the first fault.
+   subroutine parse_entry(path, group, tokens, at, entry, faults)
+      character(*), intent(in) :: path
+      type(group_type), intent(inout) :: group
+      type(token_type), intent(in) :: tokens(:)    !< up to the last one of the group
+      integer, intent(inout) :: at
+      type(entry_type), intent(out) :: entry
       type(fault_list_type), intent(inout) :: faults
-      integer :: wanted
-      if (.not. parser%in_entry) return
-      parser%in_entry = .false.
-      parser%entry%values = parser%values(:parser%n_values)
-      if (parser%n_values == 0) call entry_fault(parser, 'no value; write '//parser%entry%key//' = value', faults)
-      if (parser%entry%sound .and. parser%entry%last > 0) then
-         wanted = parser%entry%last - parser%entry%first + 1
-         if (wanted /= parser%n_values) call entry_fault(parser, 'the subscript asks for '//to_text(wanted)//' values, '// &
-                                                         to_text(parser%n_values)//' given', faults)
-      end if
-      call append_entry(parser%group%entries, parser%n_entries, parser%entry)
-   end subroutine close_entry
+      integer :: first, behind, i, k, n
+      logical :: legal
+      entry%line = tokens(at)%line
+      call split_subscript(lower_case(tokens(at)%text), entry%key, entry%first, entry%last, legal)
+      if (.not. legal) call fault('the subscript of '//quoted(tokens(at)%text)//' is none; write key(1) = or key(2:5) =')
+      first = at + 2
+      behind = first
+      n = 0
+      at = first
+      do while (at <= size(tokens))
+         if (is_key(tokens, at) .or. tokens(at)%kind == token_equals) exit
+         call check(tokens(at), tokens(at - 1))
+         if (entry%sound) behind = at + 1
+         if (entry%sound .and. tokens(at)%kind /= token_comma) n = n + tokens(at)%repeat
+         at = at + 1
+      end do
+      allocate (entry%values(n))
+      n = 0
+      do k = first, behind - 1
+         if (tokens(k)%kind == token_comma) cycle
+         do i = n + 1, n + tokens(k)%repeat
+            entry%values(i) = tokens(k)
+         end do
+         n = n + tokens(k)%repeat
+      end do
+      if (n == 0) call fault('no value; write '//entry%key//' = value')
+      if (entry%last > 0 .and. n /= entry%last - entry%first + 1) call fault('the subscript asks for '// &
+         to_text(entry%last - entry%first + 1)//' values, '//to_text(n)//' given')
+
+   contains
+
+      !> A value or a comma, by the token before it.
+      subroutine check(token, before)
+         type(token_type), intent(in) :: token, before
+         select case (token%kind)
+         case (token_comma)
+            if (any(before%kind == [token_comma, token_equals])) call fault('no value before a comma; give every value')
+         case (token_open_text)
+            group%torn = .true.
+            if (before%kind == token_word .and. verify(before%text, '0123456789.-+/') == 0) then
+               call fault('the quote before '//quoted(token%text)// &
+                          ' is not closed on its line; a number has no mark of inches behind it')
+            else
+               call fault('the quote before '//quoted(token%text)//' is not closed on its line')
+            end if
+         case default
+            if (token%kind == token_word .and. token%text == '') call fault('a repeat count without a value; write 3*0.1')
+            if (token%repeat < 1) call fault('repeat counts are 1 to 999999')
+         end select
+      end subroutine check
+
+      !> One fault an entry is enough: what follows from it would only confuse.
+      subroutine fault(message)
+         character(*), intent(in) :: message
+         if (entry%sound) call add_fault(faults, path, entry%line, 'group &'//group%name//': '//entry%key//': '//message)
+         entry%sound = .false.
+      end subroutine fault
+   end subroutine parse_entry
+
+   !> Whether a token is a key: a word before =.
+   pure function is_key(tokens, i) result(is)
+      type(token_type), intent(in) :: tokens(:)
+      integer, intent(in) :: i
+      logical :: is
+      is = .false.
+      if (tokens(i)%kind /= token_word .or. i == size(tokens)) return
+      is = tokens(i + 1)%kind == token_equals
+   end function is_key
 
    !> Splits `md(2:5)` into key and subscripts; (:) is none, (n) gives the place of the first value.
    pure subroutine split_subscript(text, key, first, last, legal)
@@ -246,16 +210,11 @@ contains
       if (.not. legal) return
       inner = text(bracket + 1:len(text) - 1)
       if (inner == ':') return
-      colon = index(inner, ':')
-      if (colon == 0) then
-         call read_subscript(inner, first, legal)
-      else
-         call read_subscript(inner(:colon - 1), first, legal)
-         if (legal .and. colon < len(inner)) then
-            call read_subscript(inner(colon + 1:), last, legal)
-            if (legal) legal = last >= first
-         end if
-      end if
+      colon = index(inner//':', ':')
+      call read_subscript(inner(:colon - 1), first, legal)
+      if (.not. legal .or. colon >= len(inner)) return
+      call read_subscript(inner(colon + 1:), last, legal)
+      legal = legal .and. last >= first
    end subroutine split_subscript
 
    !> A whole number of at least one.
@@ -268,65 +227,4 @@ contains
       if (legal) read (text, *) number
       legal = legal .and. number > 0
    end subroutine read_subscript
-
-   !> Puts `count` copies of a value behind the first `n` of a list.
-   pure subroutine append_values(list, n, value, count)
-      type(value_text_type), allocatable, intent(inout) :: list(:)
-      integer, intent(inout) :: n
-      type(value_text_type), intent(in) :: value
-      integer, intent(in) :: count
-      type(value_text_type), allocatable :: longer(:)
-      integer :: i
-      if (n + count > size(list)) then
-         allocate (longer(2*(n + count)))
-         longer(:n) = list(:n)
-         call move_alloc(longer, list)
-      end if
-      do i = n + 1, n + count
-         list(i) = value
-      end do
-      n = n + count
-   end subroutine append_values
-
-   !> Puts one entry behind the first `n` of a list.
-   pure subroutine append_entry(list, n, entry)
-      type(entry_type), allocatable, intent(inout) :: list(:)
-      integer, intent(inout) :: n
-      type(entry_type), intent(in) :: entry
-      type(entry_type), allocatable :: longer(:)
-      if (n == size(list)) then
-         allocate (longer(2*n))
-         longer(:n) = list
-         call move_alloc(longer, list)
-      end if
-      n = n + 1
-      list(n) = entry
-   end subroutine append_entry
-
-   !> Puts one group behind the first `n` of a list.
-   pure subroutine append_group(list, n, group)
-      type(group_type), allocatable, intent(inout) :: list(:)
-      integer, intent(inout) :: n
-      type(group_type), intent(in) :: group
-      type(group_type), allocatable :: longer(:)
-      if (n == size(list)) then
-         allocate (longer(2*n))
-         call move_groups(list, longer)
-         call move_alloc(longer, list)
-      end if
-      n = n + 1
-      list(n) = group
-   end subroutine append_group
-
-   !> Moves groups into another list, as many as both lists have places.
-   pure subroutine move_groups(from, into)
-      type(group_type), intent(inout) :: from(:), into(:)
-      integer :: i
-      do i = 1, min(size(from), size(into))
-         call move_alloc(from(i)%name, into(i)%name)
-         call move_alloc(from(i)%entries, into(i)%entries)
-         into(i)%line = from(i)%line
-         into(i)%torn = from(i)%torn
-      end do
-   end subroutine move_groups
 end module dg_deck_text

@@ -2,7 +2,7 @@
 !> The deck is scanned here, not by a namelist read, because that read skips misspelt groups in silence,
 !> lets the last of two equal keys win, and knows no line numbers.
 module dg_deck_token
-   use dg_text, only: text_type
+   use dg_text, only: lower_case, text_type
    implicit none
    private
    public :: token_type, tokenize
@@ -54,8 +54,7 @@ contains
       do line = 1, size(lines)
          call tokenize_line(lines(line)%text, line, inside, list)
       end do
-      allocate (tokens(list%count))
-      call move_tokens(list%items, tokens)
+      tokens = list%items(:list%count)
    end subroutine tokenize
 
    !> Tokens of one line; `inside` tells whether a group is open.
@@ -81,7 +80,7 @@ contains
             length = span(text(at + 1:), letters//digits)
             content = text(at + 1:at + length)
             at = at + length + 1
-            if (is_end(content)) then
+            if (lower_case(content) == 'end') then      ! as old namelists do
                call append(list, token_end, line, '&'//content)
                inside = .false.
             else
@@ -222,14 +221,6 @@ contains
       if (length < 0) length = len(text)
    end function span
 
-   !> Whether a name after & closes a group, as old namelists do.
-   pure function is_end(name) result(ends)
-      character(*), intent(in) :: name
-      logical :: ends
-      ends = .false.
-      if (len(name) == 3) ends = scan(name(1:1), 'eE') + scan(name(2:2), 'nN') + scan(name(3:3), 'dD') == 3
-   end function is_end
-
    !> Puts one token at the end of the list.
    pure subroutine append(list, kind, line, text, repeats, first, last)
       type(token_list_type), intent(inout) :: list
@@ -240,7 +231,7 @@ contains
       type(token_type), allocatable :: longer(:)
       if (list%count == size(list%items)) then
          allocate (longer(2*list%count))
-         call move_tokens(list%items, longer)
+         longer(:list%count) = list%items
          call move_alloc(longer, list%items)
       end if
       list%count = list%count + 1
@@ -251,18 +242,4 @@ contains
       if (present(first)) list%items(list%count)%first = first
       if (present(last)) list%items(list%count)%last = last
    end subroutine append
-
-   !> Moves tokens into another list, as many as both lists have places.
-   pure subroutine move_tokens(from, into)
-      type(token_type), intent(inout) :: from(:), into(:)
-      integer :: i
-      do i = 1, min(size(from), size(into))
-         into(i)%kind = from(i)%kind
-         into(i)%line = from(i)%line
-         into(i)%first = from(i)%first
-         into(i)%last = from(i)%last
-         into(i)%repeat = from(i)%repeat
-         call move_alloc(from(i)%text, into(i)%text)
-      end do
-   end subroutine move_tokens
 end module dg_deck_token

@@ -3,20 +3,19 @@
 module dg_deck_values
    use dg_kinds, only: wp
    use dg_checked_group, only: value_type, checked_group_type
+   use dg_deck_advice, only: key_advice, meant_key, operation_advice, unit_advice, value_advice
    use dg_deck_number, only: read_real, read_integer, read_logical
    use dg_deck_schema, only: key_rule_type, kind_text, kind_real, kind_integer, kind_logical, range_text, hold_in_range, &
       rule_place, split_words, listed, name_length
    use dg_deck_keys, only: operation_words
-   use dg_deck_text, only: group_type, entry_type, value_text_type
+   use dg_deck_text, only: group_type, entry_type
+   use dg_deck_token, only: token_type, token_word
    use dg_fault_list, only: fault_list_type, add_fault
-   use dg_foreign_names, only: key_advice, meant_key
    use dg_load_case, only: operation_from_name, operation_name
-   use dg_operation_advice, only: operation_advice
    use dg_text, only: append_text, lower_case, quoted, suggestion, to_text, joined
    use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type, si_units
-   use dg_value_advice, only: value_advice, unit_advice
    implicit none
    private
    public :: check_group
@@ -45,6 +44,7 @@ contains
       character(:), allocatable :: place
 
       place = 'group &'//group%name//': '
+      checked%path = path
       checked%name = group%name
       checked%line = group%line
       n = size(rules)
@@ -67,7 +67,7 @@ contains
       do k = 1, n
          if (checked%values(k)%given) cycle
          if (rules(k)%required) then
-            if (group%name == 'component' .and. has_entry(group, 'catalogue')) cycle   ! which gives it
+            if (group%name == 'component' .and. any([(group%entries(i)%key == 'catalogue', i=1, size(group%entries))])) cycle
             if (.not. (group%torn .or. misspelt(group, keys, trim(keys(k))))) &
                call add_fault(faults, path, group%line, place//'key '//trim(rules(k)%key)//' is missing; '// &
                               needed_text(rules(k), units))
@@ -76,18 +76,6 @@ contains
          end if
       end do
    end subroutine check_group
-
-   !> Whether a key stands in a group.
-   pure function has_entry(group, key) result(has)
-      type(group_type), intent(in) :: group
-      character(*), intent(in) :: key
-      logical :: has
-      integer :: i
-      has = .false.
-      do i = 1, size(group%entries)
-         if (group%entries(i)%key == key) has = .true.
-      end do
-   end function has_entry
 
    !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
    pure function misspelt(group, keys, key) result(is)
@@ -138,12 +126,11 @@ contains
             return
          end if
          if (size(entry%values) > 1) then
-            shown = entry%values(1)%text
-            do i = 2, min(values_shown, size(entry%values))
-               shown = shown//', '//entry%values(i)%text
-            end do
+            shown = ''
             whole = ''
             do i = 1, min(values_shown, size(entry%values))
+               if (i > 1) shown = shown//', '
+               shown = shown//entry%values(i)%text
                whole = trim(whole)//' '//entry%values(i)%text
             end do
             if (size(entry%values) > values_shown) shown = shown//', ...'
@@ -187,7 +174,7 @@ contains
 
    !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
    subroutine take_value(item, name, place, rule, units, value, message)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       integer, intent(in) :: place             !< of the value among those of its key
       type(key_rule_type), intent(in) :: rule
@@ -203,11 +190,11 @@ contains
       case (kind_text)
          call take_text(item, name, rule, value, message)
       case (kind_logical)
-         legal = .not. item%in_quotes
+         legal = item%kind == token_word
          if (legal) call read_logical(item%text, value%flag, legal)
          if (.not. legal) message = name//' = '//shown(item)//' is no logical; write .true. or .false.'
       case default
-         legal = .not. item%in_quotes
+         legal = item%kind == token_word
          number = 0.0_wp
          if (legal) then
             if (rule%kind == kind_integer) then
@@ -223,7 +210,7 @@ contains
             return
          end if
          number = number*unit_factor(units, rule%unit)
-         call hold_in_range(rule, si_units(), number, legal)
+         call hold_in_range(rule, number, legal)
          if (.not. legal) then
             message = name//' = '//item%text//' is out of range; '//needed_text(rule, units)// &
                       unit_advice(item%text, rule, units)
@@ -235,64 +222,42 @@ contains
 
    !> Reads one text, as a name from a list where the key has one. Quotes alone are advised only where the text with them is legal.
    subroutine take_text(item, name, rule, value, message)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       type(key_rule_type), intent(in) :: rule
       type(value_type), intent(inout) :: value
       character(:), allocatable, intent(out) :: message
       character(name_length), allocatable :: choices(:)
-      character(:), allocatable :: chosen
-      integer :: i
+      character(:), allocatable :: chosen, advice
+      integer :: i, operation
       message = ''
+      advice = ''
       chosen = item%text
-      if (rule%choices /= '') then
-         if (rule%choices == '*') then
-            if (item%in_quotes .or. operation_from_name(item%text) == 0) then
-               call take_operation(item%text, name, value, message)
-            else
-               call tell_quotes()
-            end if
-            return
-         end if
+      if (rule%choices == '*') then
+         operation = operation_from_name(item%text)
+         if (operation > 0) chosen = trim(operation_name(operation))
+         if (operation == 0) advice = operation_advice(item%text)
+      else if (rule%choices /= '') then
          call split_words(rule%choices, choices)
-         chosen = ''
          do i = 1, size(choices)
-            if (lower_case(item%text) == lower_case(trim(choices(i)))) chosen = trim(choices(i))
+            if (lower_case(item%text) == lower_case(trim(choices(i)))) exit
          end do
-         if (chosen == '') then
-            message = name//' = '//quoted(item%text)//' is unknown; '//advice_of(item%text, choices)
-            return
+         if (i <= size(choices)) chosen = trim(choices(i))
+         if (i > size(choices)) then      ! all that are legal, too: a name with digits is near to many
+            advice = suggestion(item%text, choices)
+            if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
          end if
       else if (rule%required .and. item%text == '') then
          message = name//' is empty; give a text'
-         return
       else
          call find_text_fault(item%text, .not. any(not_in_cells == rule%key), message)
          if (message /= '') message = name//' = '//quoted(item%text)//' '//message
-         if (message /= '') return
       end if
-      if (.not. item%in_quotes) call tell_quotes()
-      if (message == '') call append_text(value%content%texts, chosen)
-   contains
-      subroutine tell_quotes()
+      if (advice /= '') message = name//' = '//quoted(item%text)//' is unknown; '//advice
+      if (message == '' .and. item%kind == token_word) &
          message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
-      end subroutine tell_quotes
+      if (message == '') call append_text(value%content%texts, chosen)
    end subroutine take_text
-
-   !> Takes an operation under its long name.
-   subroutine take_operation(text, name, value, message)
-      character(*), intent(in) :: text, name
-      type(value_type), intent(inout) :: value
-      character(:), allocatable, intent(out) :: message
-      integer :: operation
-      message = ''
-      operation = operation_from_name(text)
-      if (operation == 0) then
-         message = name//' = '//quoted(text)//' is unknown; '//operation_advice(text)
-      else
-         call append_text(value%content%texts, trim(operation_name(operation)))
-      end if
-   end subroutine take_operation
 
    !> Sets the default of a key, which the table states in units of SI.
    subroutine set_default(rule, value)
@@ -318,14 +283,10 @@ contains
 
    !> A value as the user wrote it.
    pure function shown(item) result(text)
-      type(value_text_type), intent(in) :: item
+      type(token_type), intent(in) :: item
       character(:), allocatable :: text
-      if (item%in_quotes) then
-         text = quoted(item%text)
-      else
-         text = quoted(item%text)
-         text = text(2:len(text) - 1)
-      end if
+      text = quoted(item%text)
+      if (item%kind == token_word) text = text(2:len(text) - 1)
    end function shown
 
    !> 'whole number' or 'number'.
@@ -353,7 +314,7 @@ contains
          text = 'needs .true. or .false.'
       case default
          text = 'needs a '//needed_number(rule)
-         range = range_text(rule, units, si_units())
+         range = range_text(rule, units)
          if (range /= '') then
             text = text//', '//range
          else if (rule%unit /= unit_none) then
@@ -361,12 +322,4 @@ contains
          end if
       end select
    end function needed_text
-
-   !> What to write instead of an unknown word: a near one, and all that are legal, since a name with digits is near to many.
-   pure function advice_of(word, choices) result(advice)
-      character(*), intent(in) :: word, choices(:)
-      character(:), allocatable :: advice
-      advice = suggestion(word, choices)
-      if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
-   end function advice_of
 end module dg_deck_values

@@ -1,5 +1,7 @@
 !> Faults of the input, gathered so that one run tells them all.
 module dg_fault_list
+   use dg_kinds, only: wp
+   use dg_merge_sort, only: sorted_places
    use dg_printable, only: printable
    use dg_text, only: text_type, to_text
    implicit none
@@ -13,6 +15,7 @@ module dg_fault_list
    end type fault_type
 
    type :: fault_list_type
+      integer :: noted = 0                      !< with those that are left untold
       integer :: count = 0
       type(fault_type), allocatable :: items(:) !< the first `count` are meant
    end type fault_list_type
@@ -20,6 +23,8 @@ module dg_fault_list
    integer, parameter :: first_capacity = 16
    !> A deck with more faults than this is no deck; the rest is left untold.
    integer, parameter :: most_faults = 1000
+   !> More than a file has lines.
+   real(wp), parameter :: beyond_lines = 1.0e9_wp
 
 contains
 
@@ -30,6 +35,7 @@ contains
       integer, intent(in) :: line
       character(*), intent(in) :: message
       type(fault_type), allocatable :: longer(:)
+      list%noted = list%noted + 1
       if (list%count == most_faults) return
       if (.not. allocated(list%items)) allocate (list%items(first_capacity))
       if (list%count == size(list%items)) then
@@ -72,29 +78,16 @@ contains
    pure function sorted_faults(list) result(faults)
       type(fault_list_type), intent(in) :: list
       type(fault_type), allocatable :: faults(:)
-      integer :: place(list%count), i, j
-      type(fault_type) :: moving
-      allocate (faults(list%count))
-      do i = 1, list%count
-         faults(i) = list%items(i)
-      end do
-      ! files in the order in which they first came up
+      real(wp) :: place(list%count)
+      integer :: i, j
+      ! files in the order in which they first came up, and lines in them
       do i = 1, list%count
          do j = 1, i
-            if (faults(j)%file == faults(i)%file) exit
+            if (list%items(j)%file == list%items(i)%file) exit
          end do
-         place(i) = j
+         place(i) = j*beyond_lines + list%items(i)%line
       end do
-      do i = 2, list%count
-         do j = i, 2, -1
-            if (place(j - 1) < place(j)) exit
-            if (place(j - 1) == place(j) .and. faults(j - 1)%line <= faults(j)%line) exit
-            moving = faults(j)
-            faults(j) = faults(j - 1)
-            faults(j - 1) = moving
-            place([j - 1, j]) = place([j, j - 1])
-         end do
-      end do
+      faults = list%items(sorted_places(place))
    end function sorted_faults
 
    !> The faults in their order in the files, a line each, as a terminal may show them.

@@ -3,7 +3,7 @@
 module dg_deck_schema
    use dg_kinds, only: wp
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
-   use dg_units, only: unit_system_type
+   use dg_units, only: si_units, unit_system_type
    use dg_text, only: to_text, joined
    implicit none
    private
@@ -96,14 +96,13 @@ contains
    end function rule_place
 
    !> Legal range of a key in words, in the deck's units: '> 0 mm', '0 to 180 deg'.
-   pure function range_text(rule, units, si) result(text)
+   pure function range_text(rule, units) result(text)
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units  !< of the deck
-      type(unit_system_type), intent(in) :: si     !< in which the table states its bounds
       character(:), allocatable :: text
       real(wp) :: scale
       logical :: has_low, has_high
-      scale = unit_factor(si, rule%unit)/unit_factor(units, rule%unit)
+      scale = unit_factor(si_units(), rule%unit)/unit_factor(units, rule%unit)
       has_low = rule%low > -huge(1.0_wp)
       has_high = rule%high < huge(1.0_wp)
       text = ''
@@ -119,13 +118,12 @@ contains
    end function range_text
 
    !> Whether a number has the range of its key; one that is beyond it by the round-off of a conversion is the end of the range.
-   pure subroutine hold_in_range(rule, si, number, holds)
+   pure subroutine hold_in_range(rule, number, holds)
       type(key_rule_type), intent(in) :: rule
-      type(unit_system_type), intent(in) :: si     !< in which the table states its bounds
       real(wp), intent(inout) :: number            !< [SI]
       logical, intent(out) :: holds
       real(wp) :: scale
-      scale = unit_factor(si, rule%unit)
+      scale = unit_factor(si_units(), rule%unit)
       holds = .true.
       if (rule%open) holds = number/scale > rule%low
       if (.not. holds) return

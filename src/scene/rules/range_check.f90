@@ -17,7 +17,7 @@ module dg_range_check
    use dg_rig, only: rig_type
    use dg_text, only: joined, to_text
    use dg_unit_kind, only: in_units, unit_none
-   use dg_units, only: si_units, unit_system_type
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: ranges_type, take_ranges, check_range, is_zero
@@ -76,11 +76,11 @@ contains
          holds = is_shown(number)
          if (holds) then
             held = number
-            call hold_in_range(rule, si_units(), held, holds)
+            call hold_in_range(rule, held, holds)
             if (holds) return
          end if
          needed = '; needs a number'
-         range = range_text(rule, units, si_units())
+         range = range_text(rule, units)
          if (range /= '') needed = needed//', '//range
          if (.not. is_shown(number)) then
             fault = ' is not a finite number'

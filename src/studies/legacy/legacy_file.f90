@@ -7,7 +7,7 @@ module dg_legacy_file
    use dg_file_lines, only: read_lines
    use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, rows, system_count
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
-   use dg_table_text, only: blank_brackets, close_brackets, row_type, skipped_rows_type, skipped_words, split_fields, split_row, &
+   use dg_table_text, only: blank_brackets, close_brackets, skipped_rows_type, skipped_words, split_fields, split_row, &
                             split_unit, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    implicit none
@@ -146,7 +146,7 @@ contains
       type(column_type), intent(in) :: column      !< of measured depth
       type(table_type), intent(in) :: table
       logical :: has
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       type(marks_type) :: unused
       real(wp) :: number
       integer :: mark
@@ -160,10 +160,8 @@ contains
          end associate
       else
          call split_row(text(:mark - 1)//text(mark + 1:), table%separator, row)
-         if (column%number > row%count .or. row%count /= table%wide) return
-         associate (first => row%first(column%number), last => row%last(column%number))
-            call read_cell(row%text(first:last), table%separator == ',', table%line, unused, number, has)
-         end associate
+         if (column%number > size(row) .or. size(row) /= table%wide) return
+         call read_cell(row(column%number)%text, table%separator == ',', table%line, unused, number, has)
       end if
    end function has_depth
 
@@ -295,16 +293,16 @@ contains
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
       type(fault_list_type), intent(inout) :: faults
-      type(row_type) :: row
+      type(text_type), allocatable :: row(:)
       integer :: k
       call split_row(text, table%separator, row)
-      if (row%count /= table%wide) then
-         call fault(table, table%line, 'the row has '//to_text(row%count)//' columns, the table '//to_text(table%wide), faults)
+      if (size(row) /= table%wide) then
+         call fault(table, table%line, 'the row has '//to_text(size(row))//' columns, the table '//to_text(table%wide), faults)
          return
       end if
       do k = 1, column_count
          if (columns(k)%number == 0) cycle
-         call take(k, columns(k), row%text(row%first(columns(k)%number):row%last(columns(k)%number)), table, faults)
+         call take(k, columns(k), row(columns(k)%number)%text, table, faults)
       end do
    end subroutine take_row
 

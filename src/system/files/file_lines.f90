@@ -1,6 +1,6 @@
 !> Reads a text file into lines, or the first bytes of any file.
 module dg_file_lines
-   use, intrinsic :: iso_fortran_env, only: int64, iostat_end, iostat_eor
+   use, intrinsic :: iso_fortran_env, only: int64, iostat_end
    use dg_file_identity, only: identity_of, identity_type
    use dg_text, only: text_type, to_text
    implicit none
@@ -15,7 +15,6 @@ module dg_file_lines
    !> Names of what the shell has opened for the program: `drillgap /dev/stdin`, `drillgap <(make_deck)`.
    character(*), parameter :: standard_input = '/dev/stdin', open_files = '/dev/fd/'
    integer, parameter :: first_capacity = 256
-   integer, parameter :: chunk_length = 512
    !> Of a file that is read in pieces [bytes].
    integer, parameter :: block_length = 65536
    !> More is no text that somebody wrote: a device, a picture, a table without line ends.
@@ -39,11 +38,7 @@ contains
       call check_kind(path, piped, failure)
       bytes = 0
       if (failure == '') inquire (file=path, size=bytes)
-      if (bytes > 0) then
-         call read_blocks(path, bytes, lines, count, failure)
-      else if (failure == '') then
-         call read_single_lines(path, lines, count, failure)     ! what has no size: a pipe, files of /proc
-      end if
+      if (failure == '') call read_blocks(path, bytes, lines, count, failure)
       if (failure /= '') count = 0
       call resize(lines, count)
       if (count > 0) then
@@ -96,10 +91,10 @@ contains
       end if
    end subroutine check_kind
 
-   !> A file of known size in large pieces: many times faster than line by line.
+   !> A file of known size in large pieces; one without, as a pipe or a file of /proc, letter by letter to its end.
    subroutine read_blocks(path, bytes, lines, count, failure)
       character(*), intent(in) :: path
-      integer(int64), intent(in) :: bytes
+      integer(int64), intent(in) :: bytes         !< its size; 0: not known
       type(text_type), allocatable, intent(inout) :: lines(:)
       integer, intent(inout) :: count
       character(:), allocatable, intent(inout) :: failure
@@ -118,9 +113,11 @@ contains
       begun = ''
       after_return = .false.
       done = 0
-      do while (done < bytes .and. failure == '')
-         length = int(min(int(block_length, int64), bytes - done))
+      do while ((bytes <= 0 .or. done < bytes) .and. failure == '')
+         length = 1
+         if (bytes > 0) length = int(min(int(block_length, int64), bytes - done))
          read (unit, iostat=status, iomsg=message) piece(:length)
+         if (bytes <= 0 .and. status == iostat_end) exit
          if (status /= 0) then
             failure = 'cannot be read ('//reason(message)//')'
             exit
@@ -155,33 +152,6 @@ contains
       close (unit)
    end subroutine read_blocks
 
-   subroutine read_single_lines(path, lines, count, failure)
-      character(*), intent(in) :: path
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      integer, intent(inout) :: count
-      character(:), allocatable, intent(inout) :: failure
-      character(:), allocatable :: line
-      character(256) :: message
-      integer :: unit, status
-      logical :: last
-      open (newunit=unit, file=path, status='old', action='read', form='formatted', iostat=status, iomsg=message)
-      if (status /= 0) then
-         failure = 'cannot be opened ('//reason(message)//')'
-         return
-      end if
-      do
-         call read_line(unit, line, last, status, message)
-         if (status /= 0) then
-            failure = 'cannot be read ('//reason(message)//')'
-            exit
-         end if
-         if (last .and. len(line) == 0) exit
-         call add_line(line, lines, count, failure)
-         if (last .or. failure /= '') exit
-      end do
-      close (unit)
-   end subroutine read_single_lines
-
    !> Puts one more line to the others, unless it or their number is beyond all measure.
    subroutine add_line(line, lines, count, failure)
       character(*), intent(in) :: line
@@ -212,34 +182,6 @@ contains
       end do
       call move_alloc(other, lines)
    end subroutine resize
-
-   !> One line of any length; `last` where the file ends with it.
-   subroutine read_line(unit, line, last, status, message)
-      integer, intent(in) :: unit
-      character(:), allocatable, intent(out) :: line
-      logical, intent(out) :: last
-      integer, intent(out) :: status      !< 0, or the processor's number of an error other than the end
-      character(*), intent(inout) :: message
-      character(chunk_length) :: chunk
-      integer :: length
-      line = ''
-      last = .false.
-      do
-         length = 0
-         read (unit, '(a)', advance='no', size=length, iostat=status, iomsg=message) chunk
-         line = line//chunk(:length)
-         if (status == iostat_eor .or. len(line) > longest_line) exit
-         if (status == iostat_end) then
-            last = .true.
-            exit
-         end if
-         if (status /= 0) return
-      end do
-      status = 0
-      if (len(line) > 0) then
-         if (line(len(line):) == carriage_return) line = line(:len(line) - 1)
-      end if
-   end subroutine read_line
 
    !> What the processor says of a failure, without the path that it repeats.
    pure function reason(message) result(text)

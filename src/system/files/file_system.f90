@@ -3,6 +3,7 @@
 module dg_file_system
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use, intrinsic :: iso_fortran_env, only: int64
+   use dg_c_calls, only: c_getpid
    use dg_error, only: error_type, raise, status_failure
    use dg_file_identity, only: identity_of_link, identity_type
    use dg_system_reason, only: reason_of_failed_write, system_reason
@@ -32,12 +33,6 @@ module dg_file_system
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: status
       end function c_unlink
-
-      function c_getpid() result(number) bind(c, name='getpid')
-         import :: c_int
-         implicit none
-         integer(c_int) :: number
-      end function c_getpid
    end interface
 
 contains

@@ -6,6 +6,7 @@
 !> here may open it. The lines of the file say who holds the folder.
 module dg_folder_lock
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_long, c_null_char, c_null_ptr, c_ptr, c_size_t
+   use dg_c_calls, only: c_fopen, c_fclose, c_errno_location, c_getpid
    use dg_error, only: error_type, raise, status_failure
    use dg_file_identity, only: identity_of, identity_of_link, identity_of_open, identity_type, is_same_file
    use dg_file_lines, only: read_lines
@@ -41,26 +42,12 @@ module dg_folder_lock
    character(*), parameter :: of_process = 'process ', of_host = ' on ', of_time = ' since '
 
    interface
-      function c_fopen(path, mode) result(file) bind(c, name='fopen')
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: path(*), mode(*)
-         type(c_ptr) :: file
-      end function c_fopen
-
       function c_fileno(file) result(descriptor) bind(c, name='fileno')
          import :: c_int, c_ptr
          implicit none
          type(c_ptr), value :: file
          integer(c_int) :: descriptor
       end function c_fileno
-
-      function c_fclose(file) result(status) bind(c, name='fclose')
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: file
-         integer(c_int) :: status
-      end function c_fclose
 
       function c_write(descriptor, text, length) result(written) bind(c, name='write')
          import :: c_char, c_int, c_long, c_size_t
@@ -96,25 +83,12 @@ module dg_folder_lock
          integer(c_int) :: status
       end function c_lockf
 
-      ! where errno of this thread is (GNU C library)
-      function c_errno_location() result(address) bind(c, name='__errno_location')
-         import :: c_ptr
-         implicit none
-         type(c_ptr) :: address
-      end function c_errno_location
-
       function c_usleep(microseconds) result(status) bind(c, name='usleep')
          import :: c_int
          implicit none
          integer(c_int), value :: microseconds
          integer(c_int) :: status
       end function c_usleep
-
-      function c_getpid() result(number) bind(c, name='getpid')
-         import :: c_int
-         implicit none
-         integer(c_int) :: number
-      end function c_getpid
 
       function c_gethostname(name, length) result(status) bind(c, name='gethostname')
          import :: c_char, c_int, c_size_t

@@ -1,19 +1,13 @@
 !> Why the operating system refused: its own words for the last call that failed in this thread.
 module dg_system_reason
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr, c_size_t
+   use dg_c_calls, only: c_errno_location, c_fopen, c_fclose
    use dg_text, only: c_text
    implicit none
    private
    public :: system_reason, reason_of_failed_write, words_of, from_c_text
 
    interface
-      ! where errno stands (GNU C library)
-      function c_errno_place() result(place) bind(c, name='__errno_location')
-         import :: c_ptr
-         implicit none
-         type(c_ptr) :: place
-      end function c_errno_place
-
       function c_strerror(number) result(text) bind(c, name='strerror')
          import :: c_int, c_ptr
          implicit none
@@ -28,13 +22,6 @@ module dg_system_reason
          integer(c_size_t) :: length
       end function c_strlen
 
-      function c_fopen(path, mode) result(file) bind(c, name='fopen')
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: path(*), mode(*)
-         type(c_ptr) :: file
-      end function c_fopen
-
       function c_fputs(text, file) result(status) bind(c, name='fputs')
          import :: c_char, c_int, c_ptr
          implicit none
@@ -42,13 +29,6 @@ module dg_system_reason
          type(c_ptr), value :: file
          integer(c_int) :: status
       end function c_fputs
-
-      function c_fclose(file) result(status) bind(c, name='fclose')
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: file
-         integer(c_int) :: status
-      end function c_fclose
    end interface
 
    !> Text that a disk on which a file was cut short has no room for either [bytes].
@@ -60,7 +40,7 @@ contains
    function system_reason() result(text)
       character(:), allocatable :: text
       integer(c_int), pointer :: number
-      call c_f_pointer(c_errno_place(), number)
+      call c_f_pointer(c_errno_location(), number)
       text = words_of(number)
    end function system_reason
 

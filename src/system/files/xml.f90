@@ -1,5 +1,4 @@
-!> Reads XML by expat, a library that is looked for at run time: nothing needs it to build or to start. A reader is told of each
-!> element.
+!> Reads XML into a tree by expat, a library that is looked for at run time: nothing needs it to build or to start.
 !>
 !> A document type is refused, and with it every entity of its own. Nothing is fetched. Elements may be `deepest` deep, and
 !> of the characters in one `most_text` are kept.
@@ -9,50 +8,24 @@ module dg_xml
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_system_reason, only: from_c_text
    use dg_text, only: text_type, to_text
+   use dg_xml_tree, only: close_element, open_element, xml_tree_type
    implicit none
    private
-   public :: xml_reader_type, read_xml
-
-   !> What is told of the elements of a document, in their order.
-   type, abstract :: xml_reader_type
-   contains
-      procedure(begin_element), deferred :: begin
-      procedure(finish_element), deferred :: finish
-   end type xml_reader_type
-
-   abstract interface
-      !> An element begins. Names are without their prefix.
-      subroutine begin_element(reader, name, attributes, line)
-         import :: text_type, xml_reader_type
-         implicit none
-         class(xml_reader_type), intent(inout) :: reader
-         character(*), intent(in) :: name
-         type(text_type), intent(in) :: attributes(:)   !< name, value, name, value ...
-         integer, intent(in) :: line                    !< of the document
-      end subroutine begin_element
-
-      !> It ends; `text` are the characters in it that are in no element inside it.
-      subroutine finish_element(reader, name, text)
-         import :: xml_reader_type
-         implicit none
-         class(xml_reader_type), intent(inout) :: reader
-         character(*), intent(in) :: name, text
-      end subroutine finish_element
-   end interface
+   public :: read_tree
 
    !> What the functions that expat calls work on.
    type :: context_type
-      class(xml_reader_type), pointer :: reader => null()
+      type(xml_tree_type), pointer :: tree => null()
       type(c_ptr) :: parser = c_null_ptr
       procedure(c_stop_parser), pointer, nopass :: stop => null()
       procedure(c_line_number), pointer, nopass :: line => null()
-      type(text_type) :: names(100)                !< of the elements that are open
-      type(text_type) :: texts(100)                !< characters in them
-      integer :: depth = 0
+      integer :: depth = 0                         !< elements that are open
       character(:), allocatable :: refused         !< why reading was stopped
    end type context_type
 
    integer, parameter :: deepest = 100, most_text = 1000, block_length = 65536
+   !> Elements that are kept of a document: 15,000 stations have 400,000.
+   integer, parameter :: most_elements = 4000000, first_room = 1024
    character(*), parameter :: library = 'libexpat.so.1'
 
    abstract interface
@@ -138,10 +111,12 @@ module dg_xml
 
 contains
 
-   !> Reads the document `path` and tells `reader` of its elements. `failure` says what is wrong, with the line; else ''.
-   subroutine read_xml(path, reader, failure)
+   !> Reads chosen elements of the document `path`, with all in them. `failure` says what is wrong, with the line; else ''.
+   subroutine read_tree(path, chosen, kept, tree, failure)
       character(*), intent(in) :: path
-      class(xml_reader_type), target, intent(inout) :: reader
+      character(*), intent(in) :: chosen           !< names of elements in lower case, a blank between two
+      character(*), intent(in) :: kept             !< the same of attributes
+      type(xml_tree_type), target, intent(out) :: tree
       character(:), allocatable, intent(out) :: failure
       type(context_type), target :: context
       type(c_ptr) :: handle
@@ -153,6 +128,9 @@ contains
       procedure(c_line_number), pointer :: line_number
       integer(c_int), parameter :: lazy = 1
       failure = ''
+      allocate (tree%elements(first_room))
+      tree%chosen = ' '//chosen//' '
+      tree%kept = ' '//kept//' '
       handle = c_dlopen(library//c_null_char, lazy)
       if (.not. c_associated(handle)) then
          failure = 'is XML, and '//library//', which reads it, is not on this machine. Install it (package libexpat1), '// &
@@ -168,7 +146,7 @@ contains
       call c_f_procpointer(address_of('XML_GetCurrentLineNumber'), line_number)
       context%stop => stop_parser
       context%line => line_number
-      context%reader => reader
+      context%tree => tree
       context%refused = ''
       context%parser = create(c_null_ptr)
       call set_data(context%parser, c_loc(context))
@@ -185,7 +163,7 @@ contains
          type(c_funptr) :: address
          address = c_dlsym_function(handle, name//c_null_char)
       end function address_of
-   end subroutine read_xml
+   end subroutine read_tree
 
    !> Gives the file to the parser, piece by piece, and frees it.
    subroutine parse_file(handle, path, context, failure)
@@ -244,10 +222,9 @@ contains
       integer :: i, n
       call c_f_pointer(data, context)
       if (context%refused /= '') return
-      if (context%depth == deepest) then
-         call refuse(context, 'has elements in each other deeper than '//to_text(deepest))
-         return
-      end if
+      if (context%depth == deepest) call refuse(context, 'has elements in each other deeper than '//to_text(deepest))
+      if (context%tree%n == most_elements) call refuse(context, 'has more than '//to_text(most_elements)//' elements of a case')
+      if (context%refused /= '') return
       n = 0
       do while (c_associated(attributes(n + 1)))
          n = n + 1
@@ -257,9 +234,7 @@ contains
          pairs(i)%text = from_c_text(attributes(i))
       end do
       context%depth = context%depth + 1
-      context%names(context%depth)%text = without_prefix(from_c_text(name))
-      context%texts(context%depth)%text = ''
-      call context%reader%begin(context%names(context%depth)%text, pairs, int(context%line(context%parser)))
+      call open_element(context%tree, from_c_text(name), pairs, int(context%line(context%parser)))
    end subroutine element_begins
 
    !> Called by expat.
@@ -268,7 +243,7 @@ contains
       type(context_type), pointer :: context
       call c_f_pointer(data, context)
       if (context%refused /= '' .or. .not. c_associated(name)) return
-      call context%reader%finish(context%names(context%depth)%text, context%texts(context%depth)%text)
+      call close_element(context%tree)
       context%depth = context%depth - 1
    end subroutine element_ends
 
@@ -281,8 +256,8 @@ contains
       character(:), allocatable :: piece
       integer :: i
       call c_f_pointer(data, context)
-      if (context%refused /= '' .or. context%depth == 0) return
-      associate (kept => context%texts(context%depth))
+      if (context%refused /= '' .or. context%tree%open == 0) return
+      associate (kept => context%tree%elements(context%tree%open))
          allocate (character(min(int(length), most_text - len(kept%text))) :: piece)
          do i = 1, len(piece)
             piece(i:i) = text(i)
@@ -311,11 +286,4 @@ contains
       status = context%stop(context%parser, 0_c_int)
       if (status == 0) return      ! it has stopped already
    end subroutine refuse
-
-   !> A name without the prefix of its name space.
-   pure function without_prefix(name) result(local)
-      character(*), intent(in) :: name
-      character(:), allocatable :: local
-      local = name(index(name, ':', back=.true.) + 1:)
-   end function without_prefix
 end module dg_xml

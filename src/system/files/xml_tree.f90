@@ -1,10 +1,9 @@
-!> Chosen elements of an XML document, with what is in them, as a list in the order of the document.
+!> Chosen elements of an XML document, with what is in them, as a list in the order of the document. Module dg_xml reads it.
 module dg_xml_tree
-   use dg_text, only: append_text, lower_case, text_type, to_text
-   use dg_xml, only: read_xml, xml_reader_type
+   use dg_text, only: append_text, lower_case, text_type
    implicit none
    private
-   public :: xml_tree_type, attribute, child, read_tree
+   public :: xml_tree_type, attribute, child, close_element, open_element, text_at
 
    type :: xml_element_type
       character(:), allocatable :: name            !< without prefix, in lower case
@@ -15,76 +14,62 @@ module dg_xml_tree
    end type xml_element_type
 
    !> What is in an element follows it.
-   type, extends(xml_reader_type) :: xml_tree_type
+   type :: xml_tree_type
       type(xml_element_type), allocatable :: elements(:)
       integer :: n = 0
-      integer, private :: open = 0                 !< element that is being read
-      character(:), allocatable, private :: chosen, kept  !< names with blanks round them
-      logical, private :: full = .false.
-   contains
-      procedure :: begin => begin_element
-      procedure :: finish => finish_element
+      integer :: open = 0                          !< element that is being read; 0: one that is not chosen
+      character(:), allocatable :: chosen, kept    !< names of elements and attributes, with blanks round them
    end type xml_tree_type
 
-   !> Elements that are kept of a document: 15,000 stations have 400,000.
-   integer, parameter :: most_elements = 4000000, first_room = 1024
 
 contains
 
-   !> Reads the document `path`. `failure` says what is wrong, as of `read_xml`.
-   subroutine read_tree(path, chosen, kept, tree, failure)
-      character(*), intent(in) :: path
-      character(*), intent(in) :: chosen           !< names of elements in lower case, a blank between two
-      character(*), intent(in) :: kept             !< the same of attributes
-      type(xml_tree_type), intent(out) :: tree
-      character(:), allocatable, intent(out) :: failure
-      allocate (tree%elements(first_room))
-      tree%chosen = ' '//chosen//' '
-      tree%kept = ' '//kept//' '
-      call read_xml(path, tree, failure)
-      if (failure == '' .and. tree%full) failure = 'has more than '//to_text(most_elements)//' elements of a case'
-   end subroutine read_tree
-
-   subroutine begin_element(reader, name, attributes, line)
-      class(xml_tree_type), intent(inout) :: reader
+   !> An element begins: it is kept where it is chosen, or stands in a chosen one. Names may have a prefix.
+   subroutine open_element(tree, name, attributes, line)
+      type(xml_tree_type), intent(inout) :: tree
       character(*), intent(in) :: name
-      type(text_type), intent(in) :: attributes(:)
-      integer, intent(in) :: line
+      type(text_type), intent(in) :: attributes(:)   !< name, value, name, value ...
+      integer, intent(in) :: line                  !< of the document
       type(xml_element_type), allocatable :: more(:)
-      integer :: i, k
-      if (reader%open == 0 .and. index(reader%chosen, ' '//lower_case(name)//' ') == 0) return
-      if (reader%n == most_elements) reader%full = .true.
-      if (reader%full) return
-      if (reader%n == size(reader%elements)) then
-         allocate (more(2*reader%n))
-         more(:reader%n) = reader%elements
-         call move_alloc(more, reader%elements)
+      integer :: i
+      if (tree%open == 0 .and. index(tree%chosen, ' '//plain_name(name)//' ') == 0) return
+      if (tree%n == size(tree%elements)) then
+         allocate (more(2*tree%n))
+         more(:tree%n) = tree%elements
+         call move_alloc(more, tree%elements)
       end if
-      reader%n = reader%n + 1
-      associate (element => reader%elements(reader%n))
-         element%name = lower_case(name)
+      tree%n = tree%n + 1
+      associate (element => tree%elements(tree%n))
+         element%name = plain_name(name)
          element%text = ''
-         element%parent = reader%open
+         element%parent = tree%open
          element%line = line
          allocate (element%attributes(0))
          do i = 1, size(attributes) - 1, 2
-            k = index(attributes(i)%text, ':', back=.true.)
-            if (index(reader%kept, ' '//lower_case(attributes(i)%text(k + 1:))//' ') == 0) cycle
-            call append_text(element%attributes, lower_case(attributes(i)%text(k + 1:)))
+            if (index(tree%kept, ' '//plain_name(attributes(i)%text)//' ') == 0) cycle
+            call append_text(element%attributes, plain_name(attributes(i)%text))
             call append_text(element%attributes, attributes(i + 1)%text)
          end do
       end associate
-      reader%open = reader%n
-   end subroutine begin_element
+      tree%open = tree%n
+   end subroutine open_element
 
-   subroutine finish_element(reader, name, text)
-      class(xml_tree_type), intent(inout) :: reader
-      character(*), intent(in) :: name, text
-      if (reader%open == 0 .or. reader%full) return
-      if (reader%elements(reader%open)%name /= lower_case(name)) return
-      reader%elements(reader%open)%text = trimmed(text)
-      reader%open = reader%elements(reader%open)%parent
-   end subroutine finish_element
+   !> The element that is open ends.
+   subroutine close_element(tree)
+      type(xml_tree_type), intent(inout) :: tree
+      if (tree%open == 0) return
+      associate (element => tree%elements(tree%open))
+         element%text = trimmed(element%text)
+         tree%open = element%parent
+      end associate
+   end subroutine close_element
+
+   !> A name in lower case, without the prefix of its name space.
+   pure function plain_name(name) result(plain)
+      character(*), intent(in) :: name
+      character(:), allocatable :: plain
+      plain = lower_case(name(index(name, ':', back=.true.) + 1:))
+   end function plain_name
 
    !> An attribute without the blanks round it; '' where it is absent.
    pure function attribute(element, name) result(value)
@@ -118,6 +103,18 @@ contains
          if (number > 0) return
       end do
    end function child
+
+   !> Text of the element at a path; '' where it is absent.
+   pure function text_at(tree, i, path) result(text)
+      type(xml_tree_type), intent(in) :: tree
+      integer, intent(in) :: i
+      character(*), intent(in) :: path
+      character(:), allocatable :: text
+      integer :: k
+      text = ''
+      k = child(tree, i, path)
+      if (k > 0) text = tree%elements(k)%text
+   end function text_at
 
    !> A text without blanks, tabs and ends of lines at its ends.
    pure function trimmed(text) result(bare)

@@ -2,17 +2,16 @@
 !> waited for, and ended with all that it has started itself. It does not outlive this program. POSIX calls; numbers of
 !> constants are those of Linux.
 module dg_child_process
-   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_int64_t, c_loc, c_long, &
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_loc, c_long, &
                                           c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
+   use dg_c_calls, only: c_waitpid, c_kill, c_dlsym
    use dg_child_guard, only: end_guard, guard_type, start_guard
    use dg_error, only: error_type, raise, status_failure
    use dg_folder, only: is_executable
    use dg_interruption, only: is_interrupted
    use dg_kinds, only: wp
-   use dg_posix_spawn, only: append_to, c_actions_chdir, c_actions_destroy, c_actions_dup2, c_actions_init, c_actions_open, &
-                             c_attributes_destroy, c_attributes_init, c_attributes_set_flags, c_posix_spawn, read_only, set_group, &
-                             structure_size
+   use dg_posix_spawn, only: spawn
    use dg_signal_handler, only: set_handler
    use dg_system_reason, only: words_of
    use dg_text, only: c_text, text_type
@@ -44,7 +43,6 @@ module dg_child_process
    !> Where programs are looked for when PATH is not set.
    character(*), parameter :: usual_path = '/usr/local/bin:/usr/bin:/bin'
 
-   integer(c_int), parameter :: rights = 438_c_int                         ! rw-rw-rw- less the umask
    integer(c_int), parameter :: without_waiting = 1_c_int                  ! WNOHANG
    integer(c_int), parameter :: terminate = 15_c_int, destroy = 9_c_int    ! SIGTERM, SIGKILL
    integer(c_int), parameter :: child_has_ended = 17_c_int                 ! SIGCHLD
@@ -52,21 +50,6 @@ module dg_child_process
    integer, parameter :: most_variables = 1000000
 
    interface
-      function c_waitpid(process, status, options) result(ended) bind(c, name='waitpid')
-         import :: c_int
-         implicit none
-         integer(c_int), value :: process, options
-         integer(c_int), intent(inout) :: status
-         integer(c_int) :: ended
-      end function c_waitpid
-
-      function c_kill(process, signal) result(status) bind(c, name='kill')
-         import :: c_int
-         implicit none
-         integer(c_int), value :: process, signal
-         integer(c_int) :: status
-      end function c_kill
-
       function c_nanosleep(wanted, left) result(status) bind(c, name='nanosleep')
          import :: c_int, c_ptr, timespec_type
          implicit none
@@ -82,15 +65,6 @@ module dg_child_process
          integer(c_size_t), value :: size
          type(c_ptr) :: address
       end function c_getcwd
-
-      ! a variable of a Fortran module would not be the C library's `environ` but one of its own
-      function c_dlsym(library, symbol) result(address) bind(c, name='dlsym')
-         import :: c_char, c_ptr
-         implicit none
-         type(c_ptr), value :: library
-         character(kind=c_char), intent(in) :: symbol(*)
-         type(c_ptr) :: address
-      end function c_dlsym
    end interface
 
 contains
@@ -136,9 +110,8 @@ contains
       type(c_string_type), target :: texts(0:size(arguments))
       type(c_ptr) :: pointers(size(arguments) + 2)
       type(c_ptr), allocatable :: environment(:)
-      integer(c_int64_t) :: actions(structure_size), attributes(structure_size)
       type(c_funptr) :: before
-      integer(c_int) :: status, freed
+      integer(c_int) :: status
       integer :: i
       texts(0)%chars = c_text(program(index(program, '/', back=.true.) + 1:))
       do i = 1, size(arguments)
@@ -151,16 +124,7 @@ contains
       call visible_environment(hidden, environment)
       ! under a parent that ignores it, the child's exit status would be lost
       before = set_handler(child_has_ended, c_null_funptr)
-      status = c_actions_init(actions)
-      if (status == 0) status = c_attributes_init(attributes)
-      if (status == 0) status = c_attributes_set_flags(attributes, set_group)     ! group 0, the default: a new one
-      if (status == 0) status = c_actions_chdir(actions, c_text(folder))
-      if (status == 0) status = c_actions_open(actions, 0_c_int, c_text('/dev/null'), read_only, 0_c_int)
-      if (status == 0) status = c_actions_open(actions, 1_c_int, c_text(output), append_to, rights)
-      if (status == 0) status = c_actions_dup2(actions, 1_c_int, 2_c_int)
-      if (status == 0) status = c_posix_spawn(child%process, c_text(program), actions, attributes, pointers, environment)
-      freed = c_actions_destroy(actions)
-      freed = c_attributes_destroy(attributes)
+      call spawn(child%process, program, pointers, environment, folder, -1_c_int, output, status)
       child%running = status == 0
       if (child%running) call start_guard(child%guard, child%process)
       if (status /= 0) call raise(error, status_failure, 'cannot start '//program//' in '//folder//': '//words_of(status))

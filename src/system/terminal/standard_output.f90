@@ -2,6 +2,7 @@
 !> own buffer is written nor by `flush`; C's remembers it.
 module dg_standard_output
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_long, c_null_ptr, c_ptr, c_short, c_size_t
+   use dg_c_calls, only: c_dlsym, c_fopen
    use dg_file_identity, only: identity_of_open, identity_type
    use dg_signal_handler, only: ignore_signal
    use dg_text, only: c_text
@@ -24,22 +25,6 @@ module dg_standard_output
    end type polled_type
 
    interface
-      ! looks a name of the C library up; a null handle: wherever it is
-      function c_dlsym(handle, name) result(address) bind(c, name='dlsym')
-         import :: c_char, c_ptr
-         implicit none
-         type(c_ptr), value :: handle
-         character(kind=c_char), intent(in) :: name(*)
-         type(c_ptr) :: address
-      end function c_dlsym
-
-      function c_fopen(path, mode) result(file) bind(c, name='fopen')
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: path(*), mode(*)
-         type(c_ptr) :: file
-      end function c_fopen
-
       function c_fwrite(text, size, count, file) result(written) bind(c, name='fwrite')
          import :: c_char, c_ptr, c_size_t
          implicit none

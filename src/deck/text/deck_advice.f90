@@ -1,0 +1,215 @@
+!> Advice on what a deck has in other words: names of groups and keys in other programs and on the rig, operations by a similar
+!> name, numbers as people write them (8-1/2, 5", 135 ksi) or in a unit of another name. None of these is read.
+module dg_deck_advice
+   use dg_kinds, only: wp
+   use dg_deck_number, only: read_fraction, read_real
+   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
+   use dg_load_case, only: alike, operation_aliases, operation_count, operation_from_name, operation_name
+   use dg_text, only: nearest_name, suggestion, edit_distance, joined, lower_case, to_text
+   use dg_unit_kind, only: smaller_unit, unit_factor, unit_label, unit_none
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: key_advice, meant_key, operation_advice, unit_advice, value_advice
+
+   !> A group or key of a deck, with its names elsewhere.
+   type :: names_type
+      character(16) :: group = ''       !< of the key; '': a group is meant
+      character(20) :: ours = ''
+      character(88) :: foreign = ''     !< a blank between two
+   end type names_type
+
+   type(names_type), parameter :: names(*) = [ &
+      names_type('', 'component', 'bha string drillstring drill_string drillpipe drill_pipe pipe collar bit tubular'), &
+      names_type('', 'load_case', 'bitrun bit_run run loadcase loadcases load operation case'), &
+      names_type('', 'trajectory', 'survey surveys wellpath well_path path deviation'), &
+      names_type('', 'fluid', 'mud mud_weight fluids'), &
+      names_type('', 'hole', 'casing open_hole openhole wellbore hole_section'), &
+      names_type('', 'job', 'well units settings general project'), &
+      names_type('component', 'joint_od', 'tool_joint_od tooljoint_od tj_od blade_od'), &
+      names_type('component', 'joint_id', 'tool_joint_id tj_id'), &
+      names_type('component', 'joint_length', 'tool_joint_length tj_length'), &
+      names_type('component', 'od', 'outer_diameter outside_diameter diameter'), &
+      names_type('component', 'id', 'inner_diameter inside_diameter'), &
+      names_type('component', 'mass', 'weight linear_weight unit_weight'), &
+      names_type('component', 'yield', 'yield_strength min_yield'), &
+      names_type('component', 'youngs', 'modulus'), &
+      names_type('component', 'kind', 'type'), &
+      names_type('component', 'makeup_torque', 'makeup'), &
+      names_type('hole', 'diameter', 'id od size hole_size hole_diameter'), &
+      names_type('hole', 'friction', 'ff friction_factor mu'), &
+      names_type('hole', 'md_top', 'top from'), &
+      names_type('hole', 'md_bottom', 'bottom to shoe'), &
+      names_type('fluid', 'density', 'mud_weight weight mw'), &
+      names_type('trajectory', 'md', 'depth'), &
+      names_type('trajectory', 'inc', 'inclination'), &
+      names_type('trajectory', 'azi', 'azimuth'), &
+      names_type('trajectory', 'survey_file', 'file'), &
+      names_type('load_case', 'bit_depth', 'depth md'), &
+      names_type('load_case', 'wob', 'weight_on_bit'), &
+      names_type('load_case', 'tob', 'torque_on_bit bit_torque'), &
+      names_type('load_case', 'measured_hookload', 'hookload hook_load'), &
+      names_type('load_case', 'measured_torque', 'torque'), &
+      names_type('load_case', 'operation', 'type'), &
+      names_type('job', 'title', 'name'), &
+      names_type('job', 'units', 'unit_system'), &
+      names_type('job', 'output_dir', 'output'), &
+      names_type('job', 'models', 'model')]
+
+   !> Slips that a name may have, by its length.
+   integer, parameter :: short_name = 4, slips_of_short = 1, slips_of_long = 2
+   !> Letters of a name that is cut short.
+   integer, parameter :: shortest_stem = 5
+   !> Words of the rig that mean more than one operation, or one with a load.
+   character(*), parameter :: overpull = 'overpull'
+   character(*), parameter :: both_ways(4) = [character(12) :: 'trip', 'tripping', 'reciprocate', 'washing']
+
+   !> Significant digits of a number that is advised.
+   integer, parameter :: digits_told = 7
+   integer, parameter :: longest_name = 20
+   character(*), parameter :: digits = '0123456789'
+
+contains
+
+   !> Advice on an unknown key of a group, or on an unknown group where `group` is '': the one that means the same, else the nearest
+   !> by its letters, else all.
+   pure function key_advice(group, name, legal) result(advice)
+      character(*), intent(in) :: group, name
+      character(*), intent(in) :: legal(:)
+      character(:), allocatable :: advice
+      advice = same_name(group, name, legal)
+      if (advice /= '') then
+         advice = "did you mean '"//advice//"'?"
+      else
+         advice = suggestion(name, legal)
+      end if
+   end function key_advice
+
+   !> The key that an unknown one is taken for; '' where none is.
+   pure function meant_key(group, name, legal) result(meant)
+      character(*), intent(in) :: group, name
+      character(*), intent(in) :: legal(:)
+      character(:), allocatable :: meant
+      meant = same_name(group, name, legal)
+      if (meant == '') meant = nearest_name(name, legal)
+   end function meant_key
+
+   !> The group or key that means the same; '' where none is known.
+   pure function same_name(group, name, legal) result(meant)
+      character(*), intent(in) :: group, name
+      character(*), intent(in) :: legal(:)
+      character(:), allocatable :: meant
+      integer :: i
+      meant = ''
+      do i = 1, size(names)
+         if (names(i)%group /= group .or. .not. any(legal == names(i)%ours)) cycle
+         if (name /= '' .and. index(' '//names(i)%foreign, ' '//name//' ') > 0) meant = trim(names(i)%ours)
+      end do
+   end function same_name
+
+   !> Advice on an unknown name. Where two operations are equally near, both are named.
+   pure function operation_advice(name) result(advice)
+      character(*), intent(in) :: name
+      character(:), allocatable :: advice
+      logical :: near(operation_count)
+      integer :: i
+      if (alike(name) == overpull .or. alike(name) == 'overpulling') then
+         advice = "write 'trip_out' with a wob below 0, which pulls the bit"
+         return
+      end if
+      if (any(both_ways == alike(name))) then
+         advice = "write 'trip_out' or 'trip_in'"
+         return
+      end if
+      call find_near(trim(alike(name)), near)
+      if (any(near)) then
+         advice = "did you mean '"//joined(pack(operation_name, near), "' or '")//"'? "
+      else
+         advice = ''
+      end if
+      advice = advice//'legal: '//joined([(operation_name(i), i=1, operation_count)], ', ')// &
+         ' and the aliases of input/README.md'
+   end function operation_advice
+
+   !> Operations that have the nearest of all names. Of short names one slip counts, of long ones two; else a name that goes on
+   !> where this one ends.
+   pure subroutine find_near(name, near)
+      character(*), intent(in) :: name       !< as `alike` gives it, without blanks
+      logical, intent(out) :: near(operation_count)
+      character(20), parameter :: names(*) = [character(20) :: operation_name, operation_aliases%name]
+      integer :: distance(size(names)), i, most
+      most = slips_of_long
+      if (len(name) <= short_name) most = slips_of_short
+      distance = [(edit_distance(name, trim(alike(names(i)))), i=1, size(names))]
+      near = .false.
+      do i = 1, size(names)
+         if (distance(i) <= most .and. distance(i) == minval(distance)) near(operation_from_name(trim(names(i)))) = .true.
+      end do
+      if (any(near) .or. len(name) < shortest_stem) return
+      do i = 1, size(names)
+         if (index(alike(names(i)), name) == 1) near(operation_from_name(trim(names(i)))) = .true.
+      end do
+   end subroutine find_near
+
+   !> What to write for a text that is no number, with '; ' before it; '' where nothing is known.
+   pure function value_advice(text, rule, units) result(advice)
+      character(*), intent(in) :: text             !< as in the deck; several values with blanks between them
+      type(key_rule_type), intent(in) :: rule      !< of the key
+      type(unit_system_type), intent(in) :: units  !< of the deck
+      character(:), allocatable :: advice
+      real(wp) :: number
+      logical :: legal
+      integer :: length
+      advice = ''
+      if (rule%kind == kind_text) return
+      call read_fraction(without_mark(text), number, legal)
+      if (legal) then
+         advice = '; write '//to_text(number, digits_told)
+         return
+      end if
+      ! a number with its unit behind
+      length = verify(text, digits//'.+-') - 1
+      if (length < 1) return
+      call read_real(text(:length), number, legal)
+      if (.not. legal .or. verify(text(length + 1:length + 1), ' ''"#%') > 0 .and. &
+          scan(lower_case(text(length + 1:length + 1)), 'abcdefghijklmnopqrstuvwxyz') == 0) return
+      advice = '; write the number alone'
+      if (rule%unit /= unit_none) advice = advice//'; its unit is '//trim(unit_label(units, rule%unit))
+   end function value_advice
+
+   !> What to write for a number out of its range that would be legal in a smaller unit.
+   pure function unit_advice(text, rule, units) result(advice)
+      character(*), intent(in) :: text
+      type(key_rule_type), intent(in) :: rule
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: advice
+      character(longest_name) :: smaller
+      real(wp) :: number, held, of_them
+      logical :: legal
+      advice = ''
+      if (rule%kind /= kind_real) return
+      call smaller_unit(units, rule%unit, smaller, of_them)
+      if (smaller == '') return
+      call read_real(text, number, legal)
+      if (.not. legal) return
+      number = number/of_them
+      held = number*unit_factor(units, rule%unit)
+      call hold_in_range(rule, held, legal)
+      if (legal) advice = '; '//text//' '//trim(smaller)//' is written '//to_text(number, digits_told)
+   end function unit_advice
+
+   !> A text without a mark of inches at its end, in quotes or as a word.
+   pure function without_mark(text) result(bare)
+      character(*), intent(in) :: text
+      character(:), allocatable :: bare
+      integer :: last
+      last = len_trim(text)
+      if (last > 2) then
+         if (lower_case(text(last - 1:last)) == 'in') last = len_trim(text(:last - 2))
+      end if
+      if (last > 1) then
+         if (scan(text(last:last), '"''') == 1) last = len_trim(text(:last - 1))
+      end if
+      bare = text(:last)
+   end function without_mark
+end module dg_deck_advice
