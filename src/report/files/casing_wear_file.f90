@@ -2,28 +2,17 @@
 module dg_casing_wear_file
    use dg_case_result, only: case_result_type
    use dg_casing_wear, only: find_casing_wear, groove_type
-   use dg_column, only: column_type, field_list_type, put, quantity_length, quantity_line_load, quantity_percent, &
-                        quantity_pressure, quantity_text, quantity_width
-   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
+   use dg_column, only: quantity_length, quantity_line_load, quantity_percent, quantity_pressure, quantity_text, quantity_width
+   use dg_comparison, only: percent_of
+   use dg_csv_table, only: write_series
    use dg_error, only: error_type
    use dg_job, only: job_type
-   use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: is_missing
    use dg_model, only: model_type
+   use dg_series, only: put, series_list_type
+   use dg_text, only: text_type
    implicit none
    private
    public :: write_casing_wear
-
-   !> New ones are added at the end only.
-   type(column_type), parameter :: casing_wear_columns(7) = [ &
-      column_type('md', quantity_length, 'measured depth'), &
-      column_type('hole', quantity_text, 'name of the hole section'), &
-      column_type('side_force', quantity_line_load, 'mean over the distance of two tool joints'), &
-      column_type('groove', quantity_width, 'depth of the groove'), &
-      column_type('wall_left', quantity_percent, 'of the wall as it was new'), &
-      column_type('burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given'), &
-      column_type('collapse_left', quantity_pressure, 'collapse strength left, without tension')]
 
 contains
 
@@ -35,29 +24,26 @@ contains
       type(case_result_type), intent(in) :: result
       type(error_type), allocatable, intent(out) :: error
       type(groove_type), allocatable :: grooves(:)
-      type(csv_table_type) :: table
-      type(field_list_type) :: row
+      type(text_type) :: names(size(model%holes))
       integer :: i
       call find_casing_wear(model, result, grooves)
-      call begin_table(table, casing_wear_columns, job%units)
-      do i = 1, size(grooves)
-         call wear_fields(model%holes(grooves(i)%hole)%name, grooves(i), row)
-         call add_row(table, row)
+      do i = 1, size(names)
+         names(i)%text = model%holes(i)%name
       end do
-      call write_table(table, path, error)
+      call write_series(wear_series(grooves, names), path, job%units, error)
    end subroutine write_casing_wear
 
-   !> Values of one groove in the order of the columns.
-   pure subroutine wear_fields(hole, groove, row)
-      character(*), intent(in) :: hole     !< its name
-      type(groove_type), intent(in) :: groove
-      type(field_list_type), intent(out) :: row
-      call put(row, groove%md)
-      call put(row, hole)
-      call put(row, groove%side_force)
-      call put(row, groove%depth)
-      call put(row, 100.0_wp*groove%wall_left)
-      call put(row, optional_real(.not. is_missing(groove%burst), groove%burst))
-      call put(row, optional_real(.not. is_missing(groove%collapse), groove%collapse))
-   end subroutine wear_fields
+   !> Grooves by column. New columns are put at the end only.
+   pure function wear_series(grooves, names) result(list)
+      type(groove_type), intent(in) :: grooves(:)
+      type(text_type), intent(in) :: names(:)      !< of hole sections
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth', grooves%md)
+      call put(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
+      call put(list, 'side_force', quantity_line_load, 'mean over the distance of two tool joints', grooves%side_force)
+      call put(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
+      call put(list, 'wall_left', quantity_percent, 'of the wall as it was new', percent_of(grooves%wall_left))
+      call put(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
+      call put(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
+   end function wear_series
 end module dg_casing_wear_file

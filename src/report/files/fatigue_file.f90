@@ -2,33 +2,18 @@
 module dg_fatigue_file
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_column, only: column_type, field_list_type, put, quantity_curvature, quantity_length, quantity_none, quantity_percent, &
-                        quantity_stress, quantity_text
-   use dg_comparison, only: in_percent, known
-   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
+   use dg_column, only: quantity_curvature, quantity_length, quantity_none, quantity_percent, quantity_stress, quantity_text
+   use dg_comparison, only: percent_of
+   use dg_csv_table, only: write_series
    use dg_error, only: error_type
    use dg_fatigue, only: fatigue_type, find_fatigue
    use dg_job, only: job_type
-   use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
+   use dg_series, only: put, series_list_type
+   use dg_text, only: text_type
    implicit none
    private
    public :: write_fatigue
-
-   !> New ones are added at the end only.
-   type(column_type), parameter :: fatigue_columns(10) = [ &
-      column_type('component', quantity_text, 'its name'), &
-      column_type('md', quantity_length, 'where it is bent hardest for its tension'), &
-      column_type('tension', quantity_stress, 'of the effective axial force'), &
-      column_type('amplitude', quantity_stress, 'of the bending stress of the body, largest between tool joints'), &
-      column_type('permitted', quantity_stress, 'amplitude that it bears without end at that tension'), &
-      column_type('used', quantity_percent, 'amplitude over permitted'), &
-      column_type('turns', quantity_none, 'until failure; empty where endless, or where fatigue_exponent is not given'), &
-      column_type('damage', quantity_percent, 'part of its life that hours of rotation take at that place; empty without hours'), &
-      column_type('dogleg', quantity_curvature, 'of the hole there'), &
-      column_type('permitted_dogleg', quantity_curvature, 'largest dogleg in which it may turn without end at that tension')]
 
 contains
 
@@ -41,34 +26,36 @@ contains
       type(along_string_type), intent(in) :: along
       type(error_type), allocatable, intent(out) :: error
       type(fatigue_type), allocatable :: parts(:)
-      type(csv_table_type) :: table
-      type(field_list_type) :: row
+      type(text_type), allocatable :: names(:)
       integer :: i
       call find_fatigue(model, result, along, parts)
-      call begin_table(table, fatigue_columns, job%units)
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
-         do i = 1, size(parts)
-            call fatigue_fields(string%components(parts(i)%part)%name, parts(i), row)
-            call add_row(table, row)
+         allocate (names(size(string%components)))
+         do i = 1, size(names)
+            names(i)%text = string%components(i)%name
          end do
       end associate
-      call write_table(table, path, error)
+      call write_series(fatigue_series(parts, names), path, job%units, error)
    end subroutine write_fatigue
 
-   !> Values of one component in the order of the columns.
-   pure subroutine fatigue_fields(name, part, row)
-      character(*), intent(in) :: name
-      type(fatigue_type), intent(in) :: part
-      type(field_list_type), intent(out) :: row
-      call put(row, name)
-      call put(row, part%md)
-      call put(row, part%tension)
-      call put(row, part%amplitude)
-      call put(row, part%permitted)
-      call put(row, 100.0_wp*part%used)
-      call put(row, optional_real(.not. is_missing(part%turns), part%turns))
-      call put(row, in_percent(known(part%damage)))
-      call put(row, part%curvature)
-      call put(row, optional_real(.not. is_missing(part%dogleg), part%dogleg))
-   end subroutine fatigue_fields
+   !> Components by column. New columns are put at the end only.
+   pure function fatigue_series(parts, names) result(list)
+      type(fatigue_type), intent(in) :: parts(:)
+      type(text_type), intent(in) :: names(:)     !< of components
+      type(series_list_type) :: list
+      call put(list, 'component', quantity_text, 'its name', parts%part - 1, names)
+      call put(list, 'md', quantity_length, 'where it is bent hardest for its tension', parts%md)
+      call put(list, 'tension', quantity_stress, 'of the effective axial force', parts%tension)
+      call put(list, 'amplitude', quantity_stress, &
+               'of the bending stress of the body, largest between tool joints', parts%amplitude)
+      call put(list, 'permitted', quantity_stress, 'amplitude that it bears without end at that tension', parts%permitted)
+      call put(list, 'used', quantity_percent, 'amplitude over permitted', percent_of(parts%used))
+      call put(list, 'turns', quantity_none, &
+               'until failure; empty where endless, or where fatigue_exponent is not given', parts%turns)
+      call put(list, 'damage', quantity_percent, &
+               'part of its life that hours of rotation take at that place; empty without hours', percent_of(parts%damage))
+      call put(list, 'dogleg', quantity_curvature, 'of the hole there', parts%curvature)
+      call put(list, 'permitted_dogleg', quantity_curvature, &
+               'largest dogleg in which it may turn without end at that tension', parts%dogleg)
+   end function fatigue_series
 end module dg_fatigue_file

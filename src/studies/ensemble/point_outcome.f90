@@ -1,10 +1,8 @@
 !> What became of points over bit depth: rows of those that are not there, for the page of the run.
 module dg_point_outcome
-   use dg_case_result, only: result_status_name
-   use dg_column, only: field_list_type, put, put_none
    use dg_job, only: model_name
-   use dg_load_case, only: operation_name, optional_real
-   use dg_run_outcome, only: add_lost_row, outcome_type
+   use dg_load_case, only: given, operation_name, optional_real
+   use dg_run_outcome, only: add_lost, lost_type, outcome_type
    use dg_sweep, only: point_at, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: text_or_nothing
@@ -23,29 +21,21 @@ contains
       integer, intent(in) :: solutions             !< that the row stands for
       type(sweep_result_type), intent(in) :: found !< the first of them
       character(*), intent(in), optional :: sample !< what tells the first from others at the same point
-      type(field_list_type) :: row
+      type(lost_type) :: lost
       type(point_type) :: place, deepest
       place = point_at(sweep, first)
       deepest = point_at(sweep, last)
-      call put(row, part)
-      call put_none(row)
-      call put(row, trim(model_name(sweep%models(place%model))))
-      call put(row, trim(operation_name(sweep%operations(place%operation))))
-      call put(row, sweep%depths(place%depth))
-      call put(row, optional_real(last > first, sweep%depths(deepest%depth)))
-      call put(row, sweep%frictions(place%friction))
-      if (allocated(sweep%frictions_cased)) then
-         call put(row, sweep%frictions_cased(place%friction))
-      else
-         call put_none(row)
-      end if
-      call put(row, solutions)
-      call put(row, trim(result_status_name(found%status)))
-      if (present(sample)) then
-         call put(row, text_or_nothing(found%message)//sample)
-      else
-         call put(row, text_or_nothing(found%message))
-      end if
-      call add_lost_row(outcome, row)
+      lost%part = part
+      lost%model = trim(model_name(sweep%models(place%model)))
+      lost%operation = trim(operation_name(sweep%operations(place%operation)))
+      lost%bit_depth = given(sweep%depths(place%depth))
+      lost%down_to = optional_real(last > first, sweep%depths(deepest%depth))
+      lost%friction = sweep%frictions(place%friction)
+      if (allocated(sweep%frictions_cased)) lost%friction_cased = given(sweep%frictions_cased(place%friction))
+      lost%solutions = solutions
+      lost%status = found%status
+      lost%message = text_or_nothing(found%message)
+      if (present(sample)) lost%message = lost%message//sample
+      call add_lost(outcome, lost)
    end subroutine note_points
 end module dg_point_outcome

@@ -11,7 +11,7 @@ module dg_sweep
    implicit none
    private
    public :: sweep_type, measured_type, point_type
-   public :: point_count, point_number, point_at, point_case, point_holes, at_operation, regular_depths, with_depths
+   public :: point_count, point_number, point_at, model_of, point_case, point_holes, at_operation, regular_depths, with_depths
 
    !> What the rig showed at a depth in an operation.
    type :: measured_type
@@ -89,6 +89,16 @@ contains
       point%operation = modulo(rest, size(sweep%operations)) + 1
       point%model = rest/size(sweep%operations) + 1
    end function point_at
+
+   !> Place of the model of a point.
+   pure function model_of(sweep, number) result(model)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number      !< of the point
+      integer :: model
+      type(point_type) :: point
+      point = point_at(sweep, number)
+      model = point%model
+   end function model_of
 
    !> The load case of a point.
    pure subroutine point_case(sweep, point, load_case)

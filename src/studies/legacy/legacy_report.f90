@@ -3,11 +3,11 @@
 module dg_legacy_report
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_status_name
-   use dg_column, only: quantity_force, quantity_line_load, quantity_moment, unit_size, unit_text
+   use dg_column, only: unit_size, unit_text
    use dg_hole_interval, only: interval_at, interval_name, interval_type
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type
-   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_side_force
+   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_of, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -23,7 +23,6 @@ module dg_legacy_report
    !> Digits of forces and depths in words.
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
-   integer, parameter :: quantity_of(quantity_count) = [quantity_force, quantity_moment, quantity_line_load]
    real(wp), parameter :: per_cent = 100.0_wp
 
 contains

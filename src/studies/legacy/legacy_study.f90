@@ -1,6 +1,7 @@
 !> &legacy: lays other programs' results beside ours.
 module dg_legacy_study
-   use dg_csv_table, only: begin_table, csv_table_type, write_table
+   use dg_column, only: fields_of
+   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_legacy, only: take_legacy
@@ -11,14 +12,16 @@ module dg_legacy_study
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy
    use dg_legacy_picture, only: legacy_chart
    use dg_legacy_report, only: legacy_report
-   use dg_legacy_rows, only: add_legacy_rows, legacy_columns
-   use dg_legacy_table, only: legacy_table_type
-   use dg_picture_data, only: rows_of_file
+   use dg_kinds, only: wp
+   use dg_missing, only: missing
+   use dg_legacy_rows, only: legacy_row, row_of_depth
+   use dg_legacy_table, only: legacy_table_type, quantity_count
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_legacy_keys, only: legacy_keys, legacy_rule
    use dg_study, only: run_type, study_type
-   use dg_text, only: append_text, text_list, text_type
+   use dg_text, only: append_text, text_type
    implicit none
    private
    public :: legacy_study_type
@@ -37,6 +40,8 @@ module dg_legacy_study
    end type legacy_study_type
 
    !> Columns of the table beneath the picture.
+   !> What a row has of a quantity that no program gives.
+   real(wp), parameter :: nothing(quantity_count) = missing
    character(*), parameter :: shown(12) = [character(24) :: 'model', 'md', 'hole', 'axial', 'legacy_axial', &
       'axial_difference', 'torque', 'legacy_torque', 'torque_difference', 'side_force', 'legacy_side_force', &
       'side_force_difference']
@@ -96,23 +101,61 @@ contains
       type(legacy_table_type), intent(in) :: table
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
-      type(comparison_type) :: comparison
+      type(comparison_type) :: comparisons(size(run%results))
       type(csv_table_type) :: rows
       type(text_type), allocatable :: lines(:)
-      integer :: i
-      call begin_table(rows, legacy_columns, run%job%units)
+      integer :: i, k
+      call compare_all(table, run, comparisons)
       associate (results => run%results, case => run%model%cases(table%case_index))
+         call begin_table(rows, legacy_row(case%name, run%job%models(1), missing, '', nothing, nothing), run%job%units)
          do i = 1, size(results)
-            if (results(i)%case_index /= table%case_index .or. .not. allocated(results(i)%profile%md)) cycle
-            call compare_with_legacy(table, results(i)%profile, run%model%trajectory, comparison)
-            lines = legacy_report(run%job%units, table, case%name, results(i)%model, results(i)%status, comparison, &
+            if (.not. allocated(comparisons(i)%md)) cycle
+            lines = legacy_report(run%job%units, table, case%name, results(i)%model, results(i)%status, comparisons(i), &
                                   results(i)%model == run%job%models(1))
             call print_and_keep(run%printed, lines)
-            call add_legacy_rows(rows, case%name, results(i)%model, comparison)
+            do k = 1, size(comparisons(i)%md)
+               call add_row(rows, row_of_depth(case%name, results(i)%model, comparisons(i), k), run%job%units)
+            end do
          end do
       end associate
       call write_table(rows, run%job%output_dir//'/'//file_of(table), error)
    end subroutine compare_one
+
+   !> A table beside each result of its case; others get no depths.
+   subroutine compare_all(table, run, comparisons)
+      type(legacy_table_type), intent(in) :: table
+      type(run_type), intent(in) :: run
+      type(comparison_type), intent(out) :: comparisons(:)     !< one a result
+      integer :: i
+      do i = 1, size(comparisons)
+         associate (result => run%results(i))
+            if (result%case_index == table%case_index .and. allocated(result%profile%md)) &
+               call compare_with_legacy(table, result%profile, run%model%trajectory, comparisons(i))
+         end associate
+      end do
+   end subroutine compare_all
+
+   !> Some rows of the file for the page.
+   function page_rows(table, run) result(data)
+      type(legacy_table_type), intent(in) :: table
+      type(run_type), intent(in) :: run
+      type(picture_data_type) :: data
+      type(comparison_type) :: comparisons(size(run%results))
+      integer, allocatable :: owner(:), depth(:), rows(:)
+      integer :: i, k
+      call compare_all(table, run, comparisons)
+      allocate (owner(0), depth(0))
+      do i = 1, size(comparisons)
+         if (.not. allocated(comparisons(i)%md)) cycle
+         owner = [owner, spread(i, 1, size(comparisons(i)%md))]
+         depth = [depth, (k, k=1, size(comparisons(i)%md))]
+      end do
+      call picked_rows(file_of(table), owner > 0, data, rows)
+      do i = 1, size(rows)
+         data%rows(i) = fields_of(row_of_depth(run%model%cases(table%case_index)%name, run%results(owner(rows(i)))%model, &
+                                               comparisons(owner(rows(i))), depth(rows(i))), shown)
+      end do
+   end function page_rows
 
    !> One file a table.
    subroutine name_files(self, job, names)
@@ -147,7 +190,7 @@ contains
          associate (table => self%tables(i))
             call add_picture(list, run%job, legacy_chart(run%job, run%model, table, run%results), &
                              'Our results and those of '//table%label, table%case_index, &
-                             rows_of_file(run%job, file_of(table), legacy_columns, shown, text_list()), error)
+                             page_rows(table, run), error)
          end associate
       end do
    end subroutine add_pictures

@@ -1,12 +1,12 @@
 !> steering.csv: where assemblies drill to, one row a load case and toolface.
 module dg_steering_file
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_angle, quantity_curvature, &
-                        quantity_force, quantity_none, quantity_text
-   use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
+   use dg_column, only: put, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
+   use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_constants, only: pi
    use dg_error, only: error_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
+   use dg_load_case, only: optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_steering_result, only: steering_result_type
@@ -16,28 +16,6 @@ module dg_steering_file
 
    !> Round-off of an angle of many operations [rad].
    real(wp), parameter :: no_angle = 1.0e-9_wp
-
-   !> New ones are added at the end only.
-   type(column_type), parameter :: steering_columns(18) = [ &
-      column_type('case', quantity_text, 'name of the load case'), &
-      column_type('toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns'), &
-      column_type('inclination', quantity_angle, 'of the hole at the bit'), &
-      column_type('hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it'), &
-      column_type('hole_turn', quantity_curvature, 'its change of azimuth'), &
-      column_type('side_force_high', quantity_force, 'of the bit on the formation in that hole, towards the high side; < 0: to '// &
-         'the low side'), &
-      column_type('side_force_right', quantity_force, 'the same to the right, looking down the hole'), &
-      column_type('tilt_high', quantity_angle, 'to which the bit points against that hole, towards the high side'), &
-      column_type('tilt_right', quantity_angle, 'the same to the right'), &
-      column_type('build', quantity_curvature, 'build rate of the equilibrium curvature: the hole goes on so'), &
-      column_type('turn', quantity_curvature, 'its change of azimuth, clockwise seen from above'), &
-      column_type('dogleg', quantity_curvature, 'the curvature itself'), &
-      column_type('dogleg_clock', quantity_angle, 'to which the hole bends, from the high side clockwise looking down the hole'), &
-      column_type('status', quantity_text, 'converged, or not_converged: then there is no curvature'), &
-      column_type('solutions', quantity_none, 'of the string that it took'), &
-      column_type('message', quantity_text, 'why there is none, or why it may be off'), &
-      column_type('three_point_dogleg', quantity_curvature, 'of a stiff bent assembly that touches at bit and two more points'), &
-      column_type('fitted_side_cutting', quantity_none, 'side_cutting that gives the measured dogleg')]
 
 contains
 
@@ -49,47 +27,44 @@ contains
       type(steering_result_type), intent(in) :: results(:)
       type(error_type), allocatable, intent(out) :: error
       type(csv_table_type) :: table
-      type(field_list_type) :: row
       integer :: i
-      call begin_table(table, steering_columns, job%units)
       do i = 1, size(results)
-         call steering_fields(model, results(i), row)
-         call add_row(table, row)
+         call add_row(table, steering_row(model, results(i)), job%units)
       end do
       call write_table(table, path, error)
    end subroutine write_steering
 
-   subroutine steering_fields(model, result, row)
+   !> A result in the columns of the file. New columns are put at the end only.
+   function steering_row(model, result) result(row)
       type(model_type), intent(in) :: model
       type(steering_result_type), intent(in) :: result
-      type(field_list_type), intent(out) :: row
-      call put(row, model%cases(result%case_index)%name)
-      call put(row, result%toolface)
-      call put(row, result%inclination)
-      call put(row, result%hole(1))
-      call put(row, turn_rate(result, result%hole))
-      call put(row, result%side_force(1))
-      call put(row, result%side_force(2))
-      call put(row, result%tilt(1))
-      call put(row, result%tilt(2))
-      if (result%found) then
-         call put(row, result%curvature(1))
-         call put(row, turn_rate(result, result%curvature))
-         call put(row, norm2(result%curvature))
-         call put(row, dogleg_clock(result%curvature))
-         call put(row, 'converged')
-      else
-         call put_none(row)
-         call put_none(row)
-         call put_none(row)
-         call put_none(row)
-         call put(row, 'not_converged')
-      end if
-      call put(row, result%solutions)
-      call put(row, result%message)
-      call put(row, result%three_points)
-      call put(row, result%side_cutting)
-   end subroutine steering_fields
+      type(row_type) :: row
+      call put(row, 'case', quantity_text, 'name of the load case', model%cases(result%case_index)%name)
+      call put(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
+      call put(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
+      call put(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
+      call put(row, 'hole_turn', quantity_curvature, 'its change of azimuth', turn_rate(result, result%hole))
+      call put(row, 'side_force_high', quantity_force, &
+               'of the bit on the formation in that hole, towards the high side; < 0: to the low side', result%side_force(1))
+      call put(row, 'side_force_right', quantity_force, 'the same to the right, looking down the hole', result%side_force(2))
+      call put(row, 'tilt_high', quantity_angle, 'to which the bit points against that hole, towards the high side', result%tilt(1))
+      call put(row, 'tilt_right', quantity_angle, 'the same to the right', result%tilt(2))
+      call put(row, 'build', quantity_curvature, &
+               'build rate of the equilibrium curvature: the hole goes on so', optional_real(result%found, result%curvature(1)))
+      call put(row, 'turn', quantity_curvature, &
+               'its change of azimuth, clockwise seen from above', optional_real(result%found, turn_rate(result, result%curvature)))
+      call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(result%curvature)))
+      call put(row, 'dogleg_clock', quantity_angle, &
+               'to which the hole bends, from the high side clockwise looking down the hole', &
+               optional_real(result%found, dogleg_clock(result%curvature)))
+      call put(row, 'status', quantity_text, &
+               'converged, or not_converged: then there is no curvature', merge('converged    ', 'not_converged', result%found))
+      call put(row, 'solutions', quantity_none, 'of the string that it took', result%solutions)
+      call put(row, 'message', quantity_text, 'why there is none, or why it may be off', result%message)
+      call put(row, 'three_point_dogleg', quantity_curvature, &
+               'of a stiff bent assembly that touches at bit and two more points', result%three_points)
+      call put(row, 'fitted_side_cutting', quantity_none, 'side_cutting that gives the measured dogleg', result%side_cutting)
+   end function steering_row
 
    !> Change of azimuth per length of a hole that curves to the right [rad/m].
    pure function turn_rate(result, curvature) result(rate)

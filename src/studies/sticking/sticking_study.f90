@@ -3,13 +3,13 @@ module dg_sticking_study
    use dg_kinds, only: wp
    use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
-   use dg_csv_table, only: write_table
+   use dg_csv_table, only: begin_table, write_table
    use dg_deck_draft, only: deck_type
    use dg_deck_sticking, only: take_stickings
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
-   use dg_factor_columns, only: begin_factors, factor_file
+   use dg_factor_columns, only: factor_file, factor_row
    use dg_fault_list, only: fault_list_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
@@ -96,7 +96,7 @@ contains
          if (is_interrupted()) exit
          done = i
       end do
-      call begin_factors(run%factors, run%job%units)
+      call begin_table(run%factors, factor_row(), run%job%units)
       call write_table(run%factors, run%job%output_dir//'/'//factor_file, error)
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
          interruption_name()//' with '//to_text(done)//' held strings of '//to_text(size(self%stickings))//' done')
@@ -135,8 +135,8 @@ contains
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
       allocate (lines, source=sticking_table(run%job%units, run%model, sticking, results(:n)))
       call print_and_keep(run%printed, lines)
-      call begin_factors(run%factors, run%job%units)
-      call add_stickings(run%model, sticking, results(:n), run%factors)
+      call begin_table(run%factors, factor_row(), run%job%units)
+      call add_stickings(run%model, run%job%units, sticking, results(:n), run%factors)
    end subroutine run_one
 
    !> Tells of a string without a solution.

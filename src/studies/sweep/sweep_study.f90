@@ -1,5 +1,6 @@
 !> &sweep: hook load and torque over bit depth.
 module dg_sweep_study
+   use dg_column, only: fields_of
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
@@ -11,20 +12,20 @@ module dg_sweep_study
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_range_text, only: range_text_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: point_count, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count, sweep_type
    use dg_sweep_echo, only: add_sweeps
-   use dg_sweep_file, only: sweep_columns, write_sweep
+   use dg_sweep_file, only: sweep_row, write_sweep
    use dg_sweep_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
    use dg_sweep_points, only: add_indicator, add_limits, add_margins, point_text, solve_points
    use dg_sweep_table, only: sweep_sentences, sweep_table
-   use dg_text, only: text_list, text_type
+   use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -171,16 +172,21 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
+      type(picture_data_type) :: data
       character(:), allocatable :: model
-      integer :: i, k
+      integer, allocatable :: rows(:)
+      integer :: i, k, r
       do i = 1, size(self%sweeps)
          associate (sweep => self%sweeps(i))
             do k = 1, size(sweep%models)
                model = trim(model_name(sweep%models(k)))
+               call picked_rows(points_file('sweep', sweep%name), [(model_of(sweep, r) == k, r=1, point_count(sweep))], data, &
+                                rows)
+               do r = 1, size(rows)
+                  data%rows(r) = fields_of(sweep_row(sweep, point_at(sweep, rows(r)), self%ensembles(i)%points(rows(r))), shown)
+               end do
                call add_picture(list, run%job, sweep_chart(run%job%units, sweep, k, run%model, self%ensembles(i)%points), &
-                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, &
-                                rows_of_file(run%job, points_file('sweep', sweep%name), sweep_columns, shown, &
-                                             text_list('model', model)), error)
+                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, data, error)
             end do
          end associate
       end do

@@ -1,5 +1,6 @@
 !> &uncertainty: quantiles of hook load and torque over bit depth, where well, mud, friction and gauges are not known for sure.
 module dg_uncertainty_study
+   use dg_column, only: fields_of, row_type
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_uncertainty, only: take_uncertainties
@@ -8,10 +9,10 @@ module dg_uncertainty_study
    use dg_error, only: error_type, raise, status_not_converged
    use dg_fault_list, only: fault_list_type
    use dg_friction_estimate, only: friction_estimate_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: job_type
    use dg_line_list, only: line_list_type
    use dg_model, only: model_type
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
@@ -19,13 +20,13 @@ module dg_uncertainty_study
    use dg_range_text, only: range_text_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: point_count, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count, sweep_type
    use dg_sweep_points, only: add_indicator
-   use dg_text, only: quoted, text_list, text_type
+   use dg_text, only: quoted, text_type
    use dg_tornado_picture, only: tornado_chart
    use dg_uncertainty, only: friction_factor_of, piece_count, uncertainty_type
    use dg_uncertainty_echo, only: add_uncertainties
-   use dg_uncertainty_file, only: uncertainty_columns, write_uncertainty
+   use dg_uncertainty_file, only: uncertainty_row, write_uncertainty
    use dg_uncertainty_outcome, only: note_uncertainty
    use dg_uncertainty_picture, only: uncertainty_chart
    use dg_uncertainty_table, only: uncertainty_table
@@ -234,23 +235,29 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      character(:), allocatable :: model
-      integer :: i, k
+      type(picture_data_type) :: data, shares
+      type(row_type) :: row
+      integer, allocatable :: rows(:)
+      integer :: i, k, r
       if (.not. allocated(self%found)) return
       do i = 1, size(self%uncertainties)
          if (.not. allocated(self%found(i)%statistics)) cycle
          associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range, &
                     statistics => self%found(i)%statistics)
             do k = 1, size(range%models)
-               model = trim(model_name(range%models(k)))
+               call picked_rows(points_file('uncertainty', range%name), [(model_of(range, r) == k, r=1, size(statistics))], data, &
+                                rows)
+               shares = data
+               do r = 1, size(rows)
+                  row = uncertainty_row(range, point_at(range, rows(r)), statistics(rows(r)))
+                  data%rows(r) = fields_of(row, shown)
+                  shares%rows(r) = fields_of(row, shown_shares)
+               end do
                call add_picture(list, run%job, uncertainty_chart(run%job%units, range, k, run%model, statistics), &
-                                'What uncertain data make of hook load and torque', 0, &
-                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
-                                             text_list('model', model)), error)
+                                'What uncertain data make of hook load and torque', 0, data, error)
                call add_picture(list, run%job, tornado_chart(run%job%units, uncertainty, k, statistics), &
-                                'What matters most: hook load and torque by one standard deviation of each input', 0, &
-                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown_shares, &
-                                             text_list('model', model)), error)
+                                'What matters most: hook load and torque by one standard deviation of each input', 0, shares, &
+                                error)
             end do
          end associate
       end do
