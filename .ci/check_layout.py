@@ -31,7 +31,7 @@ SAVED = re.compile(r"^\s*(?:integer|real|logical|character|type)\b(?!.*\bparamet
 THREADED = ("src/algebra/", "src/scene/trajectory/", "src/scene/string/", "src/scene/hole/", "src/scene/case/", "src/results/",
             "src/axis_methods/", "src/mechanics/", "src/solver/", "src/analysis/mixed_string/", "src/analysis/limits/", "src/studies/fit/")
 THREADED_FILES = {"sampled_model", "sample_statistics", "calibration", "calibration_result", "prediction", "learnt_friction", "stuck_string",
-                  "sticking_result", "sweep", "sweep_result", "uncertainty", "legacy_table", "steering", "steering_result", "sticking",
+                  "sweep", "sweep_result", "uncertainty", "steering", "sticking",
                   "study_plan"}
 FUNCTION = re.compile(r"^[ \t]*(?:(?:pure|elemental|recursive|impure)\s+)*function\s+(\w+)\s*\([^)]*\)\s*(?:result\s*\((\w+)\))?(.*?)"
                       r"^[ \t]*end function", re.I | re.M | re.S)

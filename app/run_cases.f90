@@ -5,7 +5,7 @@ module dg_run_cases
    use dg_case_watch, only: case_watch_type
    use dg_casing_wear, only: wears_casing
    use dg_casing_wear_file, only: write_casing_wear
-   use dg_contacts_file, only: contact_series
+   use dg_solution_series, only: contact_series, history_series
    use dg_csv_table, only: write_series
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
@@ -15,7 +15,6 @@ module dg_run_cases
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: settle_packer_loads
-   use dg_history_file, only: history_series
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_length_change, only: less

@@ -4,8 +4,7 @@ module dg_test_report_files
    use dg_error, only: error_type, status_failure
    use dg_file_system, only: delete_file, rename_file, write_text_file
    use dg_constants, only: pi
-   use dg_contacts_file, only: contact_series
-   use dg_history_file, only: history_series
+   use dg_solution_series, only: contact_series, history_series
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type

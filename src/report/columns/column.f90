@@ -4,17 +4,18 @@ module dg_column
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_number_text, only: csv_number, csv_text, put_csv_number
+   use dg_number_text, only: csv_text, put_csv_number
    use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
    use dg_quantity, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
       quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, quantity_time, &
       quantity_turns, quantity_wall, quantity_width, unit_type
-   use dg_unit_kind, only: unit_factor, unit_label
+   use dg_text, only: to_text
+   use dg_unit_kind, only: unit_factor
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: column_type, field_type, row_type, column_header, fields_of, unknown_column, unit_text, unit_size
+   public :: column_type, field_type, row_type, column_header, fields_of, unknown_column
    public :: csv_header, csv_row, put_csv_value, put, put_filled, put_none, set
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
@@ -101,22 +102,6 @@ contains
       error stop 1
    end subroutine unknown_column
 
-   !> Unit of a quantity as readers write it; '' where there is none.
-   pure function unit_text(quantity, units) result(text)
-      integer, intent(in) :: quantity
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = unit_label(units, quantity)
-   end function unit_text
-
-   !> SI value of one unit of a quantity.
-   pure function unit_size(quantity, units) result(size)
-      integer, intent(in) :: quantity
-      type(unit_system_type), intent(in) :: units
-      real(wp) :: size
-      size = unit_factor(units, quantity)
-   end function unit_size
-
    !> The header of a CSV file.
    pure function csv_header(columns, units) result(line)
       type(column_type), intent(in) :: columns(:)
@@ -142,10 +127,10 @@ contains
             if (i > 1) line = line//','
             select case (field%kind)
             case (field_text); line = line//csv_text(field%text)
-            case (field_integer); line = line//csv_number(field%integer_value)
+            case (field_integer); line = line//to_text(field%integer_value)
             case (field_real)
                filled = 0
-               call put_csv_value(number, filled, field%real_value, unit_size(field%column%quantity, units))
+               call put_csv_value(number, filled, field%real_value, unit_factor(units, field%column%quantity))
                line = line//number(:filled)
             case default
             end select

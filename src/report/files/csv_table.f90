@@ -1,15 +1,16 @@
 !> CSV files: row after row, or columns with all their values.
 module dg_csv_table
-   use dg_column, only: csv_header, csv_row, put_csv_value, row_type, unit_size
+   use dg_column, only: csv_header, csv_row, put_csv_value, row_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_line_list, only: add_line, line_list_type
-   use dg_number_text, only: csv_number, csv_text
+   use dg_number_text, only: csv_text
    use dg_missing, only: is_missing
    use dg_series, only: series_list_type, series_type, value_count
    use dg_ten_digits, only: longest_number
-   use dg_text, only: put_piece, text_type
+   use dg_text, only: put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: csv_table_type, begin_table, is_begun, add_row, write_table, write_series
@@ -76,9 +77,9 @@ contains
                if (allocated(series%states)) then
                   call put_piece(row, filled, csv_text(series%words(series%states(i))%text))
                else if (series%is_whole) then
-                  if (.not. is_missing(series%numbers(i))) call put_piece(row, filled, csv_number(nint(series%numbers(i))))
+                  if (.not. is_missing(series%numbers(i))) call put_piece(row, filled, to_text(nint(series%numbers(i))))
                else
-                  call put_csv_value(row, filled, series%numbers(i), unit_size(series%column%quantity, units))
+                  call put_csv_value(row, filled, series%numbers(i), unit_factor(units, series%column%quantity))
                end if
             end associate
             if (j < list%count) call put_piece(row, filled, ',')

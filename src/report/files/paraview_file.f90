@@ -10,7 +10,7 @@ module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_column, only: column_header, unit_size
+   use dg_column, only: column_header
    use dg_constants, only: pi
    use dg_error, only: error_type
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_ascii, write_attribute, write_bytes, &
@@ -22,6 +22,7 @@ module dg_paraview_file
    use dg_series, only: series_list_type
    use dg_trajectory, only: high_side, tangent_of
    use dg_vector, only: cross
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: write_string_view, write_hole_view, string_offsets, tube_rows
@@ -61,7 +62,7 @@ contains
                call write_data(file, fields//'/'//trim(column%name), series%states)
             else if (.not. all(is_missing(series%numbers))) then
                call write_data(file, fields//'/'//column_header(column, job%units), series%numbers, &
-                               unit=unit_size(column%quantity, job%units))
+                               unit=unit_factor(job%units, column%quantity))
             end if
          end associate
       end do

@@ -9,14 +9,12 @@ module dg_results_h5
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type, gap_row_type
-   use dg_column, only: column_header, field_integer, field_real, field_text, quantity_angle, quantity_force, quantity_length, &
-                        quantity_none, quantity_text, row_type, unit_size, unit_text
-   use dg_contacts_file, only: contact_series
+   use dg_case_result, only: case_result_type
+   use dg_column, only: column_header, field_integer, field_real, field_text, quantity_angle, quantity_length, quantity_text, &
+                        row_type
+   use dg_solution_series, only: contact_series, history_series, gap_series
    use dg_error, only: error_type
-   use dg_named_states, only: state_name
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_attribute, write_data
-   use dg_history_file, only: history_series
    use dg_job, only: job_type, model_name
    use dg_limits_file, only: limits_row
    use dg_model, only: model_type
@@ -28,6 +26,7 @@ module dg_results_h5
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
    use dg_whole_string, only: whole_string_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: write_results_h5, time_stamp
@@ -119,17 +118,6 @@ contains
       if (allocated(result%contacts)) call put_table(file, group//'/contacts', units, contact_series(result%contacts))
    end subroutine put_result
 
-   !> The state table.
-   pure function gap_series(gaps) result(list)
-      type(gap_row_type), intent(in) :: gaps(:)
-      type(series_list_type) :: list
-      call put(list, 'md', quantity_length, 'measured depth of the gap element''s place x0', gaps%md)
-      call put(list, 'state', quantity_text, 'free, elastic or rigid', gaps%state, state_name)
-      call put(list, 'force', quantity_force, 'contact force of the element', gaps%force)
-      call put(list, 'flips', quantity_none, 'changes of state during the iteration', gaps%flips)
-      call put(list, 'moves', quantity_none, 'changes of place during the iteration', gaps%moves)
-   end function gap_series
-
    !> Columns in a group of their own, where there are any rows.
    subroutine put_table(file, group, units, list)
       type(hdf5_file_type), intent(inout) :: file
@@ -153,13 +141,13 @@ contains
          associate (series => list%items(i), column => list%items(i)%column)
             path = group//'/'//column_header(column, units)
             if (.not. allocated(series%states)) then
-               call write_data(file, path, series%numbers, unit=unit_size(column%quantity, units))
+               call write_data(file, path, series%numbers, unit=unit_factor(units, column%quantity))
             else if (column%quantity == quantity_text) then
                call write_data(file, path, series%states)
             else
                call write_data(file, path, real(series%states, wp), unit=1.0_wp)
             end if
-            call write_attribute(file, path, 'units', unit_text(column%quantity, units))
+            call write_attribute(file, path, 'units', unit_label(units, column%quantity))
             call write_attribute(file, path, 'description', trim(column%meaning))
             if (column%quantity == quantity_text) call write_attribute(file, path, 'values', words_text(series%words))
          end associate
@@ -182,7 +170,7 @@ contains
             case (field_text); call write_attribute(file, group, name, field%text)
             case (field_integer); call write_attribute(file, group, name, field%integer_value)
             case (field_real); call write_attribute(file, group, name, &
-                                                    field%real_value/unit_size(field%column%quantity, units))
+                                                    field%real_value/unit_factor(units, field%column%quantity))
             case default
             end select
          end associate

@@ -3,7 +3,7 @@ module dg_html_text
    use dg_kinds, only: wp
    use dg_column, only: column_type, field_absent, field_integer, field_real, field_text, field_type, fields_of, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_text, &
-                        quantity_time, quantity_turns, row_type, unit_size, unit_text
+                        quantity_time, quantity_turns, row_type
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_from_name, operation_label
    use dg_missing, only: is_shown
@@ -11,6 +11,7 @@ module dg_html_text
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: html_safe, append_rows, append_table, append_preformatted, append_inline_svg, css_string
@@ -130,7 +131,7 @@ contains
       character(:), allocatable :: cell
       cell = '<th'//trim(merge(' class="text"', '             ', column%quantity == quantity_text))//' title="'// &
              html_safe(trim(column%meaning))//'" scope="col">'//heading_of(trim(column%name))//'<br><small>'// &
-             html_safe(unit_text(column%quantity, units))//'</small></th>'
+             html_safe(unit_label(units, column%quantity))//'</small></th>'
    end function head_cell
 
    pure function table_cell(field, units) result(cell)
@@ -155,7 +156,7 @@ contains
       case (field_integer)
          cell = '<td>'//to_text(field%integer_value)//'</td>'
       case (field_real)
-         value = field%real_value/unit_size(field%column%quantity, units)
+         value = field%real_value/unit_factor(units, field%column%quantity)
          if (field%column%name == residual_name) then
             cell = '<td>'//to_text(value, residual_digits)//'</td>'
          else if (field%column%quantity == quantity_none .and. abs(value) < small_number) then

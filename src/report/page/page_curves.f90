@@ -6,7 +6,7 @@ module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_profile, only: profile_type
-   use dg_column, only: quantity_force, unit_size
+   use dg_quantity, only: quantity_force
    use dg_constants, only: pi
    use dg_depth_curve, only: force_on_length, kept_points
    use dg_missing, only: is_missing
@@ -14,6 +14,7 @@ module dg_page_curves
    use dg_series, only: put, series_list_type
    use dg_text, only: put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: curve_series, profile_curves
@@ -62,7 +63,7 @@ contains
       places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
       do k = 1, list%count
          associate (series => list%items(k))
-            unit = unit_size(series%column%quantity, units)
+            unit = unit_factor(units, series%column%quantity)
             if (allocated(series%states)) then
                texts(k)%text = states_text(profile%md, series%states, units%length)
             else if (series%column%name == joint_force) then

@@ -4,22 +4,21 @@ module dg_page_data
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
-   use dg_column, only: unit_size, unit_text
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, leading_model, model_name
-   use dg_json_text, only: json_string
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_series, profile_curves
    use dg_quantity, only: quantity_force, quantity_length, quantity_width, system_base, system_name
    use dg_readable, only: spaced
    use dg_series, only: series_list_type
-   use dg_text, only: text_type, to_text
+   use dg_text, only: text_type, to_text, plain_utf8, put_piece
    use dg_trajectory, only: top_md
    use dg_units, only: system_of, unit_system_type
    use dg_verdict, only: answer_no
    use dg_whole_string, only: whole_string_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: append_page_data, governing_case
@@ -47,6 +46,8 @@ module dg_page_data
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
    integer, parameter :: digits = 7, contact_digits = 4
+
+   integer, parameter :: last_control = 31
 
 contains
 
@@ -144,8 +145,8 @@ contains
          text = text//json_string(quantity_key(wanted(i)))//':{'
          do k = 1, system_base - 1
             if (k > 1) text = text//','
-            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_text(wanted(i), system_of(k)))//','// &
-                   to_text(unit_size(wanted(i), units)/unit_size(wanted(i), system_of(k)), digits)//']'
+            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_label(system_of(k), wanted(i)))//','// &
+                   to_text(unit_factor(units, wanted(i))/unit_factor(system_of(k), wanted(i)), digits)//']'
          end do
          text = text//'}'
       end do
@@ -306,4 +307,30 @@ contains
          end associate
       end do
    end function contacts_text
+
+   !> A text with its quotes. Bytes that make no UTF-8 become '?'. Put in place piece by piece, as html_safe does.
+   pure function json_string(text) result(json)
+      character(*), intent(in) :: text
+      character(:), allocatable :: json
+      character(:), allocatable :: room
+      character(len(text)) :: plain
+      character(6) :: code
+      integer :: i, filled
+      plain = plain_utf8(text)
+      allocate (character(len(code)*len(text) + 2) :: room)
+      filled = 0
+      call put_piece(room, filled, '"')
+      do i = 1, len(text)
+         if (scan(plain(i:i), '"\') == 1) then
+            call put_piece(room, filled, '\'//plain(i:i))
+         else if (scan(plain(i:i), '<>&') == 1 .or. iachar(plain(i:i)) <= last_control) then
+            write (code, '(a, z4.4)') '\u', iachar(plain(i:i))
+            call put_piece(room, filled, code)
+         else
+            call put_piece(room, filled, plain(i:i))
+         end if
+      end do
+      call put_piece(room, filled, '"')
+      json = room(:filled)
+   end function json_string
 end module dg_page_data

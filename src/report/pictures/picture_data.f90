@@ -4,7 +4,7 @@ module dg_picture_data
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
    use dg_column, only: row_type
-   use dg_contacts_file, only: contact_series
+   use dg_solution_series, only: contact_series
    use dg_missing, only: is_missing
    use dg_profile_file, only: profile_series
    use dg_series, only: row_of, series_list_type, series_of

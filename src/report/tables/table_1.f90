@@ -3,17 +3,17 @@
 module dg_table_1
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_column, only: field_real, fields_of, row_type, unit_size, unit_text
+   use dg_column, only: field_real, fields_of, row_type
    use dg_comparison, only: as_measured, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
    use dg_missing, only: is_missing
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned, append_wrapped, page_width
    use dg_summary_file, only: summary_row
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_text, only: mark_meaning, row_mark
-   use dg_wrapped_text, only: append_wrapped, page_width
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: append_table_1, page_columns
@@ -173,7 +173,7 @@ contains
       end do
       line = repeat(' ', layout%section + layout%operation + layout%name)
       do c = 1, size(numbers)
-         if (layout%shown(c)) line = line//right_aligned(unit_text(values%fields(c)%column%quantity, units), numbers(c)%width)
+         if (layout%shown(c)) line = line//right_aligned(unit_label(units, values%fields(c)%column%quantity), numbers(c)%width)
       end do
       call append_text(lines, trim(line))
       call append_text(lines, repeat('-', width_of(layout)))
@@ -196,7 +196,7 @@ contains
          if (.not. layout%shown(c)) cycle
          associate (field => values%fields(c))
             value = optional_real(field%kind == field_real .and. says(numbers(c)%rows, load_case, result), field%real_value)
-            row = row//fixed_cell(value, unit_size(field%column%quantity, units), numbers(c)%width, numbers(c)%decimals)
+            row = row//fixed_cell(value, unit_factor(units, field%column%quantity), numbers(c)%width, numbers(c)%decimals)
          end associate
       end do
    end function row_of

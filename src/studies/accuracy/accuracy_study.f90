@@ -26,12 +26,13 @@ module dg_accuracy_study
    use dg_study_keys, only: study_keys, study_rule
    use dg_study, only: run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
-   use dg_study_file, only: study_row, write_study
+   use dg_study_file, only: study_row
    use dg_study_picture, only: study_chart
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_table, only: study_table
    use dg_study_variant, only: set_variant, study_variants, variant_type
    use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
    private
    public :: accuracy_study_type
@@ -110,6 +111,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: failure
       type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(model_type) :: varied
       integer :: i, j, whole, done
       type(progress_type) :: progress
@@ -128,7 +130,11 @@ contains
                                to_text(done)//' of '//to_text(size(self%records))//' solutions')
          end do
          call compare_case(self%variants, self%records(:, j))
-         call write_study(run%job%output_dir//'/'//file, run%job, run%model, self%plan, self%variants, self%records, j, failure)
+         do i = 1, size(self%variants)
+            call add_row(table, study_row(run%model%cases(self%plan%cases(j))%name, self%variants(i), self%records(i, j)), &
+                         run%job%units)
+         end do
+         call write_table(table, run%job%output_dir//'/'//file, failure)
          if (allocated(failure)) exit cases
          whole = j
       end do cases

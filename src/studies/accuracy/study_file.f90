@@ -4,45 +4,21 @@ module dg_study_file
    use dg_column, only: put, put_filled, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_wall, row_type
    use dg_comparison, only: percent_of
-   use dg_csv_table, only: add_row, csv_table_type, write_table
-   use dg_error, only: error_type
-   use dg_job, only: job_type, model_mcge, model_name
+   use dg_job, only: model_mcge, model_name
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_missing, only: is_missing, missing
-   use dg_model, only: model_type
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_bending, error_bending_rms, error_hookload, error_normal_force, error_torque, &
                                   study_record_type
-   use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: variant_type
    implicit none
    private
-   public :: write_study, study_row
+   public :: study_row
 
    real(wp), parameter :: megabyte = 1024.0_wp**2
 
 contains
-
-   !> Writes study.csv to `path`. records(variants, cases of the study), of which the first `solved` cases are there.
-   subroutine write_study(path, job, model, plan, variants, records, solved, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(study_plan_type), intent(in) :: plan
-      type(variant_type), intent(in) :: variants(:)
-      type(study_record_type), intent(in) :: records(:, :)
-      integer, intent(in) :: solved
-      type(error_type), allocatable, intent(out) :: error
-      type(csv_table_type) :: table
-      integer :: i, j
-      do j = 1, solved
-         do i = 1, size(variants)
-            call add_row(table, study_row(model%cases(plan%cases(j))%name, variants(i), records(i, j)), job%units)
-         end do
-      end do
-      call write_table(table, path, error)
-   end subroutine write_study
 
    !> A variant in the columns of the file. New columns are put at the end only.
    pure function study_row(name, variant, record) result(row)

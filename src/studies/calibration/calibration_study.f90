@@ -1,9 +1,8 @@
 !> &calibrate: friction from measurements, and what the gauge shows beyond string and block.
 module dg_calibration_study
    use dg_column, only: fields_of
-   use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
-      predicts
-   use dg_calibration_echo, only: add_calibrations
+   use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, &
+                             calibration_type, parameter_name, predicts
    use dg_calibration_file, only: datum_row, write_calibrations
    use dg_calibration_picture, only: calibration_chart
    use dg_calibration_result, only: calibration_result_type
@@ -25,7 +24,7 @@ module dg_calibration_study
    use dg_job, only: job_type, model_name
    use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
-   use dg_line_list, only: line_list_type
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
@@ -33,7 +32,7 @@ module dg_calibration_study
    use dg_run_outcome, only: add_part, note_lost
    use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, is_separator_free, quoted, text_type, to_text
+   use dg_text, only: append_text, is_separator_free, joined, quoted, text_type, to_text
    implicit none
    private
    public :: calibration_study_type
@@ -259,4 +258,22 @@ contains
          end associate
       end do
    end subroutine add_pictures
+
+   !> One line a calibration.
+   pure subroutine add_calibrations(lines, calibrations)
+      type(line_list_type), intent(inout) :: lines
+      type(calibration_type), intent(in) :: calibrations(:)
+      character(:), allocatable :: line
+      integer :: i
+      do i = 1, size(calibrations)
+         associate (calibration => calibrations(i))
+            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
+            if (calibration%apply) line = line//'; applied'
+            call add_line(lines, line)
+         end associate
+      end do
+   end subroutine add_calibrations
 end module dg_calibration_study

@@ -6,8 +6,7 @@ module dg_legacy_rows
    use dg_hole_interval, only: interval_at, interval_name
    use dg_job, only: model_name
    use dg_kinds, only: wp
-   use dg_legacy_comparison, only: comparison_type
-   use dg_legacy_table, only: quantity_axial, quantity_side_force, quantity_torque
+   use dg_legacy_comparison, only: comparison_type, quantity_axial, quantity_side_force, quantity_torque
    use dg_missing, only: missing
    implicit none
    private

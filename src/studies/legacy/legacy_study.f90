@@ -9,13 +9,12 @@ module dg_legacy_study
    use dg_exit_status, only: note_failure
    use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type
-   use dg_legacy_comparison, only: comparison_type, compare_with_legacy
+   use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_count
    use dg_legacy_picture, only: legacy_chart
    use dg_legacy_report, only: legacy_report
    use dg_kinds, only: wp
    use dg_missing, only: missing
    use dg_legacy_rows, only: legacy_row, row_of_depth
-   use dg_legacy_table, only: legacy_table_type, quantity_count
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep

@@ -1,38 +1,20 @@
 !> steering.csv: where assemblies drill to, one row a load case and toolface.
 module dg_steering_file
    use dg_column, only: put, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
-   use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_constants, only: pi
-   use dg_error, only: error_type
-   use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_load_case, only: optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_steering_result, only: steering_result_type
+   use dg_steering, only: steering_result_type
    implicit none
    private
-   public :: write_steering, turn_rate, dogleg_clock
+   public :: steering_row, turn_rate, dogleg_clock
 
    !> Round-off of an angle of many operations [rad].
    real(wp), parameter :: no_angle = 1.0e-9_wp
 
 contains
-
-   !> Writes steering.csv to `path`, a row a result. Fails where the file cannot be written.
-   subroutine write_steering(path, job, model, results, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(steering_result_type), intent(in) :: results(:)
-      type(error_type), allocatable, intent(out) :: error
-      type(csv_table_type) :: table
-      integer :: i
-      do i = 1, size(results)
-         call add_row(table, steering_row(model, results(i)), job%units)
-      end do
-      call write_table(table, path, error)
-   end subroutine write_steering
 
    !> A result in the columns of the file. New columns are put at the end only.
    function steering_row(model, result) result(row)

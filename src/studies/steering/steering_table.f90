@@ -6,10 +6,11 @@ module dg_steering_table
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_column, only: quantity_curvature, quantity_force, unit_size, unit_text
+   use dg_quantity, only: quantity_curvature, quantity_force
    use dg_steering_file, only: dogleg_clock, turn_rate
-   use dg_steering_result, only: steering_result_type
+   use dg_steering, only: steering_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: steering_table
@@ -27,12 +28,12 @@ contains
       character(:), allocatable :: rule, row, head
       real(wp) :: force, curvature
       integer :: i
-      force = unit_size(quantity_force, job%units)
-      curvature = unit_size(quantity_curvature, job%units)
+      force = unit_factor(job%units, quantity_force)
+      curvature = unit_factor(job%units, quantity_curvature)
       allocate (lines(0))
       call append_text(lines, '')
-      call append_text(lines, 'Steering: the bit in the hole as it is ('//unit_text(quantity_force, job%units)//', deg), and '// &
-                       'the curvature at which the hole goes on ('//unit_text(quantity_curvature, job%units)//')')
+      call append_text(lines, 'Steering: the bit in the hole as it is ('//unit_label(job%units, quantity_force)//', deg), and '// &
+                       'the curvature at which the hole goes on ('//unit_label(job%units, quantity_curvature)//')')
       head = left_aligned('Load case', name_width)//cells('Toolface', 'Side force', 'Side force', 'Tilt')// &
              cells('Tilt', 'Build', 'Turn', 'Dogleg')//right_aligned('to', width)
       rule = repeat('-', len(head))
@@ -90,8 +91,8 @@ contains
       character(:), allocatable :: name, unit
       real(wp) :: curvature, least, most
       integer :: i, k
-      curvature = unit_size(quantity_curvature, job%units)
-      unit = ' '//unit_text(quantity_curvature, job%units)
+      curvature = unit_factor(job%units, quantity_curvature)
+      unit = ' '//unit_label(job%units, quantity_curvature)
       do k = 1, size(model%cases)
          name = model%cases(k)%name
          least = huge(least)

@@ -11,8 +11,8 @@ module dg_hold_string
    use dg_progress, only: progress_type, show_time
    use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
-   use dg_sticking, only: find_resistance, sticking_type
-   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type
+   use dg_sticking, only: find_resistance, sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type, &
+                           sticking_type
    use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
    use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
    implicit none

@@ -1,38 +1,20 @@
 !> sweep_<name>.csv: one row a point, curve after curve.
 module dg_sweep_file
-   use dg_kinds, only: wp
    use dg_case_result, only: has_numbers, result_status_name
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, row_type
-   use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_comparison, only: as_measured, percent_error
-   use dg_error, only: error_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_load_case, only: given, operation_name, optional_real
-   use dg_sweep, only: point_at, point_type, sweep_type
+   use dg_sweep, only: measured_at, measured_type, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: text_or_nothing
    use dg_verdict, only: answer_name, limit_code
    implicit none
    private
-   public :: sweep_row, write_sweep
+   public :: sweep_row
 
 contains
-
-   !> Writes the whole of a sweep to `path`.
-   subroutine write_sweep(path, job, sweep, points, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
-      type(error_type), allocatable, intent(out) :: error
-      type(csv_table_type) :: table
-      integer :: i
-      do i = 1, size(points)
-         call add_row(table, sweep_row(sweep, point_at(sweep, i), points(i)), job%units)
-      end do
-      call write_table(table, path, error)
-   end subroutine write_sweep
 
    !> A point in the columns of the file. New columns are put at the end only: others rely on the names and the order.
    pure function sweep_row(sweep, point, result) result(row)
@@ -40,17 +22,11 @@ contains
       type(point_type), intent(in) :: point
       type(sweep_result_type), intent(in) :: result
       type(row_type) :: row
-      type(optional_real) :: hookload, torque, error, friction_cased
-      integer :: i
-      do i = size(sweep%measured), 1, -1
-         associate (measured => sweep%measured(i))
-            if (measured%operation /= sweep%operations(point%operation)) cycle
-            if (abs(measured%bit_depth - sweep%depths(point%depth)) > 0.0_wp) cycle
-            if (measured%hookload%present) hookload = measured%hookload
-            if (measured%torque%present) torque = measured%torque
-         end associate
-      end do
-      if (has_numbers(result%status)) error = percent_error(as_measured(result%hookload, result%weight_indicator), hookload)
+      type(optional_real) :: error, friction_cased
+      type(measured_type) :: measured
+      measured = measured_at(sweep, point)
+      if (has_numbers(result%status)) error = percent_error(as_measured(result%hookload, result%weight_indicator), &
+                               measured%hookload)
       if (allocated(sweep%frictions_cased)) friction_cased = given(sweep%frictions_cased(point%friction))
       call put(row, 'model', quantity_text, 'as in summary.csv', model_name(sweep%models(point%model)))
       call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(sweep%operations(point%operation)))
@@ -63,8 +39,9 @@ contains
                'at the top, bit torque included', optional_real(has_numbers(result%status), result%torque))
       call put(row, 'status', quantity_text, &
                'converged, not_converged or locked_up: only the first is a solution', result_status_name(result%status))
-      call put(row, 'measured_hookload', quantity_force, 'of the load case with this operation, depth and string', hookload)
-      call put(row, 'measured_torque', quantity_moment, 'the same of torque', torque)
+      call put(row, 'measured_hookload', quantity_force, 'of the load case with this operation, depth and string', &
+               measured%hookload)
+      call put(row, 'measured_torque', quantity_moment, 'the same of torque', measured%torque)
       call put(row, 'error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator', error)
       call put(row, 'message', quantity_text, &
                'reason and remedy where there is no solution, else warnings', text_or_nothing(result%message))

@@ -2,35 +2,17 @@
 module dg_uncertainty_file
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, row_type
-   use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_comparison, only: percent_of
-   use dg_error, only: error_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_load_case, only: operation_name
    use dg_sample_statistics, only: p10, p50, p90, point_statistics_type
-   use dg_sweep, only: point_at, point_type, sweep_type
-   use dg_uncertainty, only: uncertainty_type
+   use dg_sweep, only: point_type, sweep_type
    use dg_variance_shares, only: input_density, input_friction, input_gauge, input_rest, input_survey
    implicit none
    private
-   public :: uncertainty_row, write_uncertainty
+   public :: uncertainty_row
 
 contains
-
-   !> Writes all points to `path`.
-   subroutine write_uncertainty(path, job, uncertainty, statistics, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(uncertainty_type), intent(in) :: uncertainty
-      type(point_statistics_type), intent(in) :: statistics(:)   !< in the order of the points' numbers
-      type(error_type), allocatable, intent(out) :: error
-      type(csv_table_type) :: table
-      integer :: i
-      do i = 1, size(statistics)
-         call add_row(table, uncertainty_row(uncertainty%range, point_at(uncertainty%range, i), statistics(i)), job%units)
-      end do
-      call write_table(table, path, error)
-   end subroutine write_uncertainty
 
    !> A point in the columns of the file. New columns are put at the end only: others rely on the names and the order.
    pure function uncertainty_row(range, point, found) result(row)

@@ -1,13 +1,30 @@
-!> history_<case>_<model>.csv: the course of the iteration, one row an iteration.
-module dg_history_file
-   use dg_case_result, only: iteration_type, judged_name
-   use dg_column, only: quantity_force, quantity_moment, quantity_none, quantity_width
+!> How a solution was found and what it touches: contacts_<case>_<model>.csv, history_<case>_<model>.csv, state table.
+module dg_solution_series
+   use dg_case_result, only: contact_name, contact_point_type, iteration_type, judged_name, gap_row_type
+   use dg_column, only: quantity_angle, quantity_force, quantity_length, quantity_text, quantity_moment, quantity_none, &
+                        quantity_width
    use dg_series, only: put, series_list_type
+   use dg_named_states, only: state_name
    implicit none
    private
+   public :: contact_series, gap_series
    public :: history_series
 
 contains
+
+   !> Contacts by column. New columns are put at the end only.
+   pure function contact_series(contacts) result(list)
+      type(contact_point_type), intent(in) :: contacts(:)
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth of the centroid of the force, of the point before loading', contacts%md)
+      call put(list, 'force', quantity_force, &
+               'across the hole, of the string on what it touches; of an edge: beyond what weight and tension in a bend '// &
+               'press to the wall there', contacts%force)
+      call put(list, 'length', quantity_length, 'over which it acts; 0 for bit and top', contacts%length)
+      call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
+      call put(list, 'kind', quantity_text, &
+               'tool joint, stabilizer, centralizer, edge, bit or top', contacts%kind - 1, contact_name)
+   end function contact_series
 
    !> Iterations by column.
    pure function history_series(steps) result(list)
@@ -37,4 +54,15 @@ contains
       call put(list, 'moves', quantity_none, 'gaps that moved to another x0 after that step', steps%moves)
       call put(list, 'hookload', quantity_force, 'hook load at this iteration', steps%hookload)
    end function history_series
-end module dg_history_file
+
+   !> The state table.
+   pure function gap_series(gaps) result(list)
+      type(gap_row_type), intent(in) :: gaps(:)
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth of the gap element''s place x0', gaps%md)
+      call put(list, 'state', quantity_text, 'free, elastic or rigid', gaps%state, state_name)
+      call put(list, 'force', quantity_force, 'contact force of the element', gaps%force)
+      call put(list, 'flips', quantity_none, 'changes of state during the iteration', gaps%flips)
+      call put(list, 'moves', quantity_none, 'changes of place during the iteration', gaps%moves)
+   end function gap_series
+end module dg_solution_series
