@@ -4,14 +4,13 @@ module dg_run_cases
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
    use dg_casing_wear, only: wears_casing
-   use dg_casing_wear_file, only: write_casing_wear
+   use dg_wear_files, only: write_casing_wear, write_fatigue
    use dg_solution_series, only: contact_series, history_series
    use dg_csv_table, only: write_series
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_fatigue, only: asks_for_fatigue
-   use dg_fatigue_file, only: write_fatigue
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: settle_packer_loads

@@ -17,8 +17,7 @@ module dg_steering_study
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
    use dg_steering, only: steering_result_type, steering_type
-   use dg_steering_file, only: steering_row
-   use dg_steering_table, only: steering_table
+   use dg_steering_table, only: steering_table, steering_row
    use dg_steering_keys, only: steering_keys, steering_rule
    use dg_study, only: run_type, study_type
    use dg_text, only: append_text, quoted, text_type, to_text
