@@ -21,27 +21,27 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Houses whose modules describe columns of files and tables.
 OUTPUT_HOUSES = ("report", "studies")
 
-# Tables of columns that only report.html has.
-ON_PAGE = {"part_columns", "lost_columns"}
-# Tables of columns and the files that they are of.
+# Procedures that put the columns of a table that only report.html has.
+ON_PAGE = {"part_row", "lost_row", "curve_series"}
+# Procedures that put the columns of a file.
 COLUMNS = {
-    "study_columns": "study.csv",
-    "steering_columns": "steering.csv",
-    "summary_columns": "summary.csv",
-    "profile_columns": "profile_<case>_<model>.csv",
-    "limits_columns": "limits.csv",
-    "history_columns": "history_<case>_<model>.csv",
-    "legacy_columns": "legacy_<label>.csv",
-    "sweep_columns": "sweep_<name>.csv",
-    "uncertainty_columns": "uncertainty_<name>.csv",
-    "factor_columns": "calibration.csv",
-    "datum_columns": "calibration_data.csv",
-    "prediction_columns": "calibration_prediction.csv",
-    "contact_columns": "contacts_<case>_<model>.csv",
-    "casing_wear_columns": "casing_wear_<case>_<model>.csv",
-    "fatigue_columns": "fatigue_<case>_<model>.csv",
-    "gap_columns": "/cases/<case>/<model>/gaps",
-    "survey_columns": "/survey",
+    "study_row": "study.csv",
+    "steering_row": "steering.csv",
+    "summary_row": "summary.csv",
+    "profile_series": "profile_<case>_<model>.csv",
+    "limits_row": "limits.csv",
+    "history_series": "history_<case>_<model>.csv",
+    "legacy_row": "legacy_<label>.csv",
+    "sweep_row": "sweep_<name>.csv",
+    "uncertainty_row": "uncertainty_<name>.csv",
+    "factor_row": "calibration.csv",
+    "datum_row": "calibration_data.csv",
+    "prediction_row": "calibration_prediction.csv",
+    "contact_series": "contacts_<case>_<model>.csv",
+    "wear_series": "casing_wear_<case>_<model>.csv",
+    "fatigue_series": "fatigue_<case>_<model>.csv",
+    "gap_series": "/cases/<case>/<model>/gaps",
+    "survey_series": "/survey",
 }
 # Keys whose default the table of keys leaves to the code that makes use of them; '' where another key sets it.
 DEFAULTS_ELSEWHERE = {"gap_location": {"gap_at_extremum": "extremum", "gap_at_nodes": "nodes"}, "element_length": {"10.0": ""}}
@@ -273,18 +273,33 @@ def header_suffixes():
     return {quantity: f"_{units[0][1]}" for quantity, units in unit_table().items() if units[0][1]}
 
 
+def columns_of(name, procedures):
+    """Columns that a procedure puts, and those that procedures of its module put for it: name, quantity and meaning."""
+    found = []
+    for call, words in re.findall(r"call (\w+)(\(.*)", procedures[name]):
+        if re.match(r"\((?:row|list), '", words):
+            plain, _ = constructors("put" + words, "put")[0]
+            found.append((unquoted(plain[1]), plain[2], unquoted(plain[3])))
+        elif call in procedures and call != name:
+            found += columns_of(call, procedures)
+    return found
+
+
 def column_tables():
-    """All tables of columns in OUTPUT_HOUSES: name of the array, and its columns as pairs of header and meaning."""
+    """All tables of columns in OUTPUT_HOUSES: name of the procedure, and its columns as pairs of header and meaning."""
     suffixes, tables, faults = header_suffixes(), {}, []
     for file in sorted(file for house in OUTPUT_HOUSES for file in (ROOT / "src" / house).rglob("*.f90")):
         text = without_comments(file)
-        for name, body in re.findall(r"type\(column_type\), parameter :: (\w+)\(\d+\) = \[(.*?)\]\n", text, re.S):
-            tables[name] = []
-            for plain, _ in constructors(body, "column_type"):
-                meaning = "".join(unquoted(part.strip()) for part in plain[2].split("//"))
-                tables[name].append((unquoted(plain[0]) + suffixes.get(plain[1], ""), meaning))
-        if "column_type(" in text and not any(name in text for name in tables) and file.name != "column.f90":
-            faults.append(f"{file.relative_to(ROOT)}: columns that {pathlib.Path(__file__).name} does not understand")
+        procedures = {name: body for kind, name, body in
+                      re.findall(r"\b(subroutine|function) (\w+)\((.*?)end \1 \2\n", text, re.S)}
+        told = set()
+        for name in set(procedures) & (COLUMNS.keys() | ON_PAGE):
+            columns = columns_of(name, procedures)
+            told |= {column for column, _, _ in columns}
+            tables[name] = [(column + suffixes.get(quantity, ""), meaning) for column, quantity, meaning in columns]
+        put = set(re.findall(r"call put\w*\((?:row|list), '(\w+)'", text))
+        faults += [f"{file.relative_to(ROOT)}: {pathlib.Path(__file__).name} does not know what {name} is a column of"
+                   for name in sorted(put - told)]
     return tables, faults
 
 
@@ -293,7 +308,6 @@ def check_output(write):
     text = path.read_text(encoding="utf-8")
     tables, faults = column_tables()
     tables = {name: table for name, table in tables.items() if name not in ON_PAGE}
-    faults += [f"{pathlib.Path(__file__).name} does not know what {name} are columns of" for name in tables if name not in COLUMNS]
     marked = re.compile(r"<!-- columns: (\w+) -->\n(.*?)<!-- end -->", re.S)
     shown = {name for name, _ in marked.findall(text)}
     faults += [f"output/README.md has no table of {name} ({COLUMNS.get(name)})" for name in tables if name not in shown]

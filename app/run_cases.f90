@@ -4,17 +4,16 @@ module dg_run_cases
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
    use dg_casing_wear, only: wears_casing
-   use dg_casing_wear_file, only: write_casing_wear
-   use dg_contacts_file, only: write_contacts
+   use dg_wear_files, only: write_casing_wear, write_fatigue
+   use dg_solution_series, only: contact_series, history_series
+   use dg_csv_table, only: write_series
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_fatigue, only: asks_for_fatigue
-   use dg_fatigue_file, only: write_fatigue
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: settle_packer_loads
-   use dg_history_file, only: write_history
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_length_change, only: less
@@ -24,7 +23,7 @@ module dg_run_cases
    use dg_model_table, only: model_table
    use dg_paraview_file, only: write_hole_view, write_string_view
    use dg_printed_text, only: print_line, print_lines
-   use dg_profile_file, only: write_profile
+   use dg_profile_file, only: profile_series
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
    use dg_result_name, only: case_file, contacts_file, fatigue_file, history_file, hole_file, profile_file, view_file, wear_file
@@ -230,7 +229,8 @@ contains
       type(error_type), allocatable :: error
       associate (case => model%cases(result%case_index)%name, number => result%model)
          if (job%profiles .and. has_numbers(result%status)) then
-            call write_profile(in_folder(job, case_file(profile_file, case, number)), job, result, along, error)
+            call write_series(profile_series(result%profile, along), in_folder(job, case_file(profile_file, case, number)), &
+                              job%units, error)
             call note_failure(error, status)
          end if
          if (job%plots .and. has_numbers(result%status)) then
@@ -240,7 +240,8 @@ contains
             call note_failure(error, status)
          end if
          if (job%profiles .and. allocated(result%contacts)) then
-            call write_contacts(in_folder(job, case_file(contacts_file, case, number)), job, result, error)
+            call write_series(contact_series(result%contacts), in_folder(job, case_file(contacts_file, case, number)), job%units, &
+                              error)
             call note_failure(error, status)
          end if
          if (job%profiles .and. has_numbers(result%status) .and. wears_casing(model, model%cases(result%case_index))) then
@@ -252,7 +253,8 @@ contains
             call note_failure(error, status)
          end if
          if (model%numerics%history .and. allocated(result%history)) then
-            call write_history(in_folder(job, case_file(history_file, case, number)), job, result, error)
+            call write_series(history_series(result%history), in_folder(job, case_file(history_file, case, number)), job%units, &
+                              error)
             call note_failure(error, status)
          end if
       end associate

@@ -31,7 +31,7 @@ contains
       type(picture_list_type) :: pictures
       type(text_type), allocatable :: echo(:), before(:), after(:)
       integer :: i
-      call begin_pictures(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes, pictures, error)
+      call begin_pictures(run%job, run%model, run%results, wholes, pictures, error)
       do i = 1, size(studies%items)
          if (studies%items(i)%study%is_asked()) call studies%items(i)%study%add_pictures(run, pictures, error)
       end do

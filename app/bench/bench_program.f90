@@ -109,8 +109,8 @@ contains
       do i = 1, size(studies%items)
          select type (study => studies%items(i)%study)
          type is (sweep_study_type)
-            do k = 1, size(study%sweeps)
-               call solve_sweep(model, study%sweeps(k))
+            do k = 1, size(study%ranges)
+               call solve_sweep(model, study%ranges(k))
             end do
          end select
       end do

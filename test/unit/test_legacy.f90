@@ -6,9 +6,9 @@ module dg_test_legacy
    use dg_hole_interval, only: hole_intervals, interval_at, interval_build, interval_drop, interval_hold, interval_turn, &
       interval_type, interval_vertical
    use dg_kinds, only: wp
-   use dg_legacy_comparison, only: comparison_type, compare_with_legacy
+   use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_axial, &
+                                   quantity_side_force, quantity_torque
    use dg_legacy_file, only: unit_value
-   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_side_force, quantity_torque
    use dg_profile, only: new_profile, profile_type, side_above, side_below
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory, trajectory_type
    implicit none

@@ -6,10 +6,8 @@ module dg_test_pictures
    use dg_assembly_picture, only: assembly_chart
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_chart, only: add_panel, chart_type, fit_range, new_chart
-   use dg_column, only: column_type, csv_header, csv_row, field_absent, field_list_type, put, put_none, quantity_force, &
-                        quantity_none, quantity_text
+   use dg_column, only: put, quantity_force, quantity_length, quantity_text, row_type
    use dg_component, only: component_type
-   use dg_csv_reading, only: columns_in, csv_texts, ends_in_quotes, read_csv_row
    use dg_forces_picture, only: forces_chart
    use dg_gnuplot_script, only: chart_script, spelled
    use dg_hookload_picture, only: hookload_chart
@@ -18,10 +16,10 @@ module dg_test_pictures
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
       optional_real
-   use dg_limits_file, only: limits_columns
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_path_picture, only: path_chart
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_rig, only: rig_type
    use dg_strength_picture, only: strength_chart
    use dg_study_comparison, only: error_hookload, study_record_type
@@ -46,7 +44,7 @@ contains
       call suite%addTest(TestMethod('round_steps', test_round_steps))
       call suite%addTest(TestMethod('html_text', test_html_text))
       call suite%addTest(TestMethod('html_table', test_html_table))
-      call suite%addTest(TestMethod('rows_read_back', test_rows_read_back))
+      call suite%addTest(TestMethod('picked_rows', test_picked_rows))
       call suite%addTest(TestMethod('pictures_keep_apart', test_inline))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('case_scripts', test_case_scripts))
@@ -101,18 +99,13 @@ contains
    !> Columns without any value are left out; what is there is in the deck's units.
    subroutine test_html_table()
       type(line_list_type) :: page
-      type(field_list_type) :: row
+      type(row_type) :: row
       type(job_type) :: job
-      integer :: i
       job = sample_job()
-      call put(row, 'a<b')
-      call put(row, 'mcge')
-      call put(row, 'converged')
-      call put(row, 1.25_wp)
-      do i = row%count + 1, size(limits_columns)
-         call put_none(row)
-      end do
-      call append_table(page, limits_columns, [character(12) :: 'case', 'rig_limit', 'stretch'], job%units, [row], [.true.])
+      call put(row, 'case', quantity_text, 'its name', 'a<b')
+      call put(row, 'stretch', quantity_length, 'of the string', 1.25_wp)
+      call put(row, 'rig_limit', quantity_force, 'as in the deck', missing)
+      call append_table(page, [character(12) :: 'case', 'rig_limit', 'stretch'], job%units, [row], [.true.])
       call assertEqual(3, page%count)
       call assertTrue(index(page%lines(1)%text, '>case<br>') > 0, message=page%lines(1)%text)
       call assertTrue(index(page%lines(1)%text, '>stretch<br><small>m</small>') > 0, message=page%lines(1)%text)
@@ -120,39 +113,19 @@ contains
       call assertEqual('<tr class="bad"><td class="text">a&lt;b !</td><td>1.25</td></tr>', page%lines(2)%text)
    end subroutine test_html_table
 
-   !> A row of a CSV file gives the values that it was written from.
-   subroutine test_rows_read_back()
-      type(column_type), parameter :: columns(4) = [column_type('case', quantity_text, ''), &
-         column_type('hookload', quantity_force, ''), column_type('message', quantity_text, ''), &
-         column_type('samples', quantity_none, '')]
-      type(field_list_type) :: row, again
-      type(text_type), allocatable :: header(:), texts(:)
-      type(unit_system_type) :: units
-      integer :: places(4)
-      units = field_units()
-      call put(row, 'a "b", c')
-      call put(row, 2.0_wp*units%force)
-      call put(row, '""')
-      call put(row, 12)
-      call csv_texts(csv_header(columns, units), header)
-      places = columns_in(header, columns, units)
-      call assertEqual(10, sum(places))
-      call csv_texts(csv_row(columns, units, row%fields), texts)
-      call assertEqual(4, size(texts))
-      call read_csv_row(texts, places, columns, units, again)
-      call assertEqual('a "b", c', again%fields(1)%text)
-      call assertEqual(2.0_wp*units%force, again%fields(2)%real_value, 1.0e-9_wp*units%force)
-      call assertEqual('""', again%fields(3)%text)
-      call assertEqual(12, again%fields(4)%integer_value)
-      ! a column that the file has not, a row that breaks off, a number that is none
-      call csv_texts('x,y', texts)
-      places(4) = 0
-      call read_csv_row(texts, places, columns, units, again)
-      call assertEqual('x', again%fields(1)%text)
-      call assertEqual([field_absent, field_absent, field_absent], again%fields(2:4)%kind)
-      call assertTrue(ends_in_quotes('a,"b'))
-      call assertFalse(ends_in_quotes('a,"b"'))
-   end subroutine test_rows_read_back
+   !> Of many rows of a file some, evenly apart, with their places.
+   subroutine test_picked_rows()
+      type(picture_data_type) :: data
+      integer, allocatable :: rows(:)
+      integer :: i
+      call picked_rows('a.csv', [(mod(i, 2) == 0, i=1, 10)], data, rows)
+      call assertEqual([2, 4, 6, 8, 10], rows)
+      call assertEqual(1, data%every)
+      call picked_rows('a.csv', [(.true., i=1, 401)], data, rows)
+      call assertEqual(3, data%every)
+      call assertEqual([1, 4, 400], rows([1, 2, size(rows)]))
+      call assertEqual(size(rows), size(data%rows))
+   end subroutine test_picked_rows
 
    !> Two pictures in one page must not share the names of their marks.
    subroutine test_inline()

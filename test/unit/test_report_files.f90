@@ -1,23 +1,23 @@
 module dg_test_report_files
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_csv_table, only: write_series
    use dg_error, only: error_type, status_failure
    use dg_file_system, only: delete_file, rename_file, write_text_file
    use dg_constants, only: pi
-   use dg_contacts_file, only: write_contacts
-   use dg_history_file, only: write_history
+   use dg_solution_series, only: contact_series, history_series
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
    use dg_along_string, only: new_along_string
-   use dg_column, only: csv_header, csv_row, field_list_type
-   use dg_profile_file, only: write_profile
-   use dg_summary_file, only: summary_columns, summary_fields, write_summary
+   use dg_column, only: csv_header, csv_row, row_type
+   use dg_profile_file, only: profile_series
+   use dg_summary_file, only: summary_row, write_summary
    use dg_test_report_sample, only: sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type
-   use dg_case_result, only: case_result_type, contact_joint, contact_point_type
+   use dg_case_result, only: case_result_type, contact_joint, contact_point_type, iteration_type
    use dg_verdict, only: verdict_type
    use dg_whole_string, only: whole_string_type
-   use dg_units, only: field_units
+   use dg_units, only: field_units, si_units
    implicit none
    private
    public :: report_files_suite
@@ -116,23 +116,26 @@ contains
       type(job_type) :: job
       type(case_result_type), allocatable :: results(:)
       character(:), allocatable :: row
-      type(field_list_type) :: fields
       model = sample_model()
       model%cases(1)%section = 'curve, "upper"'
       job = sample_job()
       allocate (results, source=sample_results())
-      call summary_fields(model%cases(1), results(1), verdict_type(), job%units, fields)
-      row = csv_row(summary_columns, job%units, fields%fields)
+      row = csv_row(summary_row(model%cases(1), results(1), verdict_type(), job%units), job%units)
       call assertEqual(1, index(row, 'i_up,"curve, ""upper""",mcge,'), message=row)
       deallocate (model%cases(1)%section)
-      call summary_fields(model%cases(1), results(1), verdict_type(), job%units, fields)
-      row = csv_row(summary_columns, job%units, fields%fields)
+      row = csv_row(summary_row(model%cases(1), results(1), verdict_type(), job%units), job%units)
       call assertEqual(1, index(row, 'i_up,,mcge,'), message=row)
    end subroutine test_summary_quotes_text
 
    subroutine test_summary_in_field_units()
       character(:), allocatable :: header
-      header = csv_header(summary_columns, field_units())
+      type(case_result_type), allocatable :: results(:)
+      type(model_type) :: model
+      type(row_type) :: row
+      model = sample_model()
+      allocate (results, source=sample_results())
+      row = summary_row(model%cases(1), results(1), verdict_type(), field_units())
+      header = csv_header(row%fields(:row%count)%column, field_units())
       call assertTrue(index(header, ',bit_depth_ft,inclination_deg,wob_klbf,hookload_klbf,') > 0, message=header)
       call assertTrue(index(header, ',torque_kftlbf,') > 0, message=header)
    end subroutine test_summary_in_field_units
@@ -142,7 +145,7 @@ contains
       type(text_type), allocatable :: found(:)
       type(case_result_type), allocatable :: results(:)
       allocate (results, source=sample_results())
-      call write_profile(path, sample_job(), results(1), new_along_string(2), error)
+      call write_series(profile_series(results(1)%profile, new_along_string(2)), path, si_units(), error)
       call assertFalse(allocated(error))
       call read_lines(path, found)
       call assertEqual(3, size(found))
@@ -166,7 +169,7 @@ contains
       job = sample_job()
       job%units = field_units()
       allocate (results, source=sample_results())
-      call write_profile(path, job, results(1), new_along_string(2), error)
+      call write_series(profile_series(results(1)%profile, new_along_string(2)), path, job%units, error)
       call read_lines(path, found)
       if (anyExceptions()) return
       call assertTrue(index(found(1)%text, 'md_ft,') == 1 .and. index(found(1)%text, ',side_force_klbf_ft,') > 0, &
@@ -181,7 +184,7 @@ contains
       type(text_type), allocatable :: found(:)
       type(case_result_type), allocatable :: results(:)
       allocate (results, source=sample_results())
-      call write_history(path, sample_job(), results(1), error)
+      call write_series(history_series(results(1)%history), path, si_units(), error)
       call read_lines(path, found)
       call assertEqual(2, size(found))
       if (anyExceptions()) return
@@ -194,14 +197,12 @@ contains
    subroutine test_contacts()
       type(error_type), allocatable :: error
       type(text_type), allocatable :: found(:)
-      type(case_result_type), allocatable :: results(:)
-      allocate (results, source=sample_results())
-      call write_contacts(path, sample_job(), results(1), error)
+      call write_series(contact_series([contact_point_type ::]), path, si_units(), error)
       call read_lines(path, found)
       call assertEqual(1, size(found))
       if (anyExceptions()) return
-      results(1)%contacts = [contact_point_type(contact_joint, 2070.0_wp, 2500.0_wp, 0.5_wp, pi)]
-      call write_contacts(path, sample_job(), results(1), error)
+      call write_series(contact_series([contact_point_type(contact_joint, 2070.0_wp, 2500.0_wp, 0.5_wp, pi)]), path, si_units(), &
+                        error)
       call read_lines(path, found)
       call assertEqual(2, size(found))
       if (anyExceptions()) return
@@ -212,9 +213,7 @@ contains
    subroutine test_no_history()
       type(error_type), allocatable :: error
       type(text_type), allocatable :: found(:)
-      type(case_result_type), allocatable :: results(:)
-      allocate (results, source=sample_results())
-      call write_history(path, sample_job(), results(2), error)
+      call write_series(history_series([iteration_type ::]), path, si_units(), error)
       call read_lines(path, found)
       if (anyExceptions()) return
       call assertEqual(1, size(found))

@@ -9,8 +9,8 @@ module dg_test_run_outcome
    use dg_model, only: model_type
    use dg_load_case, only: given, operation_trip_in, operation_trip_out
    use dg_run_outcome, only: add_part, locked_count, lost_count, note_cases, note_lost, outcome_type, solution_count
-   use dg_sweep_outcome, only: note_sweep
-   use dg_uncertainty_outcome, only: note_uncertainty
+   use dg_point_outcome, only: note_sweep
+   use dg_uncertainty_study, only: note_uncertainty
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_sweep_table, only: sweep_sentences

@@ -3,7 +3,6 @@
 module dg_test_study
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: result_converged, result_not_converged
-   use dg_convergence_order, only: fit_order
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
@@ -11,7 +10,7 @@ module dg_test_study
    use dg_model, only: model_type
    use dg_numerics, only: fidelity_name, gap_at_extremum, gap_at_nodes, numerics_type
    use dg_study_comparison, only: compare_case, error_bending, error_bending_rms, error_hookload, error_normal_force, &
-                                  error_torque, pareto_set, study_record_type
+                                  error_torque, pareto_set, study_record_type, fit_order
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_variant, only: is_finer, set_variant, study_variants, variant_type
    implicit none

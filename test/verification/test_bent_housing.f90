@@ -17,7 +17,7 @@ module dg_test_bent_housing
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_soft_string_loads, only: soft_string_at
-   use dg_steering_result, only: steering_result_type
+   use dg_steering, only: steering_result_type
    use dg_stiff_drag, only: find_stiff_drag
    use dg_test_wells, only: hold_ends, new_well, note, part, solve, string_weight
    use dg_vector, only: cross

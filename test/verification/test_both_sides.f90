@@ -16,8 +16,9 @@ module dg_test_both_sides
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_profile, only: new_profile, profile_type, side_above, side_below, side_none
-   use dg_profile_columns, only: code_names, profile_codes, profile_columns
+   use dg_profile_file, only: profile_series
    use dg_profile_rows, only: part_rows
+   use dg_series, only: series_list_type
    use dg_solve_case, only: solve_case
    use dg_stuck_string, only: value_at
    use dg_study_comparison, only: compare_lines
@@ -203,21 +204,26 @@ contains
       type(case_result_type) :: result
       type(along_string_type) :: along
       type(whole_string_type) :: whole
-      integer, allocatable :: codes(:)
-      character(10) :: names(0:2)
+      type(series_list_type) :: list
       integer :: row
       call build(model)
       model%cases(1)%operation = operation_trip_out
       call find(model, model_soft, result, along, whole)
-      allocate (codes(size(result%profile%md)))
-      call assertEqual('side', trim(profile_columns(size(profile_columns))%name), message='the last column')
-      call profile_codes('side', result%profile, along, codes)
-      names = code_names('side')
+      list = profile_series(result%profile, along)
+      call assertEqual('side', trim(list%items(list%count)%column%name), message='the last column')
       row = minloc(abs(result%profile%md - (depth - collar)), dim=1)
-      call assertEqual('', trim(names(codes(row - 1))))
-      call assertEqual('above', trim(names(codes(row))))
-      call assertEqual('below', trim(names(codes(row + 1))))
-      call assertEqual('', trim(names(codes(row + 2))))
+      call assertEqual('', side_at(row - 1))
+      call assertEqual('above', side_at(row))
+      call assertEqual('below', side_at(row + 1))
+      call assertEqual('', side_at(row + 2))
+   contains
+      function side_at(number) result(text)
+         integer, intent(in) :: number
+         character(:), allocatable :: text
+         associate (series => list%items(list%count))
+            text = series%words(series%states(number))%text
+         end associate
+      end function side_at
    end subroutine test_column
 
    !> Rows that are doubled already stay as they are.

@@ -1,20 +1,22 @@
-!> Columns of result files: each is named, given its kind of quantity and described once, and every writer (CSV, HDF5,
-!> ParaView) and the check of output/README.md go by that.
+!> Columns of result files. One statement puts a column into a row: name, quantity, meaning and value. Every writer (CSV, HDF5,
+!> Table 1, page) and the check of output/README.md go by that.
 module dg_column
+   use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_number_text, only: csv_number, csv_text, put_csv_number
+   use dg_number_text, only: csv_text, put_csv_number
    use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
    use dg_quantity, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
       quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, quantity_time, &
       quantity_turns, quantity_wall, quantity_width, unit_type
-   use dg_unit_kind, only: unit_factor, unit_label
+   use dg_text, only: to_text
+   use dg_unit_kind, only: unit_factor
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: column_type, field_type, field_list_type, column_header, column_named, unit_text, unit_size
-   public :: csv_header, csv_row, put_csv_value, put, put_none
+   public :: column_type, field_type, row_type, column_header, fields_of, unknown_column
+   public :: csv_header, csv_row, put_csv_value, put, put_filled, put_none, set
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
              quantity_time, quantity_wall
@@ -31,24 +33,30 @@ module dg_column
    integer, parameter :: field_integer = 2
    integer, parameter :: field_real = 3
 
-   !> One value of a row of a table; numbers in SI units.
+   !> A column and its value in one row; numbers in SI units.
    type :: field_type
+      type(column_type) :: column
       integer :: kind = field_absent
       integer :: integer_value = 0
       real(wp) :: real_value = 0.0_wp
       character(:), allocatable :: text
    end type field_type
 
-   !> A row of a table as it is filled, in the order of its columns.
-   type :: field_list_type
+   !> A row of a table in the order of its columns.
+   type :: row_type
       integer :: count = 0
-      type(field_type), allocatable :: fields(:)
-   end type field_list_type
+      type(field_type), allocatable :: fields(:)     !< with room for more
+   end type row_type
 
-   !> Puts the next value of a row.
+   !> Puts the next column of a row with its value.
    interface put
-      module procedure put_none, put_real, put_integer, put_text, put_optional
+      module procedure put_real, put_integer, put_text, put_optional
    end interface put
+
+   !> Gives a column that a row has a value.
+   interface set
+      module procedure set_optional, set_text
+   end interface set
 
 contains
 
@@ -63,33 +71,36 @@ contains
       if (unit%suffix /= '') header = header//'_'//trim(unit%suffix)
    end function column_header
 
-   !> The column of that name; one without quantity where there is none.
-   pure function column_named(columns, name) result(column)
-      type(column_type), intent(in) :: columns(:)
+   !> Place of the first column of that name. Ends the program where there is none: a slip in the sources.
+   function place_of(row, name) result(place)
+      type(row_type), intent(in) :: row
       character(*), intent(in) :: name
-      type(column_type) :: column
-      integer :: i
-      column%name = name
-      do i = size(columns), 1, -1
-         if (columns(i)%name == name) column = columns(i)
+      integer :: place
+      do place = 1, row%count
+         if (row%fields(place)%column%name == name) return
       end do
-   end function column_named
+      call unknown_column(name)
+   end function place_of
 
-   !> Unit of a quantity as readers write it; '' where there is none.
-   pure function unit_text(quantity, units) result(text)
-      integer, intent(in) :: quantity
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = unit_label(units, quantity)
-   end function unit_text
+   !> A row of the columns of those names. Ends the program where one is unknown.
+   function fields_of(row, names) result(shown)
+      type(row_type), intent(in) :: row
+      character(*), intent(in) :: names(:)
+      type(row_type) :: shown
+      integer :: i
+      shown%count = size(names)
+      allocate (shown%fields(size(names)))
+      do i = 1, size(names)
+         shown%fields(i) = row%fields(place_of(row, names(i)))
+      end do
+   end function fields_of
 
-   !> SI value of one unit of a quantity.
-   pure function unit_size(quantity, units) result(size)
-      integer, intent(in) :: quantity
-      type(unit_system_type), intent(in) :: units
-      real(wp) :: size
-      size = unit_factor(units, quantity)
-   end function unit_size
+   !> Ends the program: a column is asked for that no table has.
+   subroutine unknown_column(name)
+      character(*), intent(in) :: name
+      write (error_unit, '(a)') 'no column has the name '//trim(name)
+      error stop 1
+   end subroutine unknown_column
 
    !> The header of a CSV file.
    pure function csv_header(columns, units) result(line)
@@ -103,26 +114,27 @@ contains
       end do
    end function csv_header
 
-   !> One row of a CSV file; `fields` hold as many values as there are columns.
-   pure function csv_row(columns, units, fields) result(line)
-      type(column_type), intent(in) :: columns(:)
+   !> One row of a CSV file.
+   pure function csv_row(row, units) result(line)
+      type(row_type), intent(in) :: row
       type(unit_system_type), intent(in) :: units
-      type(field_type), intent(in) :: fields(:)
       character(:), allocatable :: line
       character(longest_number) :: number
       integer :: i, filled
       line = ''
-      do i = 1, size(columns)
-         if (i > 1) line = line//','
-         select case (fields(i)%kind)
-         case (field_text); line = line//csv_text(fields(i)%text)
-         case (field_integer); line = line//csv_number(fields(i)%integer_value)
-         case (field_real)
-            filled = 0
-            call put_csv_value(number, filled, fields(i)%real_value, unit_size(columns(i)%quantity, units))
-            line = line//number(:filled)
-         case default
-         end select
+      do i = 1, row%count
+         associate (field => row%fields(i))
+            if (i > 1) line = line//','
+            select case (field%kind)
+            case (field_text); line = line//csv_text(field%text)
+            case (field_integer); line = line//to_text(field%integer_value)
+            case (field_real)
+               filled = 0
+               call put_csv_value(number, filled, field%real_value, unit_factor(units, field%column%quantity))
+               line = line//number(:filled)
+            case default
+            end select
+         end associate
       end do
    end function csv_row
 
@@ -135,54 +147,102 @@ contains
       if (.not. is_missing(value)) call put_csv_number(row, filled, value/unit)
    end subroutine put_csv_value
 
-   !> A number that is not there.
-   pure subroutine put_none(row)
-      type(field_list_type), intent(inout) :: row
-      type(field_type), allocatable :: larger(:)
+   !> A column without a value.
+   pure subroutine put_none(row, name, quantity, meaning)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      type(field_type), allocatable :: longer(:)
       integer :: i
       if (.not. allocated(row%fields)) allocate (row%fields(32))
       if (row%count == size(row%fields)) then
-         allocate (larger(2*row%count))
+         allocate (longer(2*row%count))
          do i = 1, row%count
-            larger(i) = row%fields(i)
+            longer(i) = row%fields(i)
          end do
-         call move_alloc(larger, row%fields)
+         call move_alloc(longer, row%fields)
       end if
       row%count = row%count + 1
-      row%fields(row%count)%kind = field_absent   ! a row may be filled again
+      row%fields(row%count)%column = column_type(name, quantity, meaning)
    end subroutine put_none
 
-   pure subroutine put_real(row, value)
-      type(field_list_type), intent(inout) :: row
-      real(wp), intent(in) :: value     !< in SI units
-      call put_none(row)
-      row%fields(row%count)%kind = field_real
-      row%fields(row%count)%real_value = value
+   pure subroutine put_real(row, name, quantity, meaning, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      real(wp), intent(in) :: value     !< in SI units, missing where there is none
+      call put_optional(row, name, quantity, meaning, optional_real(.not. is_missing(value), value))
    end subroutine put_real
 
-   pure subroutine put_integer(row, value)
-      type(field_list_type), intent(inout) :: row
+   pure subroutine put_optional(row, name, quantity, meaning, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      type(optional_real), intent(in) :: value     !< in SI units
+      call put_none(row, name, quantity, meaning)
+      if (.not. value%present) return
+      row%fields(row%count)%kind = field_real
+      row%fields(row%count)%real_value = value%value
+   end subroutine put_optional
+
+   pure subroutine put_integer(row, name, quantity, meaning, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
       integer, intent(in) :: value
-      call put_none(row)
+      call put_none(row, name, quantity, meaning)
       row%fields(row%count)%kind = field_integer
       row%fields(row%count)%integer_value = value
    end subroutine put_integer
 
-   pure subroutine put_text(row, text)
-      type(field_list_type), intent(inout) :: row
-      character(*), intent(in) :: text
-      call put_none(row)
+   !> A text; blanks behind it are left out.
+   pure subroutine put_text(row, name, quantity, meaning, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      character(*), intent(in) :: value
+      call put_none(row, name, quantity, meaning)
       row%fields(row%count)%kind = field_text
-      row%fields(row%count)%text = text
+      row%fields(row%count)%text = trim(value)
    end subroutine put_text
 
-   pure subroutine put_optional(row, number)
-      type(field_list_type), intent(inout) :: row
-      type(optional_real), intent(in) :: number     !< in SI units
-      if (number%present) then
-         call put_real(row, number%value)
+   !> A text, or no value where it is ''.
+   pure subroutine put_filled(row, name, quantity, meaning, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      character(*), intent(in) :: value
+      if (value == '') then
+         call put_none(row, name, quantity, meaning)
       else
-         call put_none(row)
+         call put_text(row, name, quantity, meaning, value)
       end if
-   end subroutine put_optional
+   end subroutine put_filled
+
+   !> Ends the program where no column has that name.
+   subroutine set_optional(row, name, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      type(optional_real), intent(in) :: value     !< in SI units
+      associate (field => row%fields(place_of(row, name)))
+         field%kind = merge(field_real, field_absent, value%present)
+         field%real_value = value%value
+      end associate
+   end subroutine set_optional
+
+   subroutine set_text(row, name, value)
+      type(row_type), intent(inout) :: row
+      character(*), intent(in) :: name
+      character(*), intent(in) :: value
+      associate (field => row%fields(place_of(row, name)))
+         field%kind = field_text
+         field%text = trim(value)
+      end associate
+   end subroutine set_text
 end module dg_column

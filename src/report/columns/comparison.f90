@@ -5,7 +5,7 @@ module dg_comparison
    use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: percent_error, in_percent, known, difference, as_measured
+   public :: percent_error, in_percent, percent_of, known, difference, as_measured
 
 contains
 
@@ -20,12 +20,20 @@ contains
    end function percent_error
 
    !> A share [-] in per cent.
-   pure function in_percent(share) result(percent)
+   elemental function in_percent(share) result(percent)
       type(optional_real), intent(in) :: share
       type(optional_real) :: percent
       percent = share
       if (share%present) percent%value = 100.0_wp*share%value
    end function in_percent
+
+   !> A share [-] in per cent; missing where it is.
+   elemental function percent_of(share) result(percent)
+      real(wp), intent(in) :: share
+      real(wp) :: percent
+      percent = missing
+      if (.not. is_missing(share)) percent = 100.0_wp*share
+   end function percent_of
 
    !> A number that may be missing as one that may be absent.
    elemental function known(value) result(number)

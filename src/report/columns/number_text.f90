@@ -4,25 +4,24 @@ module dg_number_text
    use dg_load_case, only: optional_real
    use dg_missing, only: is_shown
    use dg_printable, only: printable
-   use dg_ten_digits, only: longest_number, put_ten_digits
-   use dg_text, only: put_piece
+   use dg_ten_digits, only: put_ten_digits
+   use dg_text, only: put_piece, append_text, text_type
    implicit none
    private
    public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
-   public :: csv_number, csv_text, put_csv_number
+   public :: csv_text, put_csv_number
+   public :: append_wrapped, page_width
 
    !> A cell of a table, '-' where there is no value.
    interface fixed_cell
       module procedure fixed_cell_of_number, fixed_cell_of_optional
    end interface fixed_cell
 
-   interface csv_number
-      module procedure csv_real, csv_integer
-   end interface csv_number
-
    character(*), parameter :: absent = '-'
    !> Line feed and carriage return.
    character(*), parameter :: breaks = achar(10)//achar(13)
+
+   integer, parameter :: page_width = 120
 
 contains
 
@@ -124,25 +123,6 @@ contains
       if (is_shown(value)) call put_ten_digits(row, filled, value + 0.0_wp) ! no negative zero
    end subroutine put_csv_number
 
-   !> The same as a text of its own.
-   pure function csv_real(value) result(field)
-      real(wp), intent(in) :: value
-      character(:), allocatable :: field
-      character(longest_number) :: buffer
-      integer :: filled
-      filled = 0
-      call put_csv_number(buffer, filled, value)
-      field = buffer(:filled)
-   end function csv_real
-
-   pure function csv_integer(value) result(field)
-      integer, intent(in) :: value
-      character(:), allocatable :: field
-      character(16) :: buffer
-      write (buffer, '(i0)') value
-      field = trim(buffer)
-   end function csv_integer
-
    !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180); other control bytes become '?'.
    pure function csv_text(text) result(field)
       character(*), intent(in) :: text
@@ -163,4 +143,24 @@ contains
       end do
       field = '"'//room(:filled)//'"'
    end function csv_text
+
+   !> Appends a text in lines of at most `width`, broken at blanks where there are any, later lines
+   !> indented by two.
+   pure subroutine append_wrapped(lines, head, text, width)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: head
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(*), parameter :: indent = '  '
+      character(:), allocatable :: rest
+      integer :: cut
+      rest = head//text
+      do while (len_trim(rest) > width)
+         cut = index(rest(:width + 1), ' ', back=.true.)
+         if (cut <= len(indent) + 1) cut = width + 1
+         call append_text(lines, trim(rest(:cut - 1)))
+         rest = indent//trim(adjustl(rest(cut:)))
+      end do
+      call append_text(lines, trim(rest))
+   end subroutine append_wrapped
 end module dg_number_text

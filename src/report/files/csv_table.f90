@@ -1,45 +1,50 @@
-!> A CSV file as it is filled: the header, then row after row.
+!> CSV files: row after row, or columns with all their values.
 module dg_csv_table
-   use dg_column, only: column_type, csv_header, csv_row, field_list_type
+   use dg_column, only: csv_header, csv_row, put_csv_value, row_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_line_list, only: add_line, line_list_type
+   use dg_number_text, only: csv_text
+   use dg_missing, only: is_missing
+   use dg_series, only: series_list_type, series_type, value_count
+   use dg_ten_digits, only: longest_number
+   use dg_text, only: put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: csv_table_type, begin_table, is_begun, add_row, write_table
+   public :: csv_table_type, begin_table, is_begun, add_row, write_table, write_series
 
+   !> A file as it is filled: the header, then row after row.
    type :: csv_table_type
       private
-      type(column_type), allocatable :: columns(:)
-      type(unit_system_type) :: units
       type(line_list_type) :: text
    end type csv_table_type
 
 contains
 
-   !> A table without rows.
-   pure subroutine begin_table(table, columns, units)
-      type(csv_table_type), intent(out) :: table
-      type(column_type), intent(in) :: columns(:)
+   !> Gives a table the header of such rows, where it has none.
+   pure subroutine begin_table(table, row, units)
+      type(csv_table_type), intent(inout) :: table
+      type(row_type), intent(in) :: row
       type(unit_system_type), intent(in) :: units
-      allocate (table%columns, source=columns)
-      table%units = units
-      call add_line(table%text, csv_header(columns, units))
+      if (.not. is_begun(table)) call add_line(table%text, csv_header(row%fields(:row%count)%column, units))
    end subroutine begin_table
 
    !> Whether a table has its header.
    pure function is_begun(table) result(begun)
       type(csv_table_type), intent(in) :: table
       logical :: begun
-      begun = allocated(table%columns)
+      begun = table%text%count > 0
    end function is_begun
 
-   !> Puts a row at the end: as many values as there are columns, in their order, in SI units.
-   pure subroutine add_row(table, row)
+   !> Puts a row at the end, below the header of the first one.
+   pure subroutine add_row(table, row, units)
       type(csv_table_type), intent(inout) :: table
-      type(field_list_type), intent(in) :: row
-      call add_line(table%text, csv_row(table%columns, table%units, row%fields))
+      type(row_type), intent(in) :: row
+      type(unit_system_type), intent(in) :: units
+      call begin_table(table, row, units)
+      call add_line(table%text, csv_row(row, units))
    end subroutine add_row
 
    !> Writes a table to a file. Fails where the file cannot be written.
@@ -49,4 +54,48 @@ contains
       type(error_type), allocatable, intent(out) :: error
       call write_text_file(path, table%text%lines(:table%text%count), error)
    end subroutine write_table
+
+   !> Writes columns with as many values each to a file. Fails where the file cannot be written.
+   subroutine write_series(list, path, units, error)
+      type(series_list_type), intent(in) :: list
+      character(*), intent(in) :: path
+      type(unit_system_type), intent(in) :: units
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type) :: lines(0:value_count(list))
+      character(:), allocatable :: row
+      integer :: i, j, filled, room
+      lines(0)%text = csv_header(list%items(:list%count)%column, units)
+      room = 0
+      do j = 1, list%count
+         room = room + longest_cell(list%items(j))
+      end do
+      allocate (character(room) :: row)
+      do i = 1, ubound(lines, 1)
+         filled = 0
+         do j = 1, list%count
+            associate (series => list%items(j))
+               if (allocated(series%states)) then
+                  call put_piece(row, filled, csv_text(series%words(series%states(i))%text))
+               else if (series%is_whole) then
+                  if (.not. is_missing(series%numbers(i))) call put_piece(row, filled, to_text(nint(series%numbers(i))))
+               else
+                  call put_csv_value(row, filled, series%numbers(i), unit_factor(units, series%column%quantity))
+               end if
+            end associate
+            if (j < list%count) call put_piece(row, filled, ',')
+         end do
+         lines(i)%text = row(:filled)
+      end do
+      call write_text_file(path, lines, error)
+   end subroutine write_series
+
+   !> Letters of the longest cell of a column, and of the comma behind it.
+   pure function longest_cell(series) result(letters)
+      type(series_type), intent(in) :: series
+      integer :: letters
+      integer :: i
+      letters = longest_number
+      if (allocated(series%states)) letters = maxval([(len(csv_text(series%words(i)%text)), i=0, ubound(series%words, 1))])
+      letters = letters + 1
+   end function longest_cell
 end module dg_csv_table

@@ -137,7 +137,7 @@ contains
       if (present(unit)) buffer = values/unit
       where (is_missing(values)) buffer = not_a_number
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_ieee_f64le, h5kind_to_type(wp, h5_real_kind), &
-                        address_of_reals(buffer, size(buffer)))
+                        c_loc(buffer))
    end subroutine write_reals
 
    subroutine write_vectors(file, path, values)
@@ -147,7 +147,7 @@ contains
       real(wp), allocatable, target :: buffer(:, :)
       allocate (buffer, source=values)
       call write_buffer(file, path, shape(values, kind=hsize_t), h5t_ieee_f64le, h5kind_to_type(wp, h5_real_kind), &
-                        address_of_reals(buffer, size(buffer)))
+                        c_loc(buffer))
    end subroutine write_vectors
 
    subroutine write_integers(file, path, values)
@@ -157,7 +157,7 @@ contains
       integer, allocatable, target :: buffer(:)
       allocate (buffer, source=values)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_i32le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), address_of_integers(buffer, size(buffer)))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
    end subroutine write_integers
 
    subroutine write_long_integers(file, path, values)
@@ -167,7 +167,7 @@ contains
       integer(int64), allocatable, target :: buffer(:)
       allocate (buffer, source=values)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_i64le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), address_of_long_integers(buffer, size(buffer)))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
    end subroutine write_long_integers
 
    !> Numbers from 0 to 255 as a dataset of bytes.
@@ -178,7 +178,7 @@ contains
       integer, allocatable, target :: buffer(:)
       allocate (buffer, source=values)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_u8le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), address_of_integers(buffer, size(buffer)))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
    end subroutine write_bytes
 
    !> A dataset from memory; chunked and compressed where it is large.
@@ -254,7 +254,7 @@ contains
       real(wp), target :: buffer(1)
       buffer = value
       call attribute_buffer(file, object, name, [integer(hsize_t) ::], h5t_ieee_f64le, h5kind_to_type(wp, h5_real_kind), &
-                            address_of_reals(buffer, 1))
+                            c_loc(buffer))
    end subroutine attribute_real
 
    subroutine attribute_reals(file, object, name, values)
@@ -264,7 +264,7 @@ contains
       real(wp), allocatable, target :: buffer(:)
       allocate (buffer, source=values)
       call attribute_buffer(file, object, name, [size(values, kind=hsize_t)], h5t_ieee_f64le, &
-                            h5kind_to_type(wp, h5_real_kind), address_of_reals(buffer, size(buffer)))
+                            h5kind_to_type(wp, h5_real_kind), c_loc(buffer))
    end subroutine attribute_reals
 
    subroutine attribute_integer(file, object, name, value)
@@ -274,7 +274,7 @@ contains
       integer, target :: buffer(1)
       buffer = value
       call attribute_buffer(file, object, name, [integer(hsize_t) ::], h5t_std_i32le, &
-                            h5kind_to_type(kind(value), h5_integer_kind), address_of_integers(buffer, 1))
+                            h5kind_to_type(kind(value), h5_integer_kind), c_loc(buffer))
    end subroutine attribute_integer
 
    subroutine attribute_integers(file, object, name, values)
@@ -284,7 +284,7 @@ contains
       integer, allocatable, target :: buffer(:)
       allocate (buffer, source=values)
       call attribute_buffer(file, object, name, [size(values, kind=hsize_t)], h5t_std_i64le, &
-                            h5kind_to_type(kind(values), h5_integer_kind), address_of_integers(buffer, size(buffer)))
+                            h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
    end subroutine attribute_integers
 
    !> An attribute from memory; a scalar where `dims` is empty.
@@ -345,26 +345,4 @@ contains
       character(*), intent(in) :: what
       if (status < 0 .and. file%failure == '') file%failure = what
    end subroutine check
-
-   !> Addresses of whole arrays of any rank.
-   function address_of_reals(values, n) result(address)
-      integer, intent(in) :: n
-      real(wp), intent(in), target :: values(n)
-      type(c_ptr) :: address
-      address = c_loc(values)
-   end function address_of_reals
-
-   function address_of_integers(values, n) result(address)
-      integer, intent(in) :: n
-      integer, intent(in), target :: values(n)
-      type(c_ptr) :: address
-      address = c_loc(values)
-   end function address_of_integers
-
-   function address_of_long_integers(values, n) result(address)
-      integer, intent(in) :: n
-      integer(int64), intent(in), target :: values(n)
-      type(c_ptr) :: address
-      address = c_loc(values)
-   end function address_of_long_integers
 end module dg_hdf5_file

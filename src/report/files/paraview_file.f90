@@ -10,7 +10,7 @@ module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_column, only: column_header, quantity_text, unit_size
+   use dg_column, only: column_header
    use dg_constants, only: pi
    use dg_error, only: error_type
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_ascii, write_attribute, write_bytes, &
@@ -18,9 +18,11 @@ module dg_paraview_file
    use dg_job, only: job_type
    use dg_missing, only: is_missing
    use dg_profile, only: profile_type, side_below
-   use dg_profile_columns, only: profile_codes, profile_columns, profile_values
+   use dg_profile_file, only: profile_series
+   use dg_series, only: series_list_type
    use dg_trajectory, only: high_side, tangent_of
    use dg_vector, only: cross
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: write_string_view, write_hole_view, string_offsets, tube_rows
@@ -44,8 +46,8 @@ contains
       type(along_string_type), intent(in) :: along
       type(error_type), allocatable, intent(out) :: error
       type(hdf5_file_type) :: file
-      real(wp) :: offset(3, size(profile%md)), values(size(profile%md))
-      integer :: codes(size(profile%md))
+      type(series_list_type) :: list
+      real(wp) :: offset(3, size(profile%md))
       integer(int64) :: i
       integer :: j, n
       n = size(profile%md)
@@ -53,16 +55,14 @@ contains
       call put_grid(file, path, to_screen(axis_of(profile) + offset)/job%units%length)
       call put_cells(file, line_cell, [0_int64, pack([(i, i=0_int64, n - 1_int64)], profile%side == side_below), int(n, int64)], &
                      [(i, i=0_int64, n - 1_int64)])
-      do j = 1, size(profile_columns)
-         associate (column => profile_columns(j))
-            if (column%quantity == quantity_text) then
-               call profile_codes(trim(column%name), profile, along, codes)
-               call write_data(file, fields//'/'//trim(column%name), codes)
-            else
-               call profile_values(trim(column%name), profile, along, values)
-               if (.not. all(is_missing(values))) &
-                  call write_data(file, fields//'/'//column_header(column, job%units), values, &
-                                  unit=unit_size(column%quantity, job%units))
+      list = profile_series(profile, along)
+      do j = 1, list%count
+         associate (series => list%items(j), column => list%items(j)%column)
+            if (allocated(series%states)) then
+               call write_data(file, fields//'/'//trim(column%name), series%states)
+            else if (.not. all(is_missing(series%numbers))) then
+               call write_data(file, fields//'/'//column_header(column, job%units), series%numbers, &
+                               unit=unit_factor(job%units, column%quantity))
             end if
          end associate
       end do
@@ -102,7 +102,7 @@ contains
       end do
       call put_grid(file, path, to_screen(points)/job%units%length)
       call put_cells(file, strip_cell, [(2*n*i, i=0_int64, int(sides, int64))], corners)
-      call write_data(file, fields//'/'//column_header(profile_columns(1), job%units), md, unit=job%units%length)
+      call write_data(file, fields//'/md_'//trim(job%units%length_label), md, unit=job%units%length)
       call close_hdf5(file, error)
    end subroutine write_hole_view
 

@@ -1,59 +1,87 @@
 !> profile_<case>_<model>.csv: results along the string, surface to bit.
 module dg_profile_file
-   use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
-   use dg_column, only: csv_header, put_csv_value, quantity_text, unit_size
-   use dg_error, only: error_type
-   use dg_file_system, only: write_text_file
-   use dg_job, only: job_type
-   use dg_profile_columns, only: code_names, profile_codes, profile_columns, profile_values
-   use dg_ten_digits, only: longest_number
-   use dg_text, only: put_piece, text_type
+   use dg_column, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
+                        quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, &
+                        quantity_width
+   use dg_comparison, only: percent_of
+   use dg_named_states, only: buckling_name
+   use dg_profile, only: profile_type, side_name, state_name
+   use dg_series, only: put, series_list_type
    implicit none
    private
-   public :: write_profile
+   public :: profile_series
 
 contains
 
-   !> Writes the profile of `result` to `path`.
-   subroutine write_profile(path, job, result, along, error)
-      character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: result
+   !> The columns along the string. New columns are put at the end only: others rely on the names and on the order of the first
+   !> thirteen.
+   pure function profile_series(profile, along) result(list)
+      type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
-      type(error_type), allocatable, intent(out) :: error
-      type(text_type), allocatable :: lines(:)
-      real(wp), allocatable :: values(:, :)
-      integer, allocatable :: codes(:, :)
-      character(10) :: names(0:2, size(profile_columns))    ! none longer than a number
-      real(wp) :: unit(size(profile_columns))
-      character(size(profile_columns)*(longest_number + 1)) :: row
-      integer :: i, j, n, filled
-      n = 0
-      if (allocated(result%profile%md)) n = size(result%profile%md)
-      allocate (lines(0:n), values(n, size(profile_columns)), codes(n, size(profile_columns)))
-      lines(0)%text = csv_header(profile_columns, job%units)
-      do j = 1, size(profile_columns)
-         unit(j) = unit_size(profile_columns(j)%quantity, job%units)
-         names(:, j) = code_names(trim(profile_columns(j)%name))
-         if (n == 0) cycle
-         call profile_values(trim(profile_columns(j)%name), result%profile, along, values(:, j))
-         call profile_codes(trim(profile_columns(j)%name), result%profile, along, codes(:, j))
-      end do
-      do i = 1, n
-         filled = 0
-         do j = 1, size(profile_columns)
-            if (profile_columns(j)%quantity == quantity_text) then
-               call put_piece(row, filled, trim(names(codes(i, j), j)))
-            else
-               call put_csv_value(row, filled, values(i, j), unit(j))
-            end if
-            filled = filled + 1
-            row(filled:filled) = ','
-         end do
-         lines(i)%text = row(:filled - 1)
-      end do
-      call write_text_file(path, lines, error)
-   end subroutine write_profile
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth, of the point before loading', profile%md)
+      call put(list, 'tvd', quantity_length, 'true vertical depth of the hole axis, from the first station', profile%tvd)
+      call put(list, 'north', quantity_length, 'of the hole axis, from the first station', profile%north)
+      call put(list, 'east', quantity_length, 'of the hole axis, from the first station', profile%east)
+      call put(list, 'inclination', quantity_angle, 'of the hole axis', profile%inclination)
+      call put(list, 'azimuth', quantity_angle, 'of the hole axis, from north; 0 where vertical', profile%azimuth)
+      call put(list, 'axial', quantity_force, 'effective axial force, tension positive', profile%axial)
+      call put(list, 'torque', quantity_moment, 'positive as a right-hand drive from the top makes it', profile%torque)
+      call put(list, 'side_force', quantity_line_load, 'normal contact force per length', profile%side_force)
+      call put(list, 'bending', quantity_moment, &
+               'resultant bending moment of both planes, the hole''s own curvature included; soft: what the hole''s '// &
+               'curvature would ask of the pipe', profile%bending)
+      call put(list, 'displacement', quantity_width, 'of the string axis off the hole axis', profile%displacement)
+      call put(list, 'clock', quantity_angle, &
+               'where the string lies: degrees from the high side (from north where the hole is vertical), clockwise '// &
+               'looking down the hole', profile%clock)
+      call put(list, 'gap_state', quantity_text, &
+               'free, elastic or rigid: the hardest of the adjoining elements', profile%gap_state, state_name)
+      call put(list, 'true_axial', quantity_force, &
+               'axial force in the wall of the pipe: effective - (p_o A_o - p_i A_i)', along%true_axial)
+      call put(list, 'shear', quantity_force, 'resultant shear force; empty for soft, which has none', profile%shear)
+      call put(list, 'axial_stress', quantity_stress, 'of the true axial force, in the body of the pipe', along%axial_stress)
+      call put(list, 'bending_stress', quantity_stress, 'amplitude at the outer surface', along%bending_stress)
+      call put(list, 'torsional_stress', quantity_stress, 'shear stress at the outer surface', along%torsional_stress)
+      call put(list, 'hoop_stress', quantity_stress, 'at the inner surface (Lame)', along%hoop_stress)
+      call put(list, 'von_mises', quantity_stress, 'equivalent stress, largest in the section', along%von_mises)
+      call put(list, 'safety_factor', quantity_none, 'yield over von_mises; empty where no yield is given', along%safety_factor)
+      call put(list, 'envelope_margin', quantity_none, &
+               'part of the tension-torque envelope left, bending included: 1 - von_mises/yield; empty where no yield is '// &
+               'given', along%envelope_margin)
+      call put(list, 'bending_range', quantity_stress, &
+               'of the bending stress in one turn of the string, for fatigue; 0 where the string does not turn', &
+               along%bending_range)
+      call put(list, 'sinusoidal_load', quantity_force, &
+               'compression at which the string buckles into a sine; in a drop that of the side on which it lies; empty '// &
+               'where neither weight nor curvature gives a limit', along%sinusoidal)
+      call put(list, 'helical_load', quantity_force, 'compression at which it coils, lower published limit', along%helical)
+      call put(list, 'helical_load_upper', quantity_force, 'the same, upper limit', along%helical_upper)
+      call put(list, 'buckling_margin', quantity_force, &
+               'sinusoidal_load + axial: compression left before buckling', along%buckling_margin)
+      call put(list, 'buckling', quantity_text, &
+               'none, sinusoidal or helical (beyond the lower limit), by the loads above', along%buckling, buckling_name)
+      call put(list, 'pressure', quantity_pressure, 'of the fluid outside', along%pressure)
+      call put(list, 'dogleg', quantity_curvature, 'curvature of the hole; where two bends meet the sharper one', along%curvature)
+      call put(list, 'od', quantity_width, 'outside diameter of the body', along%od)
+      call put(list, 'hole', quantity_width, 'diameter of the hole', along%hole_diameter)
+      call put(list, 'joint_magnification', quantity_none, &
+               'largest bending between tool joints that touch alone, over the column bending; 1 where joints were solved '// &
+               'one by one; empty without joints, and in compression beyond the closed form', along%magnification)
+      call put(list, 'jointed_bending_stress', quantity_stress, &
+               'joint_magnification times bending_stress, in the body of the pipe', along%jointed_bending)
+      call put(list, 'joint_von_mises', quantity_stress, &
+               'equivalent stress in a tool joint, if one stands here; empty without joints', along%joint_von_mises)
+      call put(list, 'joint_side_force', quantity_force, &
+               'contact force of a tool joint: side_force times the distance of joints; of joints solved one by one that '// &
+               'of the joint that stands here, 0 between; empty without joints', along%joint_side_force)
+      call put(list, 'standoff', quantity_percent, &
+               'least distance of the body from the wall, over that of a centred one: 100 where it is centred, 0 where it '// &
+               'touches; of mcge alone', percent_of(along%standoff))
+      call put(list, 'inside_pressure', quantity_pressure, 'of the fluid inside, pump pressure included', along%inside_pressure)
+      call put(list, 'side', quantity_text, &
+               'above or below where a component, hole section or fluid changes: that depth has a row for each side; else '// &
+               'empty', profile%side, side_name)
+   end function profile_series
 end module dg_profile_file

@@ -1,10 +1,10 @@
 !> The headline of a page: how many solutions a run has asked for, how many failed, and which.
 module dg_html_outcome
-   use dg_column, only: column_type, field_list_type
+   use dg_column, only: row_type
    use dg_error, only: status_not_converged
-   use dg_html_text, only: append_table
+   use dg_html_text, only: append_rows
    use dg_line_list, only: add_line, line_list_type
-   use dg_run_outcome, only: locked_count, lost_columns, lost_count, outcome_type, part_columns, part_fields, solution_count
+   use dg_run_outcome, only: locked_count, lost_count, lost_row, outcome_type, part_row, solution_count
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -14,11 +14,11 @@ module dg_html_outcome
 contains
 
    !> One sentence for all parts of a run; the parts where there are several.
-   pure subroutine append_outcome(lines, units, outcome)
+   subroutine append_outcome(lines, units, outcome)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
-      type(field_list_type), allocatable :: rows(:)
+      type(row_type), allocatable :: rows(:)
       integer :: i, total, lost, locked
       total = solution_count(outcome)
       if (total == 0) return
@@ -37,9 +37,9 @@ contains
       if (size(outcome%parts) > 1) then
          allocate (rows(size(outcome%parts)))
          do i = 1, size(rows)
-            call part_fields(outcome%parts(i), rows(i))
+            rows(i) = part_row(outcome%parts(i))
          end do
-         call append_whole_table(lines, part_columns, units, rows)
+         call append_rows(lines, units, rows, spread(.false., 1, size(rows)))
       end if
    contains
       !> Lock-up is an answer about the string.
@@ -58,30 +58,21 @@ contains
    end subroutine append_outcome
 
    !> A row for each solution that failed or locked up.
-   pure subroutine append_lost(lines, units, outcome)
+   subroutine append_lost(lines, units, outcome)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(outcome_type), intent(in) :: outcome
+      type(row_type), allocatable :: rows(:)
+      integer :: i
       if (.not. allocated(outcome%lost)) return
       call add_line(lines, '<h2>Not solved, or locked up</h2>')
-      call append_whole_table(lines, lost_columns, units, outcome%lost)
+      allocate (rows(size(outcome%lost)))
+      do i = 1, size(rows)
+         rows(i) = lost_row(outcome%lost(i))
+      end do
+      call append_rows(lines, units, rows, spread(.false., 1, size(rows)))
       if (outcome%unlisted > 0) call add_line(lines, '<p>and '//to_text(outcome%unlisted)//' rows more: see the files of '// &
                                               'results.</p>')
    end subroutine append_lost
 
-   !> A table of all columns that have any value, no row of it marked.
-   pure subroutine append_whole_table(lines, columns, units, rows)
-      type(line_list_type), intent(inout) :: lines
-      type(column_type), intent(in) :: columns(:)
-      type(unit_system_type), intent(in) :: units
-      type(field_list_type), intent(in) :: rows(:)
-      character(len(columns%name)) :: shown(size(columns))
-      logical :: marked(size(rows))
-      integer :: i
-      do i = 1, size(columns)
-         shown(i) = columns(i)%name
-      end do
-      marked = .false.
-      call append_table(lines, columns, shown, units, rows, marked)
-   end subroutine append_whole_table
 end module dg_html_outcome

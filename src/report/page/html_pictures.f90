@@ -3,7 +3,7 @@
 module dg_html_pictures
    use dg_case_result, only: result_converged, result_status_name
    use dg_file_lines, only: read_lines
-   use dg_html_text, only: append_inline_svg, append_table, html_safe
+   use dg_html_text, only: append_inline_svg, append_rows, html_safe
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
@@ -75,7 +75,6 @@ contains
       type(job_type), intent(in) :: job
       type(picture_data_type), intent(in) :: data
       character(:), allocatable :: link
-      character(len(data%columns%name)) :: shown(size(data%columns))
       logical :: marked(size(data%rows))
       integer :: i, k
       link = '<a href="'//html_safe(data%file)//'">'//html_safe(data%file)//'</a>'
@@ -84,15 +83,16 @@ contains
          return
       end if
       marked = .false.
-      do i = 1, size(shown)
-         shown(i) = data%columns(i)%name
-         if (shown(i) == 'can_be_done') marked = [(data%rows(k)%fields(i)%text /= trim(answer_name(answer_yes)), &
-                                                   k=1, size(data%rows))]
-         if (shown(i) == 'status') marked = [(data%rows(k)%fields(i)%text /= trim(result_status_name(result_converged)), &
-                                              k=1, size(data%rows))]
+      do k = 1, size(data%rows)
+         do i = 1, data%rows(k)%count
+            associate (field => data%rows(k)%fields(i))
+               if (field%column%name == 'can_be_done') marked(k) = field%text /= trim(answer_name(answer_yes))
+               if (field%column%name == 'status') marked(k) = field%text /= trim(result_status_name(result_converged))
+            end associate
+         end do
       end do
       call add_line(lines, '<details><summary>Numbers</summary>')
-      call append_table(lines, data%columns, shown, job%units, data%rows, marked)
+      call append_rows(lines, job%units, data%rows, marked)
       if (data%every > 1) call add_line(lines, '<p>One row of each '//to_text(data%every)//'.</p>')
       call add_line(lines, '<p>All: '//link//'</p></details>')
    end subroutine append_data

@@ -14,16 +14,17 @@ module dg_html_report
    use dg_html_verdict, only: append_verdicts
    use dg_kinds, only: wp
    use dg_job, only: job_type, leading_model, model_mcge, model_mixed, model_name, model_rigid, model_soft
-   use dg_limits_file, only: limits_columns, limits_fields
+   use dg_limits_file, only: limits_row
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_picture_list, only: picture_list_type
-   use dg_column, only: field_list_type
+   use dg_column, only: row_type
    use dg_results_h5, only: time_stamp
    use dg_page_data, only: append_page_data, governing_case
    use dg_page_script, only: script_hash, script_lines
    use dg_printed_text, only: printed_text_type
-   use dg_summary_file, only: summary_columns, summary_fields
+   use dg_summary_file, only: summary_row
+   use dg_table_1, only: page_columns
    use dg_text, only: text_type, to_text
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
@@ -33,20 +34,16 @@ module dg_html_report
    private
    public :: write_html_report
 
-   !> Columns of summary.csv and limits.csv that the page shows; the files have all. What was asked for comes first, for a phone
-   !> shows the first few only.
-   character(*), parameter :: summary_shown(16) = [character(18) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
-      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'largest_bending', 'largest_bending_md', &
-      'operation', 'bit_depth', 'wob', 'section']
-   character(*), parameter :: cost_shown(10) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
+   !> Columns of summary.csv and limits.csv in the other tables of the page; the files have all.
+   character(*), parameter :: cost_shown(*) = [character(16) :: 'case', 'status', 'iterations', 'elements', 'gaps_free', &
       'gaps_elastic', 'gaps_rigid', 'flips', 'equilibrium', 'seconds']
-   character(*), parameter :: limits_shown(30) = [character(25) :: 'case', 'stretch', 'windup', 'neutral_top', &
+   character(*), parameter :: limits_shown(*) = [character(25) :: 'case', 'stretch', 'windup', 'neutral_top', &
       'least_safety_factor', 'overpull_margin', 'buckling', 'buckling_margin', 'buckling_margin_md', 'wob_buckling', &
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin', 'length_change', 'length_change_force', &
       'length_change_pressure', 'length_change_buckling', 'length_change_temperature', 'packer_force', 'casing_wear', &
       'casing_wear_md', 'casing_wall_left', 'casing_burst_left', 'casing_collapse_left', &
       'fatigue_used', 'fatigue_md', 'fatigue_turns', 'fatigue_damage', 'fatigue_dogleg']
-   character(*), parameter :: most_shown(15) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
+   character(*), parameter :: most_shown(*) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
       'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
    !> Of these, the columns up to here are for all models; the others tell what only gap elements find.
@@ -204,7 +201,7 @@ contains
       if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
          '<p>error: difference of the hook load from the measured one in per cent of that, without sign; reference error: '// &
          'the same from the reference.</p>')
-      call append_summary(lines, job, model, results, wholes, summary_shown)
+      call append_summary(lines, job, model, results, wholes, page_columns)
    end subroutine append_results
 
    !> Those columns of summary.csv and limits.csv, a table a model. Only that of the leading model is open.
@@ -215,8 +212,8 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       character(*), intent(in) :: shown(:)
-      type(field_list_type), allocatable :: fields(:)
-      type(field_list_type) :: limits
+      type(row_type), allocatable :: fields(:)
+      type(row_type) :: limits
       integer, allocatable :: rows(:)
       integer :: i, k
       do k = 1, size(job%models)
@@ -224,14 +221,13 @@ contains
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
-            call summary_fields(model%cases(results(rows(i))%case_index), results(rows(i)), &
-                                wholes(rows(i))%verdict, job%units, fields(i))
-            call limits_fields('', results(rows(i)), wholes(rows(i)), limits)
+            fields(i) = summary_row(model%cases(results(rows(i))%case_index), results(rows(i)), wholes(rows(i))%verdict, job%units)
+            limits = limits_row('', results(rows(i)), wholes(rows(i)))
             fields(i)%fields = [fields(i)%fields(:fields(i)%count), limits%fields(:limits%count)]
             fields(i)%count = size(fields(i)%fields)
          end do
          if (job%models(k) /= leading_model(job)) call open_fold(lines, 'Model '//trim(model_name(job%models(k))))
-         call append_table(lines, [summary_columns, limits_columns], shown, job%units, fields, &
+         call append_table(lines, shown, job%units, fields, &
                            wholes(rows)%verdict%answer /= answer_yes)
          if (job%models(k) /= leading_model(job)) call close_fold(lines)
       end do
@@ -244,7 +240,7 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      type(field_list_type), allocatable :: fields(:)
+      type(row_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
       logical, allocatable :: marked(:)
       integer :: i, k, columns
@@ -266,14 +262,14 @@ contains
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
-            call limits_fields(model%cases(results(rows(i))%case_index)%name, results(rows(i)), wholes(rows(i)), fields(i))
+            fields(i) = limits_row(model%cases(results(rows(i))%case_index)%name, results(rows(i)), wholes(rows(i)))
          end do
          call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
          marked = wholes(rows)%verdict%answer /= answer_yes
-         call append_table(lines, limits_columns, limits_shown, job%units, fields, marked)
+         call append_table(lines, limits_shown, job%units, fields, marked)
          columns = size(most_shown)
          if (job%models(k) /= model_mcge) columns = most_of_all_models
-         call append_table(lines, limits_columns, most_shown(:columns), job%units, fields, marked)
+         call append_table(lines, most_shown(:columns), job%units, fields, marked)
       end do
    end subroutine append_limits
 

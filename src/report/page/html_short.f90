@@ -2,14 +2,13 @@
 module dg_html_short
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_column, only: field_list_type, field_text
    use dg_comparison, only: as_measured, percent_error
    use dg_html_text, only: html_safe
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
-   use dg_limits_file, only: limits_columns, limits_fields
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
+   use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force
@@ -20,7 +19,6 @@ module dg_html_short
 
    integer, parameter :: few = 4, fewer = 3    !< digits
    real(wp), parameter :: per_cent = 100.0_wp
-   character(*), parameter :: not_buckled = 'none'
    !> Load cases that a sentence names at most.
    integer, parameter :: most_named = 6
 
@@ -86,17 +84,13 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      type(field_list_type) :: fields
       logical :: buckled(size(results))
       integer :: cases(size(results))
-      character(:), allocatable :: shape, text
+      character(:), allocatable :: text
       integer :: i
       do i = 1, size(results)
-         fields%count = 0
-         call limits_fields('', results(i), wholes(i), fields)
-         shape = limit_text(fields, 'buckling')
-         if (results(i)%model == model_mcge) shape = limit_text(fields, 'shape')
-         buckled(i) = shape /= not_buckled .and. shape /= ''
+         buckled(i) = wholes(i)%buckling /= buckling_none
+         if (results(i)%model == model_mcge) buckled(i) = wholes(i)%shape /= buckling_none
       end do
       text = 'Beyond a published buckling limit'
       if (results(1)%model == model_mcge) text = 'Found to buckle'
@@ -182,18 +176,6 @@ contains
                     ' % of the largest, in '// &
                     html_safe(model%cases(results(worst)%case_index)%name)//'.</li>')
    end subroutine append_moments
-
-   !> Text of a column of limits.csv.
-   pure function limit_text(fields, name) result(text)
-      type(field_list_type), intent(in) :: fields
-      character(*), intent(in) :: name
-      character(:), allocatable :: text
-      integer :: i
-      text = ''
-      do i = 1, fields%count
-         if (limits_columns(i)%name == name .and. fields%fields(i)%kind == field_text) text = fields%fields(i)%text
-      end do
-   end function limit_text
 
    !> Names of load cases, the first of many.
    function named(model, cases) result(text)

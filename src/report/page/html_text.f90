@@ -1,9 +1,9 @@
 !> Pieces of an HTML page: texts made safe, tables of our columns, pictures put inline.
 module dg_html_text
    use dg_kinds, only: wp
-   use dg_column, only: column_type, field_absent, field_integer, field_list_type, field_real, field_text, field_type, &
-                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, &
-                        quantity_text, quantity_time, quantity_turns, unit_size, unit_text
+   use dg_column, only: column_type, field_absent, field_integer, field_real, field_text, field_type, fields_of, &
+                        quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_text, &
+                        quantity_time, quantity_turns, row_type
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_from_name, operation_label
    use dg_missing, only: is_shown
@@ -11,9 +11,10 @@ module dg_html_text
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
-   public :: html_safe, append_table, append_preformatted, append_inline_svg, css_string
+   public :: html_safe, append_rows, append_table, append_preformatted, append_inline_svg, css_string
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -84,46 +85,56 @@ contains
    end function css_string
 
    !> A table of the columns of those names that have any value; each with its unit below, its meaning where the mouse rests.
-   pure subroutine append_table(page, columns, shown, units, rows, marked)
+   subroutine append_table(page, names, units, rows, marked)
       type(line_list_type), intent(inout) :: page
-      type(column_type), intent(in) :: columns(:)
-      character(*), intent(in) :: shown(:)
+      character(*), intent(in) :: names(:)
       type(unit_system_type), intent(in) :: units
-      type(field_list_type), intent(in) :: rows(:)    !< a value for each of `columns`
+      type(row_type), intent(in) :: rows(:)
       logical, intent(in) :: marked(:)                !< rows that cannot be done or have no solution: their first cell has a '!'
-      character(:), allocatable :: head, line, unit
-      integer :: i, k, row
-      integer, allocatable :: used(:)
-      allocate (used(0))
+      type(row_type) :: shown(size(rows))
+      character(:), allocatable :: head, line
+      logical :: used(size(names))
+      integer :: k, row
+      do row = 1, size(rows)
+         shown(row) = fields_of(rows(row), names)
+      end do
       head = '<div class="wide" tabindex="0"><table><thead><tr>'
-      do k = 1, size(shown)
-         do i = 1, size(columns)
-            if (columns(i)%name == shown(k)) exit
-         end do
-         if (i > size(columns)) cycle
-         if (.not. any([(has_value(rows(row)%fields(i)), row=1, size(rows))])) cycle
-         used = [used, i]
-         unit = ''
-         if (columns(i)%quantity /= quantity_text) unit = unit_text(columns(i)%quantity, units)
-         head = head//'<th'//trim(merge(' class="text"', '             ', columns(i)%quantity == quantity_text))//' title="'// &
-            html_safe(trim(columns(i)%meaning))//'" scope="col">'//heading_of(trim(columns(i)%name))//'<br><small>'// &
-            html_safe(unit)//'</small></th>'
+      do k = 1, size(names)
+         used(k) = any([(has_value(shown(row)%fields(k)), row=1, size(rows))])
+         if (used(k)) head = head//head_cell(shown(1)%fields(k)%column, units)
       end do
       call add_line(page, head//'</tr></thead><tbody>')
       do row = 1, size(rows)
-         line = '<tr>'
-         if (marked(row)) line = '<tr class="bad">'
-         do k = 1, size(used)
-            line = line//table_cell(columns(used(k)), rows(row)%fields(used(k)), units)
-            if (k == 1 .and. marked(row)) line = line(:len(line) - len('</td>'))//' !</td>'
+         line = ''
+         do k = 1, size(names)
+            if (used(k)) line = line//table_cell(shown(row)%fields(k), units)
+            if (marked(row) .and. k == findloc(used, .true., dim=1)) line = line(:len(line) - len('</td>'))//' !</td>'
          end do
-         call add_line(page, line//'</tr>')
+         call add_line(page, '<tr'//trim(merge(' class="bad"', '            ', marked(row)))//'>'//line//'</tr>')
       end do
       call add_line(page, '</tbody></table></div>')
    end subroutine append_table
 
-   pure function table_cell(column, field, units) result(cell)
+   !> A table of all columns that have any value.
+   subroutine append_rows(page, units, rows, marked)
+      type(line_list_type), intent(inout) :: page
+      type(unit_system_type), intent(in) :: units
+      type(row_type), intent(in) :: rows(:)     !< one or more
+      logical, intent(in) :: marked(:)          !< as append_table
+      call append_table(page, rows(1)%fields(:rows(1)%count)%column%name, units, rows, marked)
+   end subroutine append_rows
+
+   !> Heading of a column.
+   pure function head_cell(column, units) result(cell)
       type(column_type), intent(in) :: column
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: cell
+      cell = '<th'//trim(merge(' class="text"', '             ', column%quantity == quantity_text))//' title="'// &
+             html_safe(trim(column%meaning))//'" scope="col">'//heading_of(trim(column%name))//'<br><small>'// &
+             html_safe(unit_label(units, column%quantity))//'</small></th>'
+   end function head_cell
+
+   pure function table_cell(field, units) result(cell)
       type(field_type), intent(in) :: field
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: cell
@@ -135,7 +146,7 @@ contains
       select case (field%kind)
       case (field_text)
          place = 0
-         if (column%name == operation_column) place = operation_from_name(field%text)
+         if (field%column%name == operation_column) place = operation_from_name(field%text)
          if (place > 0) then
             cell = '<td class="text">'//trim(operation_label(place))//'</td>'      ! as in Table 1
             return
@@ -145,13 +156,14 @@ contains
       case (field_integer)
          cell = '<td>'//to_text(field%integer_value)//'</td>'
       case (field_real)
-         if (column%name == residual_name) then
-            cell = '<td>'//to_text(field%real_value/unit_size(column%quantity, units), residual_digits)//'</td>'
-         else
-            value = field%real_value/unit_size(column%quantity, units)
-            cell = '<td>'//trim(adjustl(fixed_cell(value, widest, decimals(column%quantity))))//'</td>'
+         value = field%real_value/unit_factor(units, field%column%quantity)
+         if (field%column%name == residual_name) then
+            cell = '<td>'//to_text(value, residual_digits)//'</td>'
+         else if (field%column%quantity == quantity_none .and. abs(value) < small_number) then
             ! numbers without unit have any size: a tolerance, a friction factor
-            if (column%quantity == quantity_none .and. abs(value) < small_number) cell = '<td>'//to_text(value, few_digits)//'</td>'
+            cell = '<td>'//to_text(value, few_digits)//'</td>'
+         else
+            cell = '<td>'//trim(adjustl(fixed_cell(value, widest, decimals(field%column%quantity))))//'</td>'
          end if
       case default
       end select
@@ -179,7 +191,7 @@ contains
       end select
    end function decimals
 
-   !> Heading of a column.
+   !> Words over a column.
    pure function heading_of(name) result(heading)
       character(*), intent(in) :: name
       character(:), allocatable :: heading

@@ -6,19 +6,19 @@ module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_profile, only: profile_type
-   use dg_column, only: column_type, quantity_force, quantity_text, unit_size
+   use dg_quantity, only: quantity_force
    use dg_constants, only: pi
    use dg_depth_curve, only: force_on_length, kept_points
    use dg_missing, only: is_missing
-   use dg_profile_columns, only: profile_codes, profile_columns, profile_values
+   use dg_profile_file, only: profile_series
+   use dg_series, only: put, series_list_type
    use dg_text, only: put_piece, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: curve_columns, curve_count, profile_curves
+   public :: curve_series, profile_curves
 
-   !> Profile columns that are curves: all but the depth and the side of a jump, and one more.
-   integer, parameter :: curve_count = size(profile_columns) - 1
    character(*), parameter :: clock = 'clock', joint_force = 'side_force_on_joint'
    !> Length of string that the extra curve adds up side force on, a joint of pipe, and places of it.
    real(wp), parameter :: joint = 9.5_wp
@@ -31,48 +31,50 @@ module dg_page_curves
 
 contains
 
-   !> The columns of the curves in their order.
-   pure function curve_columns() result(columns)
-      type(column_type) :: columns(curve_count)
-      integer :: i, n
-      n = 0
-      do i = 1, size(profile_columns)
-         if (profile_columns(i)%name == 'md' .or. profile_columns(i)%name == 'side') cycle
-         n = n + 1
-         columns(n) = profile_columns(i)
+   !> Profile columns that are curves: all but the depth and the side of a jump, and one more.
+   pure function curve_series(profile, along) result(list)
+      type(profile_type), intent(in) :: profile      !< with rows
+      type(along_string_type), intent(in) :: along
+      type(series_list_type) :: list
+      type(series_list_type) :: all
+      integer :: i
+      all = profile_series(profile, along)
+      allocate (list%items(all%count + 1))
+      do i = 1, all%count
+         if (any(all%items(i)%column%name == [character(4) :: 'md', 'side'])) cycle
+         list%count = list%count + 1
+         list%items(list%count) = all%items(i)
       end do
-      columns(curve_count) = column_type(joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint')
-   end function curve_columns
+      call put(list, joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint', profile%side_force)
+   end function curve_series
 
-   !> A text for each of `curve_columns`; '' where a column has no value.
+   !> A text for each of `curve_series`; '' where a column has no value.
    pure subroutine profile_curves(profile, along, units, tolerance, texts)
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: tolerance          !< of a column's range [-]
-      type(text_type), intent(out) :: texts(:)
-      type(column_type) :: columns(curve_count)
-      real(wp) :: values(size(profile%md)), places(0:joint_places), unit
-      integer :: codes(size(profile%md)), i, k, n
-      columns = curve_columns()
+      type(text_type), intent(out) :: texts(:)   !< as many
+      type(series_list_type) :: list
+      real(wp) :: places(0:joint_places), unit
+      integer :: i, k, n
+      list = curve_series(profile, along)
       n = size(profile%md)
-      do k = 1, curve_count
-         unit = unit_size(columns(k)%quantity, units)
-         if (columns(k)%name == joint_force) then
-            call profile_values('side_force', profile, along, values)
-            places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
-            texts(k)%text = curve_text(places, force_on_length(profile%md, values, joint, places), unit, units%length, tolerance)
-         else if (columns(k)%quantity == quantity_text) then
-            call profile_codes(trim(columns(k)%name), profile, along, codes)
-            texts(k)%text = states_text(profile%md, codes, units%length)
-         else
-            call profile_values(trim(columns(k)%name), profile, along, values)
-            if (columns(k)%name == clock) then
-               texts(k)%text = angle_text(profile%md, values, unit, units%length, tolerance)
+      places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
+      do k = 1, list%count
+         associate (series => list%items(k))
+            unit = unit_factor(units, series%column%quantity)
+            if (allocated(series%states)) then
+               texts(k)%text = states_text(profile%md, series%states, units%length)
+            else if (series%column%name == joint_force) then
+               texts(k)%text = curve_text(places, force_on_length(profile%md, series%numbers, joint, places), unit, units%length, &
+                                          tolerance)
+            else if (series%column%name == clock) then
+               texts(k)%text = angle_text(profile%md, series%numbers, unit, units%length, tolerance)
             else
-               texts(k)%text = curve_text(profile%md, values, unit, units%length, tolerance)
+               texts(k)%text = curve_text(profile%md, series%numbers, unit, units%length, tolerance)
             end if
-         end if
+         end associate
       end do
    end subroutine profile_curves
 

@@ -4,22 +4,21 @@ module dg_page_data
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
-   use dg_column, only: column_type, unit_size, unit_text
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, leading_model, model_name
-   use dg_json_text, only: json_string
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type, string_index
-   use dg_page_curves, only: curve_columns, curve_count, profile_curves
-   use dg_profile_columns, only: code_names
-   use dg_quantity, only: quantity_force, quantity_length, quantity_text, quantity_width, system_base, system_name
+   use dg_page_curves, only: curve_series, profile_curves
+   use dg_quantity, only: quantity_force, quantity_length, quantity_width, system_base, system_name
    use dg_readable, only: spaced
-   use dg_text, only: text_type, to_text
+   use dg_series, only: series_list_type
+   use dg_text, only: text_type, to_text, plain_utf8, put_piece
    use dg_trajectory, only: top_md
    use dg_units, only: system_of, unit_system_type
    use dg_verdict, only: answer_no
    use dg_whole_string, only: whole_string_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: append_page_data, governing_case
@@ -47,6 +46,8 @@ module dg_page_data
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
    integer, parameter :: digits = 7, contact_digits = 4
+
+   integer, parameter :: last_control = 31
 
 contains
 
@@ -86,8 +87,12 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(along_string_type), intent(in) :: alongs(:)      !< as many
       integer, intent(in) :: shown                          !< load case that is shown first
-      type(text_type) :: curves(curve_count, size(results))
+      type(text_type), allocatable :: curves(:, :)
+      type(series_list_type) :: list
       integer :: i, k
+      i = findloc(has_curves(results), .true., dim=1)
+      list = curve_series(results(i)%profile, alongs(i))    ! for their names
+      allocate (curves(list%count, size(results)))
       do k = 1, size(tolerances)
          do i = 1, size(results)
             if (has_curves(results(i))) &
@@ -100,15 +105,15 @@ contains
       call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
                        to_text(tolerances(k), 2)//',"start":'// &
                        to_text(shown - 1)//',')
-      call append_quantities(lines, job%units)
-      call append_columns(lines)
+      call append_quantities(lines, job%units, list)
+      call append_columns(lines, list)
       call append_cases(lines, job, model, results)
       call add_line(lines, '"charts":[')
       do i = 1, size(charts)
          call add_line(lines, trim(charts(i)))
       end do
       call add_line(lines, '],"profiles":[')
-      call append_profiles(lines, job, results, curves)
+      call append_profiles(lines, job, results, list, curves)
       call add_line(lines, ']}</script>')
    end subroutine append_page_data
 
@@ -126,14 +131,13 @@ contains
    end function letters_of
 
    !> Unit and factor of each quantity in each system, from the deck's units.
-   subroutine append_quantities(lines, units)
+   subroutine append_quantities(lines, units, list)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
-      type(column_type) :: columns(curve_count)
+      type(series_list_type), intent(in) :: list
       character(:), allocatable :: text
-      integer :: wanted(curve_count + 3), i, k
-      columns = curve_columns()
-      wanted = [quantity_length, quantity_width, quantity_force, columns%quantity]
+      integer :: wanted(list%count + 3), i, k
+      wanted = [quantity_length, quantity_width, quantity_force, list%items(:list%count)%column%quantity]
       text = '"quantities":{'
       do i = 1, size(wanted)
          if (any(wanted(:i - 1) == wanted(i))) cycle
@@ -141,8 +145,8 @@ contains
          text = text//json_string(quantity_key(wanted(i)))//':{'
          do k = 1, system_base - 1
             if (k > 1) text = text//','
-            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_text(wanted(i), system_of(k)))//','// &
-                   to_text(unit_size(wanted(i), units)/unit_size(wanted(i), system_of(k)), digits)//']'
+            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_label(system_of(k), wanted(i)))//','// &
+                   to_text(unit_factor(units, wanted(i))/unit_factor(system_of(k), wanted(i)), digits)//']'
          end do
          text = text//'}'
       end do
@@ -173,28 +177,27 @@ contains
    end function quantity_key
 
    !> Label, quantity and meaning of each column; of states their words.
-   subroutine append_columns(lines)
+   subroutine append_columns(lines, list)
       type(line_list_type), intent(inout) :: lines
-      type(column_type) :: columns(curve_count)
-      character(10) :: names(0:2)
+      type(series_list_type), intent(in) :: list
       character(:), allocatable :: text
       integer :: i, k
-      columns = curve_columns()
       call add_line(lines, '"columns":{')
-      do i = 1, curve_count
-         text = json_string(trim(columns(i)%name))//':{"label":'//json_string(spaced(trim(columns(i)%name)))// &
-                ',"quantity":'//json_string(quantity_key(columns(i)%quantity))// &
-                ',"meaning":'//json_string(trim(columns(i)%meaning))
-         if (columns(i)%quantity == quantity_text) then
-            names = code_names(trim(columns(i)%name))
-            text = text//',"words":['
-            do k = lbound(names, 1), ubound(names, 1)
-               if (k > lbound(names, 1)) text = text//','
-               text = text//json_string(trim(names(k)))
-            end do
-            text = text//']'
-         end if
-         call add_line(lines, text//'}'//trim(merge(',', ' ', i < curve_count)))
+      do i = 1, list%count
+         associate (series => list%items(i), column => list%items(i)%column)
+            text = json_string(trim(column%name))//':{"label":'//json_string(spaced(trim(column%name)))// &
+                   ',"quantity":'//json_string(quantity_key(column%quantity))// &
+                   ',"meaning":'//json_string(trim(column%meaning))
+            if (allocated(series%words)) then
+               text = text//',"words":['
+               do k = 0, ubound(series%words, 1)
+                  if (k > 0) text = text//','
+                  text = text//json_string(series%words(k)%text)
+               end do
+               text = text//']'
+            end if
+         end associate
+         call add_line(lines, text//'}'//trim(merge(',', ' ', i < list%count)))
       end do
       call add_line(lines, '},')
    end subroutine append_columns
@@ -251,21 +254,20 @@ contains
    end function parts_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
-   subroutine append_profiles(lines, job, results, curves)
+   subroutine append_profiles(lines, job, results, list, curves)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(case_result_type), intent(in) :: results(:)
-      type(text_type), intent(in) :: curves(:, :)
-      type(column_type) :: columns(curve_count)
+      type(series_list_type), intent(in) :: list
+      type(text_type), intent(in) :: curves(:, :)   !< of its columns, by result
       integer :: rows(count(has_curves(results))), i, k, j, same
       character(:), allocatable :: text
-      columns = curve_columns()
       rows = pack([(i, i=1, size(results))], has_curves(results))
       do i = 1, size(rows)
          call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"model":'// &
                           to_text(findloc(job%models, results(rows(i))%model, dim=1) - 1)//',"curves":{')
          text = ''
-         do k = 1, curve_count
+         do k = 1, list%count
             associate (curve => curves(k, rows(i))%text)
                if (curve == '') cycle
                same = 0
@@ -274,7 +276,7 @@ contains
                   same = j
                end do
                if (text /= '') call add_line(lines, text//',')
-               text = json_string(trim(columns(k)%name))//':'
+               text = json_string(trim(list%items(k)%column%name))//':'
                if (j < i) then
                   text = text//to_text(same)
                else
@@ -305,4 +307,30 @@ contains
          end associate
       end do
    end function contacts_text
+
+   !> A text with its quotes. Bytes that make no UTF-8 become '?'. Put in place piece by piece, as html_safe does.
+   pure function json_string(text) result(json)
+      character(*), intent(in) :: text
+      character(:), allocatable :: json
+      character(:), allocatable :: room
+      character(len(text)) :: plain
+      character(6) :: code
+      integer :: i, filled
+      plain = plain_utf8(text)
+      allocate (character(len(code)*len(text) + 2) :: room)
+      filled = 0
+      call put_piece(room, filled, '"')
+      do i = 1, len(text)
+         if (scan(plain(i:i), '"\') == 1) then
+            call put_piece(room, filled, '\'//plain(i:i))
+         else if (scan(plain(i:i), '<>&') == 1 .or. iachar(plain(i:i)) <= last_control) then
+            write (code, '(a, z4.4)') '\u', iachar(plain(i:i))
+            call put_piece(room, filled, code)
+         else
+            call put_piece(room, filled, plain(i:i))
+         end if
+      end do
+      call put_piece(room, filled, '"')
+      json = room(:filled)
+   end function json_string
 end module dg_page_data

@@ -2,15 +2,15 @@
 !> the run says it in its headline, so that it says what the exit status says.
 module dg_run_outcome
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_length, quantity_none, quantity_text
+   use dg_column, only: put, quantity_length, quantity_none, quantity_text, row_type
    use dg_job, only: model_name
-   use dg_load_case, only: load_case_type, operation_name
+   use dg_load_case, only: given, load_case_type, operation_name, optional_real
    use dg_model, only: model_type
    use dg_text, only: text_or_nothing, text_type
    implicit none
    private
-   public :: outcome_type, part_columns, lost_columns, add_part, note_lost, note_cases, add_lost_row, &
-             part_fields, solution_count, lost_count, locked_count
+   public :: outcome_type, lost_type, add_part, note_lost, note_cases, add_lost, part_row, lost_row, solution_count, lost_count, &
+             locked_count
 
    !> Load cases, a sweep, a Monte Carlo, a calibration, a steering.
    type :: part_type
@@ -20,35 +20,27 @@ module dg_run_outcome
       integer :: not_converged = 0     !< the exit status tells of these
    end type part_type
 
+   !> Solutions that failed or locked up.
+   type :: lost_type
+      character(:), allocatable :: part
+      character(:), allocatable :: case, model, operation    !< names; not allocated where there is none
+      type(optional_real) :: bit_depth                       !< [m]
+      type(optional_real) :: down_to                         !< last of neighbouring depths [m]
+      type(optional_real) :: friction, friction_cased        !< coefficients; absent: those of the hole sections [-]
+      integer :: solutions = 1
+      integer :: status = result_not_converged
+      character(:), allocatable :: message
+   end type lost_type
+
    type :: outcome_type
       type(part_type), allocatable :: parts(:)
-      type(field_list_type), allocatable :: lost(:)     !< rows of `lost_columns`
+      type(lost_type), allocatable :: lost(:)
       integer :: unlisted = 0                           !< rows that were too many
       type(text_type), allocatable :: sentences(:)      !< of studies, for the head of the page
    end type outcome_type
 
    !> Rows of a run: a page is to be read, and a Monte Carlo may lose thousands.
    integer, parameter :: most_rows = 300
-
-   type(column_type), parameter :: part_columns(5) = [ &
-      column_type('part', quantity_text, 'of the run'), &
-      column_type('solutions', quantity_none, 'that it asks for'), &
-      column_type('converged', quantity_none, 'are solutions'), &
-      column_type('locked_up', quantity_none, 'the string cannot be brought there: an answer, no failure'), &
-      column_type('not_converged', quantity_none, 'failed: the exit status tells of them')]
-
-   type(column_type), parameter :: lost_columns(11) = [ &
-      column_type('part', quantity_text, 'of the run'), &
-      column_type('case', quantity_text, 'load case'), &
-      column_type('model', quantity_text, 'as in summary.csv'), &
-      column_type('operation', quantity_text, 'long name of the operation'), &
-      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
-      column_type('down_to', quantity_length, 'last of neighbouring depths'), &
-      column_type('friction', quantity_none, 'coefficient along the hole; none: those of the hole sections'), &
-      column_type('friction_cased', quantity_none, 'coefficient in cased sections'), &
-      column_type('solutions', quantity_none, 'points or samples that are told here'), &
-      column_type('status', quantity_text, 'as in the files of results'), &
-      column_type('message', quantity_text, 'reason of the first')]
 
 contains
 
@@ -57,20 +49,8 @@ contains
       type(outcome_type), intent(inout) :: outcome
       character(*), intent(in) :: name
       integer, intent(in) :: solutions, locked_up, not_converged
-      type(part_type), allocatable :: longer(:)
-      integer :: i
       if (.not. allocated(outcome%parts)) allocate (outcome%parts(0))
-      allocate (longer(size(outcome%parts) + 1))
-      do i = 1, size(outcome%parts)
-         longer(i) = outcome%parts(i)
-      end do
-      associate (part => longer(size(longer)))
-         part%name = name
-         part%solutions = solutions
-         part%locked_up = locked_up
-         part%not_converged = not_converged
-      end associate
-      call move_alloc(longer, outcome%parts)
+      outcome%parts = [outcome%parts, part_type(name, solutions, locked_up, not_converged)]
    end subroutine add_part
 
    !> The load cases of a deck, each with each model. Those that lock up have their row in the answers.
@@ -96,66 +76,59 @@ contains
       integer, intent(in) :: status
       character(*), intent(in) :: message
       type(load_case_type), intent(in), optional :: load_case
-      type(field_list_type) :: row
-      integer :: i
-      call put(row, part)
+      type(lost_type) :: lost
+      lost%part = part
+      lost%status = status
+      lost%message = message
+      if (model > 0) lost%model = trim(model_name(model))
       if (present(load_case)) then
-         call put(row, load_case%name)
-      else
-         call put_none(row)
+         lost%case = load_case%name
+         lost%operation = trim(operation_name(load_case%operation))
+         lost%bit_depth = given(load_case%bit_depth)
+         lost%friction = load_case%friction_axial
       end if
-      if (model > 0) then
-         call put(row, trim(model_name(model)))
-      else
-         call put_none(row)
-      end if
-      if (present(load_case)) then
-         call put(row, trim(operation_name(load_case%operation)))
-         call put(row, load_case%bit_depth)
-         call put_none(row)
-         call put(row, load_case%friction_axial)
-         call put_none(row)
-      else
-         do i = 1, 5      ! operation, depths, frictions
-            call put_none(row)
-         end do
-      end if
-      call put(row, 1)
-      call put(row, trim(result_status_name(status)))
-      call put(row, message)
-      call add_lost_row(outcome, row)
+      call add_lost(outcome, lost)
    end subroutine note_lost
 
-   !> A row of `lost_columns`.
-   pure subroutine add_lost_row(outcome, row)
+   !> Solutions that failed or locked up; beyond the most that a page lists they are counted.
+   pure subroutine add_lost(outcome, lost)
       type(outcome_type), intent(inout) :: outcome
-      type(field_list_type), intent(in) :: row
-      type(field_list_type), allocatable :: longer(:)
-      integer :: i
+      type(lost_type), intent(in) :: lost
       if (.not. allocated(outcome%lost)) allocate (outcome%lost(0))
       if (size(outcome%lost) == most_rows) then
          outcome%unlisted = outcome%unlisted + 1
-         return
+      else
+         outcome%lost = [outcome%lost, lost]
       end if
-      allocate (longer(size(outcome%lost) + 1))
-      do i = 1, size(outcome%lost)
-         longer(i) = outcome%lost(i)
-      end do
-      longer(size(longer)) = row
-      call move_alloc(longer, outcome%lost)
-   end subroutine add_lost_row
+   end subroutine add_lost
 
-   !> Values of a part in the order of `part_columns`.
-   pure subroutine part_fields(part, row)
+   !> A part in the columns of the page.
+   pure function part_row(part) result(row)
       type(part_type), intent(in) :: part
-      type(field_list_type), intent(inout) :: row
-      row%count = 0
-      call put(row, part%name)
-      call put(row, part%solutions)
-      call put(row, part%solutions - part%locked_up - part%not_converged)
-      call put(row, part%locked_up)
-      call put(row, part%not_converged)
-   end subroutine part_fields
+      type(row_type) :: row
+      call put(row, 'part', quantity_text, 'of the run', part%name)
+      call put(row, 'solutions', quantity_none, 'that it asks for', part%solutions)
+      call put(row, 'converged', quantity_none, 'are solutions', part%solutions - part%locked_up - part%not_converged)
+      call put(row, 'locked_up', quantity_none, 'the string cannot be brought there: an answer, no failure', part%locked_up)
+      call put(row, 'not_converged', quantity_none, 'failed: the exit status tells of them', part%not_converged)
+   end function part_row
+
+   !> What is not solved, in the columns of the page.
+   pure function lost_row(lost) result(row)
+      type(lost_type), intent(in) :: lost
+      type(row_type) :: row
+      call put(row, 'part', quantity_text, 'of the run', lost%part)
+      call put(row, 'case', quantity_text, 'load case', text_or_nothing(lost%case))
+      call put(row, 'model', quantity_text, 'as in summary.csv', text_or_nothing(lost%model))
+      call put(row, 'operation', quantity_text, 'long name of the operation', text_or_nothing(lost%operation))
+      call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', lost%bit_depth)
+      call put(row, 'down_to', quantity_length, 'last of neighbouring depths', lost%down_to)
+      call put(row, 'friction', quantity_none, 'coefficient along the hole; none: those of the hole sections', lost%friction)
+      call put(row, 'friction_cased', quantity_none, 'coefficient in cased sections', lost%friction_cased)
+      call put(row, 'solutions', quantity_none, 'points or samples that are told here', lost%solutions)
+      call put(row, 'status', quantity_text, 'as in the files of results', result_status_name(lost%status))
+      call put(row, 'message', quantity_text, 'reason of the first', text_or_nothing(lost%message))
+   end function lost_row
 
    !> Solutions that all parts ask for.
    pure function solution_count(outcome) result(number)

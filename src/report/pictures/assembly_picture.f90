@@ -4,7 +4,7 @@ module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_key, add_label, add_panel, add_points, chart_type, cut_text, new_chart, round_step
-   use dg_column, only: quantity_moment, quantity_width, unit_text
+   use dg_quantity, only: quantity_moment, quantity_width
    use dg_component, only: contact_diameter, has_blades, has_joints
    use dg_curve_look, only: colour_of, line_style
    use dg_drillstring, only: all_centralizer_ends, component_at, component_tops, drillstring_type, joint_ends
@@ -16,6 +16,7 @@ module dg_assembly_picture
    use dg_profile, only: profile_type
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: assembly_chart, shown_length
@@ -60,9 +61,9 @@ contains
          view%bit = load_case%bit_depth
          view%shown = min(shown_length, view%bit - profile%md(1))
          call add_view(chart, view, model%strings(string_index(model%strings, load_case%string)), result)
-         call add_low_panel(chart, view, 'moment ['//unit_text(quantity_moment, units)//']', '', &
+         call add_low_panel(chart, view, 'moment ['//unit_label(units, quantity_moment)//']', '', &
                             reshape(profile%bending/units%moment, [size(profile%md), 1]))
-         call add_low_panel(chart, view, 'offset ['//unit_text(quantity_width, units)//']', &
+         call add_low_panel(chart, view, 'offset ['//unit_label(units, quantity_width)//']', &
                             'distance above the bit ['//trim(units%length_label)//']', &
                             reshape([profile%displacement*cos(profile%clock), profile%displacement*sin(profile%clock)]/ &
                                     units%diameter, [size(profile%md), 2]))
@@ -105,7 +106,7 @@ contains
       end do
       view%half = maxval(axis)
       associate (along => chart%units%length, across => chart%units%diameter)
-         call add_panel(chart, places(:, 1), '', side_label(result%inclination)//' ['//unit_text(quantity_width, chart%units)//']')
+         call add_panel(chart, places(:, 1), '', side_label(result%inclination)//' ['//unit_label(chart%units, quantity_width)//']')
          call add_string(chart, view, string)
          call add_curve(chart, x/along, axis/across, wall, 'wall of the hole')
          call add_curve(chart, x/along, -axis/across, wall, '')

@@ -6,7 +6,7 @@ module dg_forces_picture
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_depth_curve, add_depth_panel, add_key, add_points, beside, chart_type, fit_range, new_chart, &
                        set_depth
-   use dg_column, only: quantity_force, quantity_moment, unit_text
+   use dg_quantity, only: quantity_force, quantity_moment
    use dg_component, only: has_joints
    use dg_curve_look, only: colour_black, colour_grey, colour_of, limit_dash, line_style, mark_style
    use dg_depth_curve, only: force_on_length, kept_points, least_around, lone_angles
@@ -18,6 +18,7 @@ module dg_forces_picture
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type, side_above, state_free
    use dg_text, only: to_text
+   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: forces_chart
@@ -48,12 +49,12 @@ contains
          call set_depth(chart, 'measured depth', load_case%bit_depth, model%holes, place(1), .false.)
          call add_axial(chart, results, alongs)
          if (rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp) then
-            call add_depth_panel(chart, place(2), 'torque ['//unit_text(quantity_moment, units)//']')
+            call add_depth_panel(chart, place(2), 'torque ['//unit_label(units, quantity_moment)//']')
             do k = 1, size(results)
                call add(results(k)%profile%torque)
             end do
          else
-            call add_depth_panel(chart, place(2), 'bending moment ['//unit_text(quantity_moment, units)//']')
+            call add_depth_panel(chart, place(2), 'bending moment ['//unit_label(units, quantity_moment)//']')
             do k = 1, size(results)
                call add(results(k)%profile%bending)
             end do
@@ -82,7 +83,7 @@ contains
       type(along_string_type), intent(in) :: alongs(:)
       real(wp) :: ends(2)
       integer :: k, shown
-      call add_depth_panel(chart, place(1), 'effective axial force ['//unit_text(quantity_force, chart%units)//']')
+      call add_depth_panel(chart, place(1), 'effective axial force ['//unit_label(chart%units, quantity_force)//']')
       do k = 1, size(results)
          call add_depth_curve(chart, results(k)%profile%md, results(k)%profile%axial, chart%units%force, line_style(k), &
                               trim(model_name(results(k)%model)), '')
@@ -164,7 +165,7 @@ contains
       integer :: k, i, n
       associate (units => chart%units)
          call add_depth_panel(chart, place(3), 'side force on '//to_text(joint/units%length, 3)//' '// &
-                              trim(units%length_label)//' ['//unit_text(quantity_force, units)//']')
+                              trim(units%length_label)//' ['//unit_label(units, quantity_force)//']')
          do k = 1, size(results)
             associate (profile => results(k)%profile)
                length = chart%depth%y%ends(1)*units%length - profile%md(1)

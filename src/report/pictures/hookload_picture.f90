@@ -4,7 +4,7 @@ module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, new_chart
-   use dg_column, only: quantity_moment, unit_text
+   use dg_quantity, only: quantity_moment
    use dg_comparison, only: as_measured, percent_error
    use dg_curve_look, only: colour_black, letter_width, mark_style
    use dg_job, only: job_type, model_name
@@ -14,6 +14,7 @@ module dg_hookload_picture
    use dg_rig, only: indicated_load
    use dg_text, only: text_type
    use dg_verdict_text, only: mark_meaning, row_mark
+   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: hookload_chart
@@ -84,7 +85,7 @@ contains
          chart%panels(2)%air(1) = 0.04_wp
       end if
       if (with_torque) then
-         call add_rows(chart, place(), 'torque at the top ['//unit_text(quantity_moment, job%units)//']', names, 0.0_wp)
+         call add_rows(chart, place(), 'torque at the top ['//unit_label(job%units, quantity_moment)//']', names, 0.0_wp)
          do i = 1, size(job%models)
             call add_marks(torque(:, i), i, '')
          end do

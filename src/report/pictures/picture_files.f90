@@ -4,6 +4,7 @@ module dg_picture_files
    use dg_along_string, only: along_string_type
    use dg_assembly_picture, only: assembly_chart, shown_length
    use dg_case_result, only: case_result_type, result_converged
+   use dg_column, only: fields_of
    use dg_child_process, only: find_program
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
@@ -14,13 +15,15 @@ module dg_picture_files
    use dg_job, only: job_type, model_mcge, model_name
    use dg_model, only: model_type
    use dg_path_picture, only: path_chart
-   use dg_picture_data, only: rows_along, rows_of_contacts, rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type, rows_along, rows_of_contacts
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
    use dg_picture_list, only: add_picture, folder_in, picture_list_type
    use dg_result_name, only: case_file, contacts_file, picture_folder, profile_file
    use dg_strength_picture, only: strength_chart
-   use dg_summary_file, only: summary_columns
-   use dg_text, only: text_list, text_type
+   use dg_summary_file, only: summary_row
+   use dg_text, only: text_type
+   use dg_verdict, only: answer_yes
+   use dg_whole_string, only: whole_string_type
    use dg_written_files, only: check_picture_folder, note_file
    implicit none
    private
@@ -42,20 +45,32 @@ module dg_picture_files
 contains
 
    !> Begins the pictures of a run with that of all load cases. `error` where a script cannot be written.
-   subroutine begin_pictures(job, model, results, marked, list, error)
+   subroutine begin_pictures(job, model, results, wholes, list, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
-      logical, intent(in) :: marked(:)                      !< as many: cannot be done, or no solution
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(picture_list_type), intent(out) :: list
       type(error_type), allocatable, intent(out) :: error
+      type(picture_data_type) :: data
+      logical, allocatable :: wanted(:)
+      integer, allocatable :: rows(:)
+      integer :: i
       allocate (list%pictures(0))
       list%empty = ''
       call make_folder(folder_in(job), error)
       if (.not. allocated(error)) call check_picture_folder(job, error)     ! it may have changed since the run began
       if (allocated(error) .or. size(results) == 0) return
-      call add_picture(list, job, hookload_chart(job, model, results, marked), 'Hook load of all cases', 0, &
-                       rows_of_file(job, 'summary.csv', summary_columns, hookload_shown, text_list()), error)
+      allocate (wanted(size(results)), source=.true.)
+      call picked_rows('summary.csv', wanted, data, rows)
+      do i = 1, size(rows)
+         associate (result => results(rows(i)))
+            data%rows(i) = fields_of(summary_row(model%cases(result%case_index), result, wholes(rows(i))%verdict, job%units), &
+                                     hookload_shown)
+         end associate
+      end do
+      call add_picture(list, job, hookload_chart(job, model, results, wholes%verdict%answer /= answer_yes), &
+                       'Hook load of all cases', 0, data, error)
    end subroutine begin_pictures
 
    !> Adds those along the string of each load case, and has all drawn. `error` also where gnuplot fails or the program is asked to

@@ -5,7 +5,7 @@ module dg_limits_table
    use dg_named_states, only: buckling_name, buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_casing_wear, only: groove_type
-   use dg_column, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns, unit_size, unit_text
+   use dg_quantity, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_fatigue, only: fatigue_type
@@ -17,7 +17,8 @@ module dg_limits_table
    use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
+                           unit_label
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -278,8 +279,8 @@ contains
       value = numbers(k)%value
       if (negative) value = -value
       head = '  '//what
-      line = head//trim(adjustl(fixed_cell(given(value), unit_size(quantity, units), number_width, decimals)))
-      if (unit_text(quantity, units) /= '') line = line//' '//unit_text(quantity, units)
+      line = head//trim(adjustl(fixed_cell(given(value), unit_factor(units, quantity), number_width, decimals)))
+      if (unit_label(units, quantity) /= '') line = line//' '//unit_label(units, quantity)
       if (depths(k)%present) line = line//' at '//to_text(anint(depths(k)%value/units%length))//' '//trim(units%length_label)
       call append_text(lines, line//' ('//names(k)%text//')')
    end subroutine append_least

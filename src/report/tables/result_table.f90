@@ -11,7 +11,6 @@ module dg_result_table
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
-   use dg_verdict, only: answer_yes
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -28,7 +27,7 @@ module dg_result_table
 contains
 
    !> The lines of Table 1.
-   pure function result_table(job, model, results, wholes) result(lines)
+   function result_table(job, model, results, wholes) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
@@ -44,7 +43,7 @@ contains
          call append_text(lines, 'Model '//trim(model_name(job%models(i)))//' ('// &
                           trim(model_meaning(job%models(i)))//')')
          call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows), &
-                             wholes(rows)%verdict%answer /= answer_yes)
+                             wholes(rows)%verdict)
       end do
    end function result_table
 

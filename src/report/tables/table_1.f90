@@ -2,30 +2,52 @@
 !> the paper's. A column that would be empty in every row is left out. Every line fits 120 columns.
 module dg_table_1
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, has_numbers, result_converged
-   use dg_comparison, only: as_measured, known, percent_error
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_column, only: field_real, fields_of, row_type
+   use dg_comparison, only: as_measured, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
    use dg_missing, only: is_missing
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_cell, left_aligned, right_aligned, append_wrapped, page_width
+   use dg_summary_file, only: summary_row
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: unit_force, unit_label, unit_moment
    use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_text, only: mark_meaning, row_mark
-   use dg_wrapped_text, only: append_wrapped, page_width
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
-   public :: append_table_1
+   public :: append_table_1, page_columns
 
-   !> Columns of numbers, in their order.
-   integer, parameter :: col_wob = 1, col_calculated = 2, col_measured = 3, col_error = 4, col_friction = 5, col_moment = 6, &
-                         col_indicator = 7, col_reference = 8, col_reference_error = 9, col_count = 9
-   integer, parameter :: widths(col_count) = [8, 11, 10, 9, 11, 9, 10, 10, 6]
-   integer, parameter :: decimals(col_count) = [1, 1, 1, 2, 2, 2, 1, 1, 2]
+   !> Rows for which a column of numbers says anything: all, strings that move along or turn, cases with a measured or reference
+   !> hook load, rigs.
+   integer, parameter :: for_all = 0, for_moving = 1, for_turning = 2, for_measured = 3, for_reference = 4, for_rigs = 5
+
    integer, parameter :: head_lines = 3
-   character(*), parameter :: heads(head_lines, col_count) = reshape([character(10) :: &
-      'Drilling', 'weight', '(WOB)', 'Calculated', 'hook load', '', 'Measured', 'hook load', '', 'Relative', 'error', '', &
-      'Frictional', 'resistance', '(drag)', 'Torque', 'at', 'surface', 'Weight', 'indicator', '', &
-      'Reference', 'hook load', '', 'Ref.', 'error', ''], [head_lines, col_count])
+
+   !> A column of numbers: one of summary.csv, which has its values, meaning and unit.
+   type :: number_type
+      character(18) :: name
+      character(10) :: head(head_lines)
+      integer :: width, decimals
+      integer :: rows                    !< for which it says anything
+   end type number_type
+
+   type(number_type), parameter :: numbers(*) = [ &
+      number_type('wob', [character(10) :: 'Drilling', 'weight', '(WOB)'], 8, 1, for_all), &
+      number_type('hookload', [character(10) :: 'Calculated', 'hook load', ''], 11, 1, for_all), &
+      number_type('measured', [character(10) :: 'Measured', 'hook load', ''], 10, 1, for_measured), &
+      number_type('error', [character(10) :: 'Relative', 'error', ''], 9, 2, for_measured), &
+      number_type('friction', [character(10) :: 'Frictional', 'resistance', '(drag)'], 11, 2, for_moving), &
+      number_type('torque', [character(10) :: 'Torque', 'at', 'surface'], 9, 2, for_turning), &
+      number_type('weight_indicator', [character(10) :: 'Weight', 'indicator', ''], 10, 1, for_rigs), &
+      number_type('reference', [character(10) :: 'Reference', 'hook load', ''], 10, 1, for_reference), &
+      number_type('reference_error', [character(10) :: 'Ref.', 'error', ''], 6, 2, for_reference)]
+
+   !> Columns of summary.csv and limits.csv in the first table of the page, which has room for more. What was asked for comes first:
+   !> a phone shows the first few only.
+   character(*), parameter :: page_columns(*) = [character(18) :: 'case', 'hookload', 'weight_indicator', 'measured', 'error', &
+      'reference', 'reference_error', 'torque', 'friction', 'normal_force', 'largest_bending', 'largest_bending_md', &
+      'operation', 'bit_depth', 'wob', 'section']
 
    !> Columns of words: as wide as their longest word and a gap, but not wider than these.
    integer, parameter :: most_section = 27, most_name = 25
@@ -35,7 +57,7 @@ module dg_table_1
 
    !> Which columns there are, and how wide those of words are.
    type :: layout_type
-      logical :: shown(col_count) = .false.
+      logical :: shown(size(numbers)) = .false.
       integer :: section = 0, operation = 0, name = 0
       integer :: before_mark = 1
    end type layout_type
@@ -43,19 +65,22 @@ module dg_table_1
 contains
 
    !> Table 1 of some results and their cases, and how far they are from what was measured and from the reference.
-   pure subroutine append_table_1(lines, units, cases, results, marked)
+   subroutine append_table_1(lines, units, cases, results, verdicts)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
-      logical, intent(in) :: marked(:)         !< rows that cannot be done, or have no solution
+      type(verdict_type), intent(in) :: verdicts(:)
       type(text_type), allocatable :: label(:)
       type(layout_type) :: layout
+      logical :: marked(size(cases))           ! rows that cannot be done, or have no solution
       type(optional_real) :: other(size(cases))
       real(wp) :: load(size(cases))
+      character(:), allocatable :: what
       integer :: first, last, row
+      marked = verdicts%answer /= answer_yes
       layout = layout_of(units, cases, results, any(marked))
-      call append_head(lines, units, layout)
+      call append_head(lines, layout, fields_of(summary_row(cases(1), results(1), verdicts(1), units), numbers%name), units)
       first = 1
       do while (first <= size(cases))
          last = end_of_section(cases, first)
@@ -63,7 +88,8 @@ contains
          do row = first, max(last, first + size(label) - 1)
             if (row <= last) then
                call append_text(lines, label_cell(label, row - first + 1, layout%section)// &
-                                trim(row_of(units, cases(row), results(row), layout)//mark_of(layout, marked(row))))
+                                trim(row_of(units, cases(row), results(row), verdicts(row), layout)// &
+                                     mark_of(layout, marked(row))))
             else
                call append_text(lines, trim(label_cell(label, row - first + 1, layout%section)))
             end if
@@ -74,8 +100,9 @@ contains
       if (any(marked)) call append_text(lines, mark_meaning)
       load = as_measured(results%hookload, results%weight_indicator)
       other = cases%measured_hookload
-      call append_error(lines, trim(merge('Weight indicator', 'Hook load       ', layout%shown(col_indicator)))// &
-                        ' against measurement', cases, results, load, other)
+      what = 'Hook load'
+      if (any(.not. is_missing(results%weight_indicator))) what = 'Weight indicator'
+      call append_error(lines, what//' against measurement', cases, results, load, other)
       load = results%hookload
       other = cases%reference_hookload
       call append_error(lines, 'Hook load against reference', cases, results, load, other)
@@ -93,13 +120,9 @@ contains
       type(layout_type) :: layout
       type(text_type), allocatable :: label(:)
       integer :: i, k, over
-      layout%shown(col_wob) = .true.
-      layout%shown(col_calculated) = .true.
-      layout%shown(col_measured:col_error) = any(cases%measured_hookload%present)
-      layout%shown(col_friction) = any(moves_axially(cases%operation))
-      layout%shown(col_moment) = any(rotates(cases%operation))
-      layout%shown(col_indicator) = any(.not. is_missing(results%weight_indicator))
-      layout%shown(col_reference:col_reference_error) = any(cases%reference_hookload%present)
+      do i = 1, size(numbers)
+         layout%shown(i) = any(says(numbers(i)%rows, cases, results))
+      end do
       layout%section = len('Section and') + gap
       layout%operation = len('Load case') + gap
       layout%name = len('Name') + gap
@@ -126,70 +149,73 @@ contains
    pure function width_of(layout) result(width)
       type(layout_type), intent(in) :: layout
       integer :: width
-      width = layout%section + layout%operation + layout%name + sum(widths, mask=layout%shown)
+      width = layout%section + layout%operation + layout%name + sum(numbers%width, mask=layout%shown)
    end function width_of
 
-   pure subroutine append_head(lines, units, layout)
+   subroutine append_head(lines, layout, values, units)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
       type(layout_type), intent(in) :: layout
+      type(row_type), intent(in) :: values      !< of any row, for their quantities
+      type(unit_system_type), intent(in) :: units
       character(*), parameter :: section(head_lines) = [character(11) :: 'Section and', 'well depth', '']
       character(*), parameter :: operation(head_lines) = [character(9) :: 'Load case', '', '']
       character(*), parameter :: name(head_lines) = [character(4) :: 'Name', '', '']
       character(:), allocatable :: line
-      character(8) :: unit
       integer :: i, c
       call append_text(lines, repeat('-', width_of(layout)))
       do i = 1, head_lines
          line = left_aligned(section(i), layout%section)//left_aligned(operation(i), layout%operation)// &
             left_aligned(name(i), layout%name)
-         do c = 1, col_count
-            if (layout%shown(c)) line = line//right_aligned(trim(heads(i, c)), widths(c))
+         do c = 1, size(numbers)
+            if (layout%shown(c)) line = line//right_aligned(trim(numbers(c)%head(i)), numbers(c)%width)
          end do
          call append_text(lines, trim(line))
       end do
       line = repeat(' ', layout%section + layout%operation + layout%name)
-      do c = 1, col_count
-         if (.not. layout%shown(c)) cycle
-         unit = unit_label(units, unit_force)
-         if (c == col_error .or. c == col_reference_error) unit = '%'
-         if (c == col_moment) unit = unit_label(units, unit_moment)
-         line = line//right_aligned(trim(unit), widths(c))
+      do c = 1, size(numbers)
+         if (layout%shown(c)) line = line//right_aligned(unit_label(units, values%fields(c)%column%quantity), numbers(c)%width)
       end do
       call append_text(lines, trim(line))
       call append_text(lines, repeat('-', width_of(layout)))
    end subroutine append_head
 
-   !> One row without its section label. As in the paper, friction belongs to axial motion and torque to rotation.
-   pure function row_of(units, load_case, result, layout) result(row)
+   !> One row without its section label.
+   function row_of(units, load_case, result, verdict, layout) result(row)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
+      type(verdict_type), intent(in) :: verdict
       type(layout_type), intent(in) :: layout
       character(:), allocatable :: row
-      type(optional_real) :: values(col_count)
-      real(wp) :: unit
+      type(row_type) :: values
+      type(optional_real) :: value
       integer :: c
-      values(col_wob) = optional_real(.true., load_case%wob)
-      values(col_calculated) = optional_real(has_numbers(result%status), result%hookload)
-      values(col_measured) = load_case%measured_hookload
-      values(col_error) = percent_error(as_measured(result%hookload, result%weight_indicator), load_case%measured_hookload)
-      values(col_friction) = optional_real(moves_axially(load_case%operation) .and. has_numbers(result%status), result%friction)
-      values(col_moment) = optional_real(rotates(load_case%operation) .and. has_numbers(result%status), result%torque)
-      values(col_indicator) = known(result%weight_indicator)
-      values(col_reference) = load_case%reference_hookload
-      values(col_reference_error) = percent_error(result%hookload, load_case%reference_hookload)
-      values(col_error)%present = values(col_error)%present .and. has_numbers(result%status)
-      values(col_reference_error)%present = values(col_reference_error)%present .and. has_numbers(result%status)
+      values = fields_of(summary_row(load_case, result, verdict, units), numbers%name)
       row = left_aligned(trim(operation_label(load_case%operation)), layout%operation)//left_aligned(load_case%name, layout%name)
-      do c = 1, col_count
+      do c = 1, size(numbers)
          if (.not. layout%shown(c)) cycle
-         unit = units%force
-         if (c == col_error .or. c == col_reference_error) unit = 1.0_wp
-         if (c == col_moment) unit = units%moment
-         row = row//fixed_cell(values(c), unit, widths(c), decimals(c))
+         associate (field => values%fields(c))
+            value = optional_real(field%kind == field_real .and. says(numbers(c)%rows, load_case, result), field%real_value)
+            row = row//fixed_cell(value, unit_factor(units, field%column%quantity), numbers(c)%width, numbers(c)%decimals)
+         end associate
       end do
    end function row_of
+
+   !> Whether a column says anything of a case. As in the paper, friction belongs to axial motion and torque to rotation.
+   elemental function says(rows, load_case, result) result(is)
+      integer, intent(in) :: rows        !< of the column
+      type(load_case_type), intent(in) :: load_case
+      type(case_result_type), intent(in) :: result
+      logical :: is
+      select case (rows)
+      case (for_moving); is = moves_axially(load_case%operation)
+      case (for_turning); is = rotates(load_case%operation)
+      case (for_measured); is = load_case%measured_hookload%present
+      case (for_reference); is = load_case%reference_hookload%present
+      case (for_rigs); is = .not. is_missing(result%weight_indicator)
+      case default; is = .true.
+      end select
+   end function says
 
    !> What stands behind a row: the mark, or nothing.
    pure function mark_of(layout, marked) result(mark)

@@ -4,12 +4,11 @@ module dg_verdict_table
    use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
-   use dg_number_text, only: left_aligned
+   use dg_number_text, only: left_aligned, append_wrapped, page_width
    use dg_text, only: append_text, text_type, to_text
    use dg_verdict, only: answer_name, answer_no, answer_yes, every_limit_count
    use dg_verdict_text, only: task_text, unchecked_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
-   use dg_wrapped_text, only: append_wrapped, page_width
    implicit none
    private
    public :: verdict_table, unchecked_line, verdict_heading, unlike_text, answer_word

@@ -5,7 +5,7 @@ module dg_warnings_table
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type, to_text
-   use dg_wrapped_text, only: append_wrapped, page_width
+   use dg_number_text, only: append_wrapped, page_width
    implicit none
    private
    public :: warnings_table, deck_warnings, warning_order, warning_text

@@ -1,6 +1,7 @@
 !> &study: accuracy against cost. Solves every variant of its cases, one after the other on one core, so that seconds and memory
 !> are those of one solution alone.
 module dg_accuracy_study
+   use dg_column, only: fields_of
    use dg_kinds, only: wp
    use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
    use dg_case_result, only: case_result_type
@@ -16,7 +17,7 @@ module dg_accuracy_study
    use dg_missing, only: missing
    use dg_model, only: model_type
    use dg_numerics, only: fidelity_name, numerics_type, set_fidelity, solver_banded
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
@@ -25,12 +26,13 @@ module dg_accuracy_study
    use dg_study_keys, only: study_keys, study_rule
    use dg_study, only: run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
-   use dg_study_file, only: study_columns, write_study
+   use dg_study_file, only: study_row
    use dg_study_picture, only: study_chart
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_table, only: study_table
    use dg_study_variant, only: set_variant, study_variants, variant_type
-   use dg_text, only: append_text, quoted, text_list, text_type, to_text
+   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
    private
    public :: accuracy_study_type
@@ -109,6 +111,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: failure
       type(text_type), allocatable :: lines(:)
+      type(csv_table_type) :: table
       type(model_type) :: varied
       integer :: i, j, whole, done
       type(progress_type) :: progress
@@ -127,7 +130,11 @@ contains
                                to_text(done)//' of '//to_text(size(self%records))//' solutions')
          end do
          call compare_case(self%variants, self%records(:, j))
-         call write_study(run%job%output_dir//'/'//file, run%job, run%model, self%plan, self%variants, self%records, j, failure)
+         do i = 1, size(self%variants)
+            call add_row(table, study_row(run%model%cases(self%plan%cases(j))%name, self%variants(i), self%records(i, j)), &
+                         run%job%units)
+         end do
+         call write_table(table, run%job%output_dir//'/'//file, failure)
          if (allocated(failure)) exit cases
          whole = j
       end do cases
@@ -214,14 +221,20 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      integer :: k
+      type(picture_data_type) :: data
+      integer, allocatable :: rows(:)
+      integer :: i, k
       if (.not. allocated(self%records)) return
       do k = 1, size(self%plan%cases)
          associate (load_case => run%model%cases(self%plan%cases(k)))
+            call picked_rows(file, spread(.true., 1, size(self%variants)), data, rows)
+            do i = 1, size(rows)
+               data%rows(i) = fields_of(study_row(load_case%name, self%variants(rows(i)), self%records(rows(i), k)), shown)
+            end do
             call add_picture(list, run%job, study_chart(run%job%units, load_case, self%plan%models, self%variants, &
                                                         self%records(:, k)), &
                              'Error against the finest way to compute it, and what it costs', self%plan%cases(k), &
-                             rows_of_file(run%job, file, study_columns, shown, text_list('case', load_case%name)), error)
+                             data, error)
          end associate
       end do
    end subroutine add_pictures

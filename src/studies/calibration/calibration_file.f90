@@ -3,37 +3,21 @@ module dg_calibration_file
    use dg_kinds, only: wp
    use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
-                        quantity_moment, quantity_none, quantity_percent, quantity_text
-   use dg_csv_table, only: add_row, begin_table, csv_table_type, is_begun, write_table
+   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
+                        row_type, set
+   use dg_csv_table, only: add_row, csv_table_type, is_begun, write_table
    use dg_comparison, only: difference, known, percent_error
    use dg_error, only: add_error, error_type
-   use dg_factor_columns, only: factor_columns, factor_file
+   use dg_factor_columns, only: factor_file, factor_row
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given, operation_name
+   use dg_load_case, only: given, operation_name, optional_real
    use dg_least_squares, only: fit_done
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_prediction_table, only: add_predictions
    implicit none
    private
-   public :: datum_columns, write_calibrations
-
-   type(column_type), parameter :: datum_columns(14) = [ &
-      column_type('calibration', quantity_text, 'its name'), &
-      column_type('model', quantity_text, 'as in summary.csv'), &
-      column_type('case', quantity_text, 'load case that was measured'), &
-      column_type('operation', quantity_text, 'long name of the operation'), &
-      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
-      column_type('measured_hookload', quantity_force, 'empty in rows of a torque'), &
-      column_type('before_hookload', quantity_force, 'calculated with the friction of the deck'), &
-      column_type('after_hookload', quantity_force, 'calculated with the factors found'), &
-      column_type('measured_torque', quantity_moment, 'empty in rows of a hook load'), &
-      column_type('before_torque', quantity_moment, 'calculated with the friction of the deck'), &
-      column_type('after_torque', quantity_moment, 'calculated with the factors found'), &
-      column_type('before_error', quantity_percent, '100 |before - measured| / measured'), &
-      column_type('after_error', quantity_percent, '100 |after - measured| / measured'), &
-      column_type('residual', quantity_none, '(after - measured) / standard deviation')]
+   public :: datum_row, write_calibrations
 
 contains
 
@@ -47,19 +31,15 @@ contains
       type(csv_table_type), intent(inout) :: factors   !< rows of calibration.csv
       type(error_type), allocatable, intent(out) :: error
       type(csv_table_type) :: data, predictions
-      type(field_list_type) :: row
       integer :: i, k
-      call begin_table(data, datum_columns, job%units)
       do i = 1, size(results)
          associate (calibration => calibrations(owner(i)))
             if (predicts(calibration)) call add_predictions(job, model, calibration, results(i), predictions)
             do k = 1, size(calibration%unknowns)
-               call factor_fields(model, calibration, results(i), k, row)
-               call add_row(factors, row)
+               call add_row(factors, found_row(model, calibration, results(i), k), job%units)
             end do
             do k = 1, size(calibration%data)
-               call datum_fields(model, calibration, results(i), k, row)
-               call add_row(data, row)
+               call add_row(data, datum_row(model, calibration, results(i), k), job%units)
             end do
          end associate
       end do
@@ -79,123 +59,84 @@ contains
       end subroutine write_one
    end subroutine write_calibrations
 
-   subroutine factor_fields(model, calibration, result, unknown, row)
+   !> What was found of an unknown in the columns of calibration.csv.
+   function found_row(model, calibration, result, unknown) result(row)
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
       integer, intent(in) :: unknown
-      type(field_list_type), intent(inout) :: row
-      integer :: i
-      row%count = 0
-      call put(row, calibration%name)
-      call put(row, trim(model_name(result%model)))
-      if (calibration%unknowns(unknown)%is_offset) then
-         call put(row, 'hookload_offset')
-      else
-         call put(row, trim(parameter_name(calibration%parameter)))
-      end if
-      associate (one => calibration%unknowns(unknown), value => result%fit%unknowns(unknown), &
-                 half => result%statistics%half_width(unknown))
-         if (one%hole > 0) then
-            call put(row, model%holes(one%hole)%name)
-         else
-            call put_none(row)
-         end if
-         if (one%operation > 0) then
-            call put(row, trim(operation_name(one%operation)))
-         else
-            call put_none(row)
-         end if
-         call put(row, one%bit_depth)
+      type(row_type) :: row
+      real(wp) :: value, half
+      row = factor_row()
+      value = result%fit%unknowns(unknown)
+      half = result%statistics%half_width(unknown)
+      call set(row, 'calibration', calibration%name)
+      call set(row, 'model', model_name(result%model))
+      associate (one => calibration%unknowns(unknown))
+         if (one%hole > 0) call set(row, 'hole', model%holes(one%hole)%name)
+         if (one%operation > 0) call set(row, 'operation', operation_name(one%operation))
+         call set(row, 'bit_depth', one%bit_depth)
          if (one%is_offset) then
-            do i = 1, 5
-               call put_none(row)
-            end do
+            call set(row, 'parameter', 'hookload_offset')
+            call set(row, 'offset', given(value))
+            call set(row, 'offset_lower', known(difference(value, half)))
+            call set(row, 'offset_upper', known(difference(value, difference(0.0_wp, half))))
          else
-            call put(row, result%start(unknown))
-            call put_interval(row, value, half)
-            call put(row, known(result%statistics%deviation(unknown)))
+            call set(row, 'parameter', parameter_name(calibration%parameter))
+            call set(row, 'start', given(result%start(unknown)))
+            call set(row, 'value', given(value))
+            call set(row, 'lower', known(difference(value, half)))
+            call set(row, 'upper', known(difference(value, difference(0.0_wp, half))))
+            call set(row, 'deviation', known(result%statistics%deviation(unknown)))
+            if (calibration%apply .and. result%fit%status == fit_done .and. .not. result%fit%unfelt(unknown)) &
+               call set(row, 'applied', given(applied_factor(value)))
          end if
-         call put(row, trim(verdict_name(verdict_of(result, unknown))))
-         call put(row, known(result%statistics%scatter))
-         call put(row, result%message)
-         if (one%is_offset) then
-            call put_interval(row, value, half)
-         else
-            do i = 1, 3
-               call put_none(row)
-            end do
-         end if
-         do i = row%count + 1, size(factor_columns) - 3
-            call put_none(row)
-         end do
-         if (calibration%apply .and. result%fit%status == fit_done .and. .not. (one%is_offset .or. result%fit%unfelt(unknown))) then
-            call put(row, applied_factor(value))
-         else
-            call put_none(row)
-         end if
-         call put(row, known(result%deviations(hookload_datum)))
-         call put(row, known(result%deviations(torque_datum)))
       end associate
-   end subroutine factor_fields
+      call set(row, 'verdict', verdict_name(verdict_of(result, unknown)))
+      call set(row, 'scatter', known(result%statistics%scatter))
+      call set(row, 'message', result%message)
+      call set(row, 'hookload_deviation', known(result%deviations(hookload_datum)))
+      call set(row, 'torque_deviation', known(result%deviations(torque_datum)))
+   end function found_row
 
-   !> A value and the ends of its interval.
-   pure subroutine put_interval(row, value, half)
-      type(field_list_type), intent(inout) :: row
-      real(wp), intent(in) :: value, half      !< `half` may be missing
-      call put(row, value)
-      call put(row, known(difference(value, half)))
-      call put(row, known(difference(value, difference(0.0_wp, half))))
-   end subroutine put_interval
-
-   subroutine datum_fields(model, calibration, result, number, row)
+   !> A measured number in the columns of calibration_data.csv.
+   pure function datum_row(model, calibration, result, number) result(row)
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
       integer, intent(in) :: number
-      type(field_list_type), intent(inout) :: row
+      type(row_type) :: row
       real(wp) :: after
-      integer :: i
-      row%count = 0
+      logical :: hooks
       after = missing
       if (result%fit%status == fit_done) after = result%fit%values(number)
-      associate (datum => calibration%data(number), before => result%before(number))
-         associate (case => model%cases(calibration%cases(datum%case)))
-            call put(row, calibration%name)
-            call put(row, trim(model_name(result%model)))
-            call put(row, case%name)
-            call put(row, trim(operation_name(case%operation)))
-            call put(row, case%bit_depth)
-         end associate
-         if (datum%kind /= hookload_datum) then
-            do i = 1, 3
-               call put_none(row)
-            end do
-         end if
-         call put(row, datum%measured)
-         call put(row, known(before))
-         call put(row, known(after))
-         if (datum%kind == hookload_datum) then
-            do i = 1, 3
-               call put_none(row)
-            end do
-         end if
-         call put_error(before)
-         call put_error(after)
-         if (is_missing(after)) then
-            call put_none(row)
-         else
-            call put(row, (after - datum%measured)/datum%deviation)
-         end if
+      hooks = calibration%data(number)%kind == hookload_datum
+      associate (datum => calibration%data(number), before => result%before(number), &
+                 case => model%cases(calibration%cases(calibration%data(number)%case)))
+         call put(row, 'calibration', quantity_text, 'its name', calibration%name)
+         call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
+         call put(row, 'case', quantity_text, 'load case that was measured', case%name)
+         call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(case%operation))
+         call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', case%bit_depth)
+         call put(row, 'measured_hookload', quantity_force, 'empty in rows of a torque', optional_real(hooks, datum%measured))
+         call put(row, 'before_hookload', quantity_force, 'calculated with the friction of the deck', optional_real(hooks, before))
+         call put(row, 'after_hookload', quantity_force, 'calculated with the factors found', optional_real(hooks, after))
+         call put(row, 'measured_torque', quantity_moment, 'empty in rows of a hook load', &
+                  optional_real(.not. hooks, datum%measured))
+         call put(row, 'before_torque', quantity_moment, 'calculated with the friction of the deck', &
+                  optional_real(.not. hooks, before))
+         call put(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
+         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', error_of(before))
+         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', error_of(after))
+         call put(row, 'residual', quantity_none, &
+                  '(after - measured) / standard deviation', &
+                  optional_real(.not. is_missing(after), (after - datum%measured)/datum%deviation))
       end associate
    contains
-      subroutine put_error(calculated)
+      pure function error_of(calculated) result(error)
          real(wp), intent(in) :: calculated
-         if (is_missing(calculated)) then
-            call put_none(row)
-         else
-            call put(row, percent_error(calculated, given(calibration%data(number)%measured)))
-         end if
-      end subroutine put_error
-   end subroutine datum_fields
+         type(optional_real) :: error
+         if (.not. is_missing(calculated)) error = percent_error(calculated, given(calibration%data(number)%measured))
+      end function error_of
+   end function datum_row
 end module dg_calibration_file

@@ -1,9 +1,9 @@
 !> &calibrate: friction from measurements, and what the gauge shows beyond string and block.
 module dg_calibration_study
-   use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
-      predicts
-   use dg_calibration_echo, only: add_calibrations
-   use dg_calibration_file, only: datum_columns, write_calibrations
+   use dg_column, only: fields_of
+   use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, &
+                             calibration_type, parameter_name, predicts
+   use dg_calibration_file, only: datum_row, write_calibrations
    use dg_calibration_picture, only: calibration_chart
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: calibration_table
@@ -15,7 +15,8 @@ module dg_calibration_study
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
-   use dg_factor_columns, only: begin_factors, factor_file
+   use dg_csv_table, only: begin_table
+   use dg_factor_columns, only: factor_file, factor_row
    use dg_fault_list, only: fault_list_type
    use dg_fit_calibration, only: fit_calibration
    use dg_friction_estimate, only: friction_estimate_type
@@ -23,15 +24,15 @@ module dg_calibration_study
    use dg_job, only: job_type, model_name
    use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
-   use dg_line_list, only: line_list_type
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
    use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, is_separator_free, quoted, text_list, text_type, to_text
+   use dg_text, only: append_text, is_separator_free, joined, quoted, text_type, to_text
    implicit none
    private
    public :: calibration_study_type
@@ -177,7 +178,7 @@ contains
       end do
       self%owner = self%owner(:n)
       if (.not. divided) then
-         call begin_factors(run%factors, run%job%units)
+         call begin_table(run%factors, factor_row(), run%job%units)
          call write_calibrations(run%job, run%given, self%calibrations, self%owner, self%results(:n), run%factors, failure)
          if (allocated(failure)) call move_alloc(failure, error)
       end if
@@ -237,20 +238,42 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
+      type(picture_data_type) :: data
       character(:), allocatable :: name, model
-      integer :: i
+      integer, allocatable :: rows(:)
+      integer :: i, k
       if (run%job%merge > 0 .or. .not. allocated(self%owner)) return      ! a run that joins parts has not calibrated
       do i = 1, size(self%owner)
          associate (calibration => self%calibrations(self%owner(i)))
             name = to_text(self%owner(i))             ! where its name is none for a file
             if (is_separator_free(calibration%name)) name = calibration%name
             model = trim(model_name(self%results(i)%model))
+            call picked_rows('calibration_data.csv', spread(.true., 1, size(calibration%data)), data, rows)
+            do k = 1, size(rows)
+               data%rows(k) = fields_of(datum_row(run%given, calibration, self%results(i), rows(k)), shown)
+            end do
             call add_picture(list, run%job, calibration_chart('calibration_'//name//'_'//model, run%job%units, run%given, &
                                                               calibration, self%results(i)), &
-                             'Friction found from measurements, and the error before and after', 0, &
-                             rows_of_file(run%job, 'calibration_data.csv', datum_columns, shown, &
-                                          text_list('calibration', calibration%name, 'model', model)), error)
+                             'Friction found from measurements, and the error before and after', 0, data, error)
          end associate
       end do
    end subroutine add_pictures
+
+   !> One line a calibration.
+   pure subroutine add_calibrations(lines, calibrations)
+      type(line_list_type), intent(inout) :: lines
+      type(calibration_type), intent(in) :: calibrations(:)
+      character(:), allocatable :: line
+      integer :: i
+      do i = 1, size(calibrations)
+         associate (calibration => calibrations(i))
+            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
+            if (calibration%apply) line = line//'; applied'
+            call add_line(lines, line)
+         end associate
+      end do
+   end subroutine add_calibrations
 end module dg_calibration_study

@@ -4,13 +4,12 @@ module dg_prediction_table
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, calibration_type, hookload_datum
    use dg_calibration_result, only: calibration_result_type
-   use dg_column, only: column_type, field_list_type, put, put_none, quantity_force, quantity_length, &
-                        quantity_moment, quantity_percent, quantity_text
-   use dg_csv_table, only: add_row, begin_table, csv_table_type, is_begun
+   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_percent, quantity_text, row_type
+   use dg_csv_table, only: add_row, begin_table, csv_table_type
    use dg_comparison, only: difference, known, percent_error
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name, optional_real
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
@@ -19,24 +18,6 @@ module dg_prediction_table
    implicit none
    private
    public :: append_predictions, add_predictions, quantity_words
-
-   !> New ones are added at the end only: others rely on the names and the order.
-   type(column_type), parameter :: prediction_columns(15) = [ &
-      column_type('calibration', quantity_text, 'its name'), &
-      column_type('model', quantity_text, 'as in summary.csv'), &
-      column_type('case', quantity_text, 'load case that is predicted'), &
-      column_type('operation', quantity_text, 'long name of the operation'), &
-      column_type('bit_depth', quantity_length, 'measured depth of the bit'), &
-      column_type('predicted_hookload', quantity_force, 'by the factors found; with &rig as it shows; empty in rows of a torque'), &
-      column_type('lower_hookload', quantity_force, 'lower end of the interval in which one measurement lies with 95 %'), &
-      column_type('upper_hookload', quantity_force, 'upper end'), &
-      column_type('measured_hookload', quantity_force, 'as in the deck; the calibration has not used it'), &
-      column_type('predicted_torque', quantity_moment, 'the same of torque; empty in rows of a hook load'), &
-      column_type('lower_torque', quantity_moment, 'lower end'), &
-      column_type('upper_torque', quantity_moment, 'upper end'), &
-      column_type('measured_torque', quantity_moment, 'as in the deck'), &
-      column_type('error', quantity_percent, '100 |predicted - measured| / measured'), &
-      column_type('within', quantity_text, 'yes or no: the measured value lies in the interval; empty where there is none of them')]
 
    integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20
    real(wp), parameter :: one = 1.0_wp
@@ -73,7 +54,7 @@ contains
             if (value%present) error = percent_error(value%value, measured)
             interval = '-'
             if (.not. is_missing(half)) interval = shown(value%value - half)//' to '//shown(value%value + half)
-            verdict = within(result, d, measured)
+            verdict = within(result%prediction%values(d), half, measured)
             if (verdict == 'yes') verdict = ''
             call append_text(lines, trim(left_aligned(case%name, name_width)// &
                left_aligned(quantity_words(units, datum%kind), quantity_width)//fixed_cell(value, unit, cell_width, decimals)// &
@@ -113,7 +94,7 @@ contains
          if (.not. measured(d)%present) cycle
          errors(d) = percent_error(result%prediction%values(d), measured(d))
          excess(d) = measured(d)%value - result%prediction%values(d)
-         text = within(result, d, measured(d))
+         text = within(result%prediction%values(d), result%prediction%half_width(d), measured(d))
          if (text /= '') judged = judged + 1
          if (text == 'yes') held = held + 1
       end do
@@ -146,58 +127,65 @@ contains
       type(calibration_result_type), intent(in) :: result
       type(csv_table_type), intent(inout) :: table
       type(calibration_type) :: ahead
-      type(field_list_type) :: row
-      type(optional_real) :: measured
       integer :: d
-      if (.not. is_begun(table)) call begin_table(table, prediction_columns, job%units)
+      call begin_table(table, prediction_row(calibration, result, model%cases(1), hookload_datum, missing, missing), job%units)
       if (.not. allocated(result%prediction%values)) return
       ahead = ahead_of(calibration, model%cases)
       do d = 1, size(ahead%data)
-         associate (case => model%cases(ahead%cases(ahead%data(d)%case)), kind => ahead%data(d)%kind, &
-                    value => result%prediction%values(d), half => result%prediction%half_width(d))
-            measured = measured_of(case, kind)
-            row%count = 0
-            call put(row, calibration%name)
-            call put(row, trim(model_name(result%model)))
-            call put(row, case%name)
-            call put(row, trim(operation_name(case%operation)))
-            call put(row, case%bit_depth)
-            if (kind /= hookload_datum) call skip(row)
-            call put(row, known(value))
-            call put(row, known(difference(value, half)))
-            call put(row, known(difference(value, difference(0.0_wp, half))))
-            call put(row, measured)
-            if (kind == hookload_datum) call skip(row)
-            if (is_missing(value)) then
-               call put_none(row)
-            else
-               call put(row, percent_error(value, measured))
-            end if
-            call put(row, within(result, d, measured))
-            call add_row(table, row)
-         end associate
+         call add_row(table, prediction_row(calibration, result, model%cases(ahead%cases(ahead%data(d)%case)), ahead%data(d)%kind, &
+                                            result%prediction%values(d), result%prediction%half_width(d)), job%units)
       end do
-   contains
-      !> The four columns of the other quantity.
-      subroutine skip(fields)
-         type(field_list_type), intent(inout) :: fields
-         integer :: i
-         do i = 1, 4
-            call put_none(fields)
-         end do
-      end subroutine skip
    end subroutine add_predictions
 
-   !> Whether a measured value lies in its interval: yes, no, or nothing where there is no value or no interval.
-   pure function within(result, number, measured) result(text)
+   !> A prediction in the columns of the file. New columns are put at the end only: others rely on the names and the order.
+   pure function prediction_row(calibration, result, load_case, kind, value, half) result(row)
+      type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      integer, intent(in) :: number
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: kind              !< hookload_datum, torque_datum
+      real(wp), intent(in) :: value, half      !< predicted, and half its interval; may be missing [N or N.m]
+      type(row_type) :: row
+      type(optional_real) :: measured, error
+      real(wp) :: lower, upper
+      logical :: hooks
+      hooks = kind == hookload_datum
+      measured = measured_of(load_case, kind)
+      lower = difference(value, half)
+      upper = difference(value, difference(0.0_wp, half))
+      if (.not. is_missing(value)) error = percent_error(value, measured)
+      call put(row, 'calibration', quantity_text, 'its name', calibration%name)
+      call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
+      call put(row, 'case', quantity_text, 'load case that is predicted', load_case%name)
+      call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(load_case%operation))
+      call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
+      call put(row, 'predicted_hookload', quantity_force, &
+               'by the factors found; with &rig as it shows; empty in rows of a torque', merge(value, missing, hooks))
+      call put(row, 'lower_hookload', quantity_force, &
+               'lower end of the interval in which one measurement lies with 95 %', merge(lower, missing, hooks))
+      call put(row, 'upper_hookload', quantity_force, 'upper end', merge(upper, missing, hooks))
+      call put(row, 'measured_hookload', quantity_force, &
+               'as in the deck; the calibration has not used it', optional_real(hooks .and. measured%present, measured%value))
+      call put(row, 'predicted_torque', quantity_moment, &
+               'the same of torque; empty in rows of a hook load', merge(missing, value, hooks))
+      call put(row, 'lower_torque', quantity_moment, 'lower end', merge(missing, lower, hooks))
+      call put(row, 'upper_torque', quantity_moment, 'upper end', merge(missing, upper, hooks))
+      call put(row, 'measured_torque', quantity_moment, &
+               'as in the deck', optional_real(.not. hooks .and. measured%present, measured%value))
+      call put(row, 'error', quantity_percent, '100 |predicted - measured| / measured', error)
+      call put(row, 'within', quantity_text, &
+               'yes or no: the measured value lies in the interval; empty where there is none of them', &
+               within(value, half, measured))
+   end function prediction_row
+
+   !> Whether a measured value lies in its interval: yes, no, or nothing where there is no value or no interval.
+   pure function within(value, half, measured) result(text)
+      real(wp), intent(in) :: value, half      !< of the prediction; may be missing
       type(optional_real), intent(in) :: measured
       character(:), allocatable :: text
       text = ''
-      if (is_missing(result%prediction%half_width(number)) .or. .not. measured%present) return
+      if (is_missing(half) .or. .not. measured%present) return
       text = 'no'
-      if (abs(measured%value - result%prediction%values(number)) <= result%prediction%half_width(number)) text = 'yes'
+      if (abs(measured%value - value) <= half) text = 'yes'
    end function within
 
    pure function measured_of(load_case, kind) result(measured)

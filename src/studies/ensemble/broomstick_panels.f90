@@ -3,7 +3,7 @@
 module dg_broomstick_panels
    use dg_kinds, only: wp
    use dg_chart, only: add_curve, add_depth_panel, add_label, add_upright, beside, chart_type, new_chart, set_depth
-   use dg_column, only: quantity_force, quantity_moment, unit_text
+   use dg_quantity, only: quantity_force, quantity_moment
    use dg_curve_look, only: colour_black
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: operation_label, rotates
@@ -11,6 +11,7 @@ module dg_broomstick_panels
    use dg_sweep, only: at_operation, sweep_type
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: begin_broomstick, add_broomstick_panel, add_measured, add_rig_limits, measured_look, panel_count, turns
@@ -64,9 +65,9 @@ contains
       associate (number => size(chart%panels) + 1)
          if (number == 1) then
             call add_depth_panel(chart, place(1, sweep), trim(merge('hook load as the rig shows it', &
-                                 'hook load                    ', rig%given))//' ['//unit_text(quantity_force, chart%units)//']')
+                                 'hook load                    ', rig%given))//' ['//unit_label(chart%units, quantity_force)//']')
          else
-            call add_depth_panel(chart, place(2, sweep), 'torque at the top ['//unit_text(quantity_moment, chart%units)//']')
+            call add_depth_panel(chart, place(2, sweep), 'torque at the top ['//unit_label(chart%units, quantity_moment)//']')
          end if
       end associate
    end subroutine add_broomstick_panel
@@ -115,7 +116,7 @@ contains
       integer :: i, k
       if (size(chart%panels) == 2) then
          if (rig%max_torque%present) call add_limit(chart, rig%max_torque%value/chart%units%moment, &
-                                                    unit_text(quantity_moment, chart%units))
+                                                    unit_label(chart%units, quantity_moment))
          return
       end if
       if (.not. rig%max_hookload%present) return

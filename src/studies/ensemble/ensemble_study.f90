@@ -16,7 +16,6 @@ module dg_ensemble_study
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep, print_line
    use dg_progress, only: end_progress, progress_type, start_progress
-   use dg_range_text, only: range_text_type
    use dg_readable, only: capital
    use dg_result_name, only: failed_file, points_file, record_file
    use dg_study, only: phase_points, run_type, study_type
@@ -29,13 +28,22 @@ module dg_ensemble_study
    implicit none
    private
    public :: ensemble_study_type, prepare_ensembles
+   public :: range_text_type
+
+   !> What it is called.
+   type :: range_text_type
+      character(:), allocatable :: what            !< sweep or uncertainty, in messages and names of files
+      character(:), allocatable :: points          !< its points, and those that are solved
+      character(:), allocatable :: points_solved
+      character(:), allocatable :: left_out        !< what becomes of those that did not converge; '': nothing
+      character(:), allocatable :: fewer           !< what makes them less
+   end type range_text_type
 
    type, abstract, extends(study_type) :: ensemble_study_type
-      type(ensemble_type), allocatable :: ensembles(:)    !< as many as the deck has groups
+      type(range_text_type) :: texts                      !< what it is called
+      type(sweep_type), allocatable :: ranges(:)          !< ranges of depths, as many as the deck has groups
+      type(ensemble_type), allocatable :: ensembles(:)    !< as many
    contains
-      procedure(count_interface), deferred :: range_count
-      procedure(texts_interface), deferred :: texts
-      procedure(range_interface), deferred :: range
       procedure(points_interface), deferred :: points_of
       procedure(settings_interface), deferred :: settings
       procedure(solve_interface), deferred :: solve
@@ -53,31 +61,6 @@ module dg_ensemble_study
    end type ensemble_study_type
 
    abstract interface
-      !> How many the deck has.
-      pure function count_interface(self) result(number)
-         import :: ensemble_study_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         integer :: number
-      end function count_interface
-
-      !> What it is called.
-      function texts_interface(self) result(texts)
-         import :: ensemble_study_type, range_text_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         type(range_text_type) :: texts
-      end function texts_interface
-
-      !> The range of depths of one.
-      function range_interface(self, number) result(range)
-         import :: ensemble_study_type, sweep_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         integer, intent(in) :: number
-         type(sweep_type) :: range
-      end function range_interface
-
       !> Its points.
       pure function points_interface(self, number) result(points)
          import :: ensemble_study_type
@@ -138,7 +121,7 @@ contains
    pure function is_asked(self) result(is)
       class(ensemble_study_type), intent(in) :: self
       logical :: is
-      is = self%range_count() > 0
+      is = size(self%ranges) > 0
    end function is_asked
 
    !> At last.
@@ -156,18 +139,14 @@ contains
       class(ensemble_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
-      type(range_text_type) :: texts
-      type(sweep_type) :: range
       integer :: i
-      texts = self%texts()
       if (allocated(self%ensembles)) deallocate (self%ensembles)
-      allocate (self%ensembles(self%range_count()))
+      allocate (self%ensembles(size(self%ranges)))
       do i = 1, size(self%ensembles)
          associate (ensemble => self%ensembles(i))
-            range = self%range(i)
-            ensemble%what = texts%what
+            ensemble%what = self%texts%what
             ensemble%number = i
-            ensemble%name = range%name
+            ensemble%name = self%ranges(i)%name
             allocate (ensemble%settings, source=self%settings(i, run%model))
             allocate (ensemble%points(self%points_of(i)))
             if (run%job%merge > 0) then
@@ -211,30 +190,28 @@ contains
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: lines(:)
-      type(range_text_type) :: texts
       integer :: resumed
       real(wp) :: seconds
-      texts = self%texts()
       associate (job => run%job)
          resumed = count(is_solved(self%ensembles(number)%points))
          seconds = 0.0_wp
          if (job%merge == 0) call solve_rest(self, number, run, seconds)
-         if (any(self%ensembles(number)%points%status == result_not_converged)) call tell_lost(self, number, texts, job%units)
+         if (any(self%ensembles(number)%points%status == result_not_converged)) call tell_lost(self, number, job%units)
          if (.not. is_interrupted()) call tell_unless_empty(failed_text(self%ensembles(number), max(job%parts, job%merge)))
          if (job%merge == 0 .and. (is_interrupted() .or. job%parts > 0)) then
-            call keep_for_later(self%ensembles(number), texts, job, error)
+            call keep_for_later(self%ensembles(number), self%texts, job, error)
             return
          end if
          call self%report(number, run, lines, error)
          if (allocated(error)) return
          associate (points => self%ensembles(number)%points)
             if (any(points%earlier)) call append_text(lines, to_text(count(points%earlier))//' of '//to_text(size(points))//' '// &
-               texts%points//' were found with other settings of the solver, by a run before --again')
+               self%texts%points//' were found with other settings of the solver, by a run before --again')
             call print_and_keep(run%printed, lines)
             if (job%merge > 0) then
-               call print_line(to_text(size(points))//' '//texts%points//', joined from '//to_text(job%merge)//' parts')
+               call print_line(to_text(size(points))//' '//self%texts%points//', joined from '//to_text(job%merge)//' parts')
             else
-               call print_line(to_text(size(points) - resumed)//' '//texts%points_solved//' in '//to_text(seconds, 3)//' s')
+               call print_line(to_text(size(points) - resumed)//' '//self%texts%points_solved//' in '//to_text(seconds, 3)//' s')
             end if
          end associate
       end associate
@@ -295,10 +272,9 @@ contains
    end subroutine close_records
 
    !> Tells how many points have no solution, and of the first what it is and why it has none, so that it can be looked into.
-   subroutine tell_lost(self, number, texts, units)
+   subroutine tell_lost(self, number, units)
       class(ensemble_study_type), intent(in) :: self
       integer, intent(in) :: number
-      type(range_text_type), intent(in) :: texts
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
       integer :: first
@@ -307,8 +283,8 @@ contains
             if (points(first)%status == result_not_converged) exit
          end do
          text = ensemble_title(self%ensembles(number))//': '//to_text(count(points%status == result_not_converged))//' of '// &
-                to_text(count(is_solved(points)))//' '//texts%points//' did not converge'//texts%left_out//'; the first: '// &
-                self%place(number, first, units)
+                to_text(count(is_solved(points)))//' '//self%texts%points//' did not converge'// &
+                self%texts%left_out//'; the first: '//self%place(number, first, units)
          if (allocated(points(first)%message)) text = text//': '//points(first)%message
       end associate
       call tell(text)
@@ -319,14 +295,10 @@ contains
       class(ensemble_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: names(:)
-      type(range_text_type) :: texts
-      type(sweep_type) :: range
       integer :: i
-      texts = self%texts()
       associate (not_needed => job)
-         do i = 1, self%range_count()
-            range = self%range(i)
-            call append_text(names, points_file(texts%what, range%name))
+         do i = 1, size(self%ranges)
+            call append_text(names, points_file(self%texts%what, self%ranges(i)%name))
          end do
       end associate
    end subroutine name_files
@@ -335,10 +307,8 @@ contains
    subroutine add_forms(self, forms, kinds)
       class(ensemble_study_type), intent(in) :: self
       type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      type(range_text_type) :: texts
-      texts = self%texts()
-      call append_text(forms, points_file(texts%what, '*'))
-      call append_text(kinds, texts%what)
+      call append_text(forms, points_file(self%texts%what, '*'))
+      call append_text(kinds, self%texts%what)
    end subroutine add_forms
 
    !> A record each, and of an undivided run one of points that did not converge.
@@ -346,15 +316,11 @@ contains
       class(ensemble_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: names(:)
-      type(range_text_type) :: texts
-      type(sweep_type) :: range
       integer :: i
       if (job%merge > 0) return
-      texts = self%texts()
-      do i = 1, self%range_count()
-         range = self%range(i)
-         call append_text(names, record_file(texts%what, range%name, job%part, job%parts))
-         if (job%parts == 0) call append_text(names, failed_file(texts%what, range%name))
+      do i = 1, size(self%ranges)
+         call append_text(names, record_file(self%texts%what, self%ranges(i)%name, job%part, job%parts))
+         if (job%parts == 0) call append_text(names, failed_file(self%texts%what, self%ranges(i)%name))
       end do
    end subroutine name_records
 
@@ -364,19 +330,17 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(need_type), intent(inout) :: need
-      type(range_text_type) :: texts
-      type(sweep_type) :: range
       real(wp) :: elements
       integer :: i
-      texts = self%texts()
-      do i = 1, self%range_count()
-         range = self%range(i)
+      do i = 1, size(self%ranges)
          elements = 0.0_wp
-         if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
-         need%kept = need%kept + bytes_of_point*self%points_of(i)
-         call take_greater(need, elements, thread_count(job%threads, self%points_of(i)), texts%what//' '//quoted(range%name)// &
-                           ', '//to_text(self%points_of(i))//' solutions', texts%fewer//', '// &
-                           finer_text(model, model%numerics%element_length))
+         associate (range => self%ranges(i))
+            if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
+            need%kept = need%kept + bytes_of_point*self%points_of(i)
+            call take_greater(need, elements, thread_count(job%threads, self%points_of(i)), &
+                              self%texts%what//' '//quoted(range%name)//', '//to_text(self%points_of(i))//' solutions', &
+                              self%texts%fewer//', '//finer_text(model, model%numerics%element_length))
+         end associate
       end do
    end subroutine add_need
 

@@ -1,16 +1,15 @@
 !> What became of points over bit depth: rows of those that are not there, for the page of the run.
 module dg_point_outcome
-   use dg_case_result, only: result_status_name
-   use dg_column, only: field_list_type, put, put_none
+   use dg_case_result, only: result_locked_up, result_not_converged
    use dg_job, only: model_name
-   use dg_load_case, only: operation_name, optional_real
-   use dg_run_outcome, only: add_lost_row, outcome_type
+   use dg_load_case, only: given, operation_name, optional_real
+   use dg_run_outcome, only: add_lost, add_part, lost_type, outcome_type
    use dg_sweep, only: point_at, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
-   use dg_text, only: text_or_nothing
+   use dg_text, only: append_text, text_or_nothing, text_type
    implicit none
    private
-   public :: note_points
+   public :: note_points, note_sweep
 
 contains
 
@@ -23,29 +22,53 @@ contains
       integer, intent(in) :: solutions             !< that the row stands for
       type(sweep_result_type), intent(in) :: found !< the first of them
       character(*), intent(in), optional :: sample !< what tells the first from others at the same point
-      type(field_list_type) :: row
+      type(lost_type) :: lost
       type(point_type) :: place, deepest
       place = point_at(sweep, first)
       deepest = point_at(sweep, last)
-      call put(row, part)
-      call put_none(row)
-      call put(row, trim(model_name(sweep%models(place%model))))
-      call put(row, trim(operation_name(sweep%operations(place%operation))))
-      call put(row, sweep%depths(place%depth))
-      call put(row, optional_real(last > first, sweep%depths(deepest%depth)))
-      call put(row, sweep%frictions(place%friction))
-      if (allocated(sweep%frictions_cased)) then
-         call put(row, sweep%frictions_cased(place%friction))
-      else
-         call put_none(row)
-      end if
-      call put(row, solutions)
-      call put(row, trim(result_status_name(found%status)))
-      if (present(sample)) then
-         call put(row, text_or_nothing(found%message)//sample)
-      else
-         call put(row, text_or_nothing(found%message))
-      end if
-      call add_lost_row(outcome, row)
+      lost%part = part
+      lost%model = trim(model_name(sweep%models(place%model)))
+      lost%operation = trim(operation_name(sweep%operations(place%operation)))
+      lost%bit_depth = given(sweep%depths(place%depth))
+      lost%down_to = optional_real(last > first, sweep%depths(deepest%depth))
+      lost%friction = sweep%frictions(place%friction)
+      if (allocated(sweep%frictions_cased)) lost%friction_cased = given(sweep%frictions_cased(place%friction))
+      lost%solutions = solutions
+      lost%status = found%status
+      lost%message = text_or_nothing(found%message)
+      if (present(sample)) lost%message = lost%message//sample
+      call add_lost(outcome, lost)
    end subroutine note_points
+
+   !> The points of a sweep. Those that failed have a row each; neighbouring depths that lock up have one. `sentences` tell which
+   !> limits the sweep passes.
+   pure subroutine note_sweep(outcome, sweep, points, sentences)
+      type(outcome_type), intent(inout) :: outcome
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)     !< in the order of their numbers
+      type(text_type), intent(in) :: sentences(:)
+      integer :: i, last
+      do i = 1, size(sentences)
+         call append_text(outcome%sentences, sentences(i)%text)
+      end do
+      associate (name => 'sweep '//sweep%name)
+         call add_part(outcome, name, size(points), count(points%status == result_locked_up), &
+                       count(points%status == result_not_converged))
+         do i = 1, size(points)
+            if (points(i)%status == result_not_converged) call note_points(outcome, name, sweep, i, i, 1, points(i))
+         end do
+         i = 1
+         do while (i <= size(points))
+            last = i
+            if (points(i)%status == result_locked_up) then
+               do while (modulo(last, size(sweep%depths)) /= 0)       ! depths count fastest
+                  if (points(last + 1)%status /= result_locked_up) exit
+                  last = last + 1
+               end do
+               call note_points(outcome, name, sweep, i, last, last - i + 1, points(i))
+            end if
+            i = last + 1
+         end do
+      end associate
+   end subroutine note_sweep
 end module dg_point_outcome

@@ -11,7 +11,8 @@ module dg_sweep
    implicit none
    private
    public :: sweep_type, measured_type, point_type
-   public :: point_count, point_number, point_at, point_case, point_holes, at_operation, regular_depths, with_depths
+   public :: point_count, point_number, point_at, model_of, measured_at, shown_depths
+   public :: point_case, point_holes, at_operation, regular_depths, with_depths
 
    !> What the rig showed at a depth in an operation.
    type :: measured_type
@@ -89,6 +90,42 @@ contains
       point%operation = modulo(rest, size(sweep%operations)) + 1
       point%model = rest/size(sweep%operations) + 1
    end function point_at
+
+   !> Place of the model of a point.
+   pure function model_of(sweep, number) result(model)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number      !< of the point
+      integer :: model
+      type(point_type) :: point
+      point = point_at(sweep, number)
+      model = point%model
+   end function model_of
+
+   !> What was measured at a point; numbers that were not are absent.
+   pure function measured_at(sweep, point) result(measured)
+      type(sweep_type), intent(in) :: sweep
+      type(point_type), intent(in) :: point
+      type(measured_type) :: measured
+      integer :: i
+      do i = size(sweep%measured), 1, -1
+         associate (told => sweep%measured(i))
+            if (told%operation /= sweep%operations(point%operation)) cycle
+            if (abs(told%bit_depth - sweep%depths(point%depth)) > 0.0_wp) cycle
+            if (told%hookload%present) measured%hookload = told%hookload
+            if (told%torque%present) measured%torque = told%torque
+         end associate
+      end do
+   end function measured_at
+
+   !> Numbers of the depths that a printed table shows: a page shows the shape of a curve, files have every depth.
+   pure function shown_depths(sweep) result(numbers)
+      type(sweep_type), intent(in) :: sweep
+      integer, allocatable :: numbers(:)
+      integer, parameter :: most_rows = 25
+      integer :: i, rows
+      rows = min(size(sweep%depths), most_rows)
+      numbers = [(ceiling(real(i, wp)*real(size(sweep%depths), wp)/real(rows, wp)), i=1, rows)]
+   end function shown_depths
 
    !> The load case of a point.
    pure subroutine point_case(sweep, point, load_case)

@@ -6,7 +6,7 @@ module dg_deck_legacy
    use dg_fault_list, only: add_fault, fault_at, fault_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_quantity, column_type, read_legacy_file, unit_value
-   use dg_legacy_table, only: legacy_table_type
+   use dg_legacy_comparison, only: legacy_table_type
    use dg_text, only: is_separator_free, lower_case, quoted
    use dg_unit_kind, only: unit_label
    use dg_units, only: unit_system, unit_system_type

@@ -5,12 +5,31 @@
 module dg_legacy_comparison
    use dg_kinds, only: wp
    use dg_hole_interval, only: hole_intervals, interval_type
-   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_torque
    use dg_profile, only: profile_type, side_below
    use dg_trajectory, only: trajectory_type
+   use dg_quantity, only: quantity_force, quantity_line_load, quantity_moment
    implicit none
    private
    public :: comparison_type, parting_type, compare_with_legacy, agreement
+   public :: legacy_table_type, quantity_count, quantity_axial, quantity_torque, quantity_side_force, quantity_of
+
+   integer, parameter :: quantity_axial = 1       !< effective, tension > 0 [N]
+   integer, parameter :: quantity_torque = 2      !< [N.m]
+   integer, parameter :: quantity_side_force = 3  !< normal contact force per metre [N/m]
+   integer, parameter :: quantity_count = 3
+   !> Units that they are shown in.
+   integer, parameter :: quantity_of(quantity_count) = [quantity_force, quantity_moment, quantity_line_load]
+
+   !> What another program printed of one load case: depths, and any of axial force, torque, side force.
+   type :: legacy_table_type
+      character(:), allocatable :: label             !< safe as part of a file name
+      character(:), allocatable :: file
+      character(:), allocatable :: skipped           !< rows of the file that are not read, in words; '': all are
+      integer :: case_index = 0                      !< in the model's cases
+      logical :: has(quantity_count) = .false.
+      real(wp), allocatable :: md(:)                 !< ascending [m]
+      real(wp), allocatable :: values(:, :)          !< (size(md), quantity_count); zero where a quantity is missing
+   end type legacy_table_type
 
    !> Largest difference over the largest value up to which two programs agree [-].
    real(wp), parameter :: agreement = 1.0e-3_wp

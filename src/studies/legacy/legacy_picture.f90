@@ -3,13 +3,11 @@ module dg_legacy_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_depth_panel, add_key, beside, chart_type, new_chart, set_depth
-   use dg_column, only: column_named, unit_size, unit_text
    use dg_curve_look, only: colour_black, line_style
    use dg_job, only: job_type, model_name
-   use dg_legacy_comparison, only: comparison_type, compare_with_legacy
-   use dg_legacy_rows, only: legacy_columns
-   use dg_legacy_table, only: legacy_table_type, quantity_count, quantity_name
+   use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_count, quantity_of
    use dg_model, only: model_type
+   use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
    public :: legacy_chart
@@ -44,11 +42,11 @@ contains
       call set_depth(chart, 'measured depth', maxval(table%md), model%holes, place(), .true.)
       do quantity = 1, quantity_count
          if (.not. table%has(quantity)) cycle
-         associate (column => column_named(legacy_columns, trim(quantity_name(quantity))))
-            unit = unit_size(column%quantity, job%units)
+         associate (dimension => quantity_of(quantity))
+            unit = unit_factor(job%units, dimension)
             do k = 0, 1
                call add_depth_panel(chart, place(), trim(axis_name(quantity))//trim(merge(', theirs less ours', &
-                                    '                  ', k == 1))//' ['//unit_text(column%quantity, job%units)//']')
+                                    '                  ', k == 1))//' ['//unit_label(job%units, dimension)//']')
                do m = 1, size(job%models)
                   associate (one => comparisons(m))
                      if (.not. allocated(one%md)) cycle

@@ -3,14 +3,13 @@
 module dg_legacy_report
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_status_name
-   use dg_column, only: quantity_force, quantity_line_load, quantity_moment, unit_size, unit_text
    use dg_hole_interval, only: interval_at, interval_name, interval_type
    use dg_job, only: model_name
-   use dg_legacy_comparison, only: agreement, comparison_type, parting_type
-   use dg_legacy_table, only: legacy_table_type, quantity_axial, quantity_count, quantity_side_force
+   use dg_legacy_comparison, only: agreement, comparison_type, parting_type, legacy_table_type, quantity_axial, quantity_count, &
+                                   quantity_of, quantity_side_force
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_length
+   use dg_unit_kind, only: in_units, unit_length, unit_factor, unit_label
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -23,7 +22,6 @@ module dg_legacy_report
    !> Digits of forces and depths in words.
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
-   integer, parameter :: quantity_of(quantity_count) = [quantity_force, quantity_moment, quantity_line_load]
    real(wp), parameter :: per_cent = 100.0_wp
 
 contains
@@ -83,8 +81,8 @@ contains
       character(:), allocatable :: unit
       real(wp) :: factor, ours, theirs
       integer :: i, interval, n, row, rows
-      factor = unit_size(quantity_of(k), units)
-      unit = unit_text(quantity_of(k), units)
+      factor = unit_factor(units, quantity_of(k))
+      unit = unit_label(units, quantity_of(k))
       rule = repeat('-', 2*cell + hole_width + 3*cell)
       n = size(comparison%md)
       rows = min(n, most_rows)
@@ -121,8 +119,8 @@ contains
       real(wp) :: factor
       integer :: i, n
       n = size(comparison%md)
-      factor = unit_size(quantity_of(k), units)
-      unit = unit_text(quantity_of(k), units)
+      factor = unit_factor(units, quantity_of(k))
+      unit = unit_label(units, quantity_of(k))
       what = trim(quantity_words(k))
       call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit//' ('// &
                        to_text(share_of(abs(parting%largest), parting%scale), 3)//' % of our largest) at '// &

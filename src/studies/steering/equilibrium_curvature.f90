@@ -23,7 +23,7 @@ module dg_equilibrium_curvature
    use dg_missing, only: is_missing
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_solve_case, only: solve_case
-   use dg_steering_result, only: steering_result_type
+   use dg_steering, only: steering_result_type
    use dg_three_points, only: three_point_dogleg
    use dg_trajectory, only: arc_at, azimuth_of, high_side, inclination_of, interpolation_minimum_curvature, new_trajectory, &
                             point_on_arc

@@ -16,14 +16,13 @@ module dg_steering_study
    use dg_missing, only: is_missing, missing
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
-   use dg_steering, only: steering_type
-   use dg_steering_file, only: write_steering
-   use dg_steering_result, only: steering_result_type
-   use dg_steering_table, only: steering_table
+   use dg_steering, only: steering_result_type, steering_type
+   use dg_steering_table, only: steering_table, steering_row
    use dg_steering_keys, only: steering_keys, steering_rule
    use dg_study, only: run_type, study_type
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_threads, only: thread_count
+   use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
    private
    public :: steering_study_type
@@ -91,8 +90,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: failure
       type(steering_result_type), allocatable :: results(:)
+      type(csv_table_type) :: table
       type(text_type), allocatable :: lines(:)
-      integer :: lost
+      integer :: i, lost
       if (is_interrupted()) return
       allocate (results(0))   ! the compiler's flow analysis takes it for undefined otherwise
       call solve_all(self%steering, run, results)
@@ -100,7 +100,10 @@ contains
       call once_each(results)
       call tell_lost(run, results, lost)
       call add_part(run%printed%outcome, 'steering', size(results), 0, lost)
-      call write_steering(run%job%output_dir//'/'//file, run%job, run%model, results, failure)
+      do i = 1, size(results)
+         call add_row(table, steering_row(run%model, results(i)), run%job%units)
+      end do
+      call write_table(table, run%job%output_dir//'/'//file, failure)
       if (.not. allocated(failure)) then
          allocate (lines, source=steering_table(run%job, run%model, results))
          call print_and_keep(run%printed, lines)

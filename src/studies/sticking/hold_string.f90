@@ -5,16 +5,15 @@ module dg_hold_string
    use dg_error, only: error_type
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_interruption, only: by_signals
-   use dg_least_squares, only: fit_done, fit_least_squares, fit_type
+   use dg_least_squares, only: fit_done, fit_least_squares, fit_type, measured_function_type
    use dg_missing, only: is_missing, missing
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type, string_index, copy_without_cases
    use dg_progress, only: progress_type, show_time
    use dg_rig, only: indicator_factor, string_load
    use dg_solve_case, only: solve_case
-   use dg_sticking, only: find_resistance, sticking_type
-   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type
-   use dg_stuck_function, only: new_stuck_function, solve_held, stuck_function_type
-   use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at
+   use dg_sticking, only: find_resistance, sticking_at_bound, sticking_below_bit, sticking_found, sticking_result_type, &
+                           sticking_type
+   use dg_stuck_string, only: free_point_without_friction, stretch_between, value_at, cut_string
    implicit none
    private
    public :: resistance, free_point, usual_solutions
@@ -30,6 +29,15 @@ module dg_hold_string
    integer, parameter :: usual_solutions(2) = [6, 20], usual_trials = 3
    !> Least depth of a free point over that of the bit [-]: some string must be left.
    real(wp), parameter :: shallowest = 1.0e-3_wp
+
+   !> Hook load and torque at the top of a string that is held at its lower end, as a function of pull and torque there.
+   type, extends(measured_function_type) :: stuck_function_type
+      type(model_type) :: model                !< its string ends where it is held
+      integer :: number = 0                    !< of the model that solves
+      character(:), allocatable :: message     !< of the last solution that was none
+   contains
+      procedure :: evaluate
+   end type stuck_function_type
 
 contains
 
@@ -171,4 +179,47 @@ contains
                  - sticking%stretch
       end associate
    end subroutine excess
+
+   !> The string of a load case held at a depth [m].
+   subroutine new_stuck_function(function, model, case_index, depth, number)
+      type(stuck_function_type), intent(out) :: function
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: depth
+      integer, intent(in) :: number
+      call copy_without_cases(model, function%model)
+      function%model%cases(1) = model%cases(case_index)
+      call cut_string(function%model, depth)
+      function%number = number
+      function%message = ''
+   end subroutine new_stuck_function
+
+   !> Points hold the pull [N] and, where looked for, the torque [N.m] at the lower end.
+   subroutine evaluate(self, points, values, solved)
+      class(stuck_function_type), intent(inout) :: self
+      real(wp), intent(in) :: points(:, :)
+      real(wp), intent(out) :: values(:, :)
+      logical, intent(out) :: solved(:, :)
+      type(case_result_type) :: result
+      integer :: p
+      do p = 1, size(points, 2)
+         call solve_held(self, points(:, p), result, totals_only=.true.)
+         values(1, p) = result%hookload
+         if (size(values, 1) > 1) values(2, p) = result%torque
+         solved(:, p) = result%status == result_converged
+         if (.not. solved(1, p)) self%message = result%message
+      end do
+   end subroutine evaluate
+
+   !> The string with a pull and torque at its lower end.
+   subroutine solve_held(function, point, result, totals_only)
+      class(stuck_function_type), intent(inout) :: function
+      real(wp), intent(in) :: point(:)
+      type(case_result_type), intent(out) :: result
+      logical, intent(in) :: totals_only
+      type(error_type), allocatable :: error
+      function%model%cases(1)%wob = -point(1)
+      if (size(point) > 1) function%model%cases(1)%tob = point(2)
+      call solve_case(function%model, function%number, 1, result, error, totals_only=totals_only, stop=by_signals())
+   end subroutine solve_held
 end module dg_hold_string

@@ -3,29 +3,32 @@ module dg_sticking_study
    use dg_kinds, only: wp
    use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
-   use dg_csv_table, only: write_table
+   use dg_csv_table, only: add_row, begin_table, write_table
    use dg_deck_draft, only: deck_type
    use dg_deck_sticking, only: take_stickings
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
-   use dg_factor_columns, only: begin_factors, factor_file
+   use dg_factor_columns, only: factor_file, factor_row
    use dg_fault_list, only: fault_list_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: line_list_type
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep
    use dg_progress, only: progress_type, show_time, start_progress
    use dg_run_outcome, only: add_part, note_lost
-   use dg_sticking, only: find_free_point, sticking_type
-   use dg_sticking_echo, only: echo_stickings => add_stickings
-   use dg_sticking_result, only: sticking_no_solution, sticking_result_type
-   use dg_sticking_rows, only: add_stickings
+   use dg_sticking, only: find_free_point, sticking_name, sticking_no_solution, sticking_result_type, sticking_type, &
+                          sticking_status_name
    use dg_sticking_table, only: sticking_table
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: append_text, joined, quoted, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
+   use dg_units, only: unit_system_type
+   use dg_column, only: row_type, set
+   use dg_comparison, only: difference, known
+   use dg_load_case, only: given, load_case_type, operation_name
    implicit none
    private
    public :: sticking_study_type
@@ -44,6 +47,9 @@ module dg_sticking_study
       procedure :: add_forms
       procedure :: add_need
    end type sticking_study_type
+
+   !> Significant digits of a length.
+   integer, parameter :: digits = 7
 
 contains
 
@@ -96,7 +102,7 @@ contains
          if (is_interrupted()) exit
          done = i
       end do
-      call begin_factors(run%factors, run%job%units)
+      call begin_table(run%factors, factor_row(), run%job%units)
       call write_table(run%factors, run%job%output_dir//'/'//factor_file, error)
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
          interruption_name()//' with '//to_text(done)//' held strings of '//to_text(size(self%stickings))//' done')
@@ -135,8 +141,10 @@ contains
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
       allocate (lines, source=sticking_table(run%job%units, run%model, sticking, results(:n)))
       call print_and_keep(run%printed, lines)
-      call begin_factors(run%factors, run%job%units)
-      call add_stickings(run%model, sticking, results(:n), run%factors)
+      call begin_table(run%factors, factor_row(), run%job%units)
+      do k = 1, n
+         call add_row(run%factors, sticking_row(run%model%cases(results(k)%case_index), sticking, results(k)), run%job%units)
+      end do
    end subroutine run_one
 
    !> Tells of a string without a solution.
@@ -180,4 +188,49 @@ contains
          need%fits = need%fits .or. self%is_asked()
       end associate
    end subroutine add_need
+
+   !> One line a held string.
+   pure subroutine echo_stickings(lines, stickings, units)
+      type(line_list_type), intent(inout) :: lines
+      type(sticking_type), intent(in) :: stickings(:)
+      type(unit_system_type), intent(in) :: units
+      real(wp) :: where
+      integer :: i
+      do i = 1, size(stickings)
+         associate (sticking => stickings(i))
+            where = sticking%depth
+            if (sticking%kind == find_free_point) where = sticking%stretch
+            call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
+               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
+               trim(in_units(units, unit_length, where, digits))//'; '// &
+               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
+         end associate
+      end do
+   end subroutine echo_stickings
+
+   !> A result in the columns of calibration.csv.
+   function sticking_row(load_case, sticking, result) result(row)
+      type(load_case_type), intent(in) :: load_case
+      type(sticking_type), intent(in) :: sticking
+      type(sticking_result_type), intent(in) :: result
+      type(row_type) :: row
+      row = factor_row()
+      call set(row, 'calibration', sticking%name)
+      call set(row, 'model', model_name(result%model))
+      call set(row, 'parameter', sticking_name(sticking%kind))
+      call set(row, 'operation', operation_name(load_case%operation))
+      call set(row, 'bit_depth', given(load_case%bit_depth))
+      call set(row, 'verdict', sticking_status_name(result%status))
+      call set(row, 'message', result%message)
+      call set(row, 'case', load_case%name)
+      call set(row, 'depth', known(result%depth))
+      call set(row, 'depth_frictionless', known(result%depth_without_friction))
+      call set(row, 'tension_above', known(result%tension_above))
+      call set(row, 'tension_below', known(result%tension_below))
+      call set(row, 'resistance', known(difference(result%tension_above, result%tension_below)))
+      call set(row, 'resistance_interval', known(result%half_width))
+      call set(row, 'torque_above', known(result%torque_above))
+      call set(row, 'torque_below', known(result%torque_below))
+      call set(row, 'torque_resistance', known(difference(result%torque_above, result%torque_below)))
+   end function sticking_row
 end module dg_sticking_study

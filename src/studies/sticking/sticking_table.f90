@@ -7,8 +7,8 @@ module dg_sticking_table
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_sticking, only: find_free_point, sticking_type
-   use dg_sticking_result, only: sticking_at_bound, sticking_below_bit, sticking_no_solution, sticking_result_type
+   use dg_sticking, only: find_free_point, sticking_at_bound, sticking_below_bit, sticking_no_solution, &
+                           sticking_result_type, sticking_type
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type

@@ -1,45 +1,43 @@
 !> &sweep: hook load and torque over bit depth.
 module dg_sweep_study
+   use dg_column, only: fields_of
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
-   use dg_ensemble_study, only: ensemble_study_type
+   use dg_ensemble_study, only: ensemble_study_type, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
    use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: line_list_type
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_sweep_keys, only: sweep_keys, sweep_rule
-   use dg_range_text, only: range_text_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: point_count, sweep_type
-   use dg_sweep_echo, only: add_sweeps
-   use dg_sweep_file, only: sweep_columns, write_sweep
-   use dg_sweep_outcome, only: note_sweep
+   use dg_sweep, only: model_of, point_at, point_count, sweep_type
+   use dg_sweep_file, only: sweep_row
+   use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
    use dg_sweep_points, only: add_indicator, add_limits, add_margins, point_text, solve_points
    use dg_sweep_table, only: sweep_sentences, sweep_table
-   use dg_text, only: text_list, text_type
+   use dg_text, only: joined, text_type, to_text
    use dg_units, only: unit_system_type
+   use dg_load_case, only: operation_name
+   use dg_kinds, only: wp
+   use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
    private
    public :: sweep_study_type
 
    type, extends(ensemble_study_type) :: sweep_study_type
-      type(sweep_type), allocatable :: sweeps(:)
    contains
       procedure :: add_groups
       procedure :: read => read_sweeps
       procedure :: echo
       procedure :: add_pictures
-      procedure :: range_count
-      procedure :: texts
-      procedure :: range => depth_range
       procedure :: points_of
       procedure :: settings
       procedure :: solve
@@ -47,6 +45,8 @@ module dg_sweep_study
       procedure :: place
    end type sweep_study_type
 
+   !> Significant digits of a depth.
+   integer, parameter :: digits = 7
    !> Columns of the table beneath the picture.
    character(*), parameter :: shown(14) = [character(24) :: 'operation', 'friction', 'friction_cased', 'bit_depth', &
       'hookload', 'weight_indicator', 'torque', 'overpull_margin', 'rig_margin', 'torque_margin', 'measured_hookload', &
@@ -71,9 +71,10 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(fault_list_type), intent(inout) :: faults
       integer :: i
-      call take_sweeps(deck%draft, deck%groups, job%models, self%sweeps, notes, faults)
-      do i = 1, size(self%sweeps)
-         if (allocated(self%sweeps(i)%depths)) call note_use(deck, self%sweeps(i)%string, maxval(self%sweeps(i)%depths))
+      self%texts = range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step')
+      call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
+      do i = 1, size(self%ranges)
+         if (allocated(self%ranges(i)%depths)) call note_use(deck, self%ranges(i)%string, maxval(self%ranges(i)%depths))
       end do
    end subroutine read_sweeps
 
@@ -82,43 +83,15 @@ contains
       class(sweep_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call add_sweeps(lines, self%sweeps, job%units)
+      call add_sweeps(lines, self%ranges, job%units)
    end subroutine echo
-
-   !> How many there are.
-   pure function range_count(self) result(number)
-      class(sweep_study_type), intent(in) :: self
-      integer :: number
-      number = size(self%sweeps)
-   end function range_count
-
-   !> What it is called.
-   function texts(self)
-      class(sweep_study_type), intent(in) :: self
-      type(range_text_type) :: texts
-      associate (not_needed => self)
-         texts%what = 'sweep'
-         texts%points = 'points'
-         texts%points_solved = 'points solved'
-         texts%left_out = ''
-         texts%fewer = 'fewer frictions or a larger bit_depth_step'
-      end associate
-   end function texts
-
-   !> Its depths.
-   function depth_range(self, number) result(range)
-      class(sweep_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      type(sweep_type) :: range
-      range = self%sweeps(number)
-   end function depth_range
 
    !> Points of all models, operations, frictions and depths.
    pure function points_of(self, number) result(points)
       class(sweep_study_type), intent(in) :: self
       integer, intent(in) :: number
       integer :: points
-      points = point_count(self%sweeps(number))
+      points = point_count(self%ranges(number))
    end function points_of
 
    !> All that its results depend on.
@@ -127,7 +100,7 @@ contains
       integer, intent(in) :: number
       type(model_type), intent(in) :: model
       type(text_type), allocatable :: lines(:)
-      allocate (lines, source=sweep_lines(model, self%sweeps(number)))
+      allocate (lines, source=sweep_lines(model, self%ranges(number)))
    end function settings
 
    !> Solves what is left.
@@ -136,7 +109,7 @@ contains
       integer, intent(in) :: number
       type(run_type), intent(in) :: run
       class(ensemble_watch_type), intent(inout) :: watch
-      call solve_points(run%job, run%model, self%sweeps(number), self%ensembles(number), watch)
+      call solve_points(run%job, run%model, self%ranges(number), self%ensembles(number), watch)
    end subroutine solve
 
    !> What follows from the points: margins, its file, its table.
@@ -146,12 +119,17 @@ contains
       type(run_type), intent(inout) :: run
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
-      associate (sweep => self%sweeps(number), points => self%ensembles(number)%points)
+      type(csv_table_type) :: table
+      integer :: i
+      associate (sweep => self%ranges(number), points => self%ensembles(number)%points)
          call add_indicator(run%model, sweep, 1, points)
          call add_margins(run%job, run%model, sweep, points)
          call add_limits(run%job, run%model, sweep, points)
          call note_sweep(run%printed%outcome, sweep, points, sweep_sentences(run%job%units, sweep, points))
-         call write_sweep(run%job%output_dir//'/'//points_file('sweep', sweep%name), run%job, sweep, points, error)
+         do i = 1, size(points)
+            call add_row(table, sweep_row(sweep, point_at(sweep, i), points(i)), run%job%units)
+         end do
+         call write_table(table, run%job%output_dir//'/'//points_file('sweep', sweep%name), error)
          if (.not. allocated(error)) allocate (lines, source=sweep_table(run%job%units, sweep, points))
       end associate
    end subroutine report
@@ -162,7 +140,7 @@ contains
       integer, intent(in) :: number, point
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
-      text = point_text(units, self%sweeps(number), point)
+      text = point_text(units, self%ranges(number), point)
    end function place
 
    !> A broomstick for each sweep of several depths and model.
@@ -171,19 +149,54 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
+      type(picture_data_type) :: data
       character(:), allocatable :: model
-      integer :: i, k
-      do i = 1, size(self%sweeps)
-         associate (sweep => self%sweeps(i))
+      integer, allocatable :: rows(:)
+      integer :: i, k, r
+      do i = 1, size(self%ranges)
+         associate (sweep => self%ranges(i))
             if (size(sweep%depths) == 1) cycle
             do k = 1, size(sweep%models)
                model = trim(model_name(sweep%models(k)))
+               call picked_rows(points_file('sweep', sweep%name), [(model_of(sweep, r) == k, r=1, point_count(sweep))], data, &
+                                rows)
+               do r = 1, size(rows)
+                  data%rows(r) = fields_of(sweep_row(sweep, point_at(sweep, rows(r)), self%ensembles(i)%points(rows(r))), shown)
+               end do
                call add_picture(list, run%job, sweep_chart(run%job%units, sweep, k, run%model, self%ensembles(i)%points), &
-                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, &
-                                rows_of_file(run%job, points_file('sweep', sweep%name), sweep_columns, shown, &
-                                             text_list('model', model)), error)
+                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, data, error)
             end do
          end associate
       end do
    end subroutine add_pictures
+
+   !> One line a sweep.
+   pure subroutine add_sweeps(lines, sweeps, units)
+      type(line_list_type), intent(inout) :: lines
+      type(sweep_type), intent(in) :: sweeps(:)
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: factors
+      integer :: i, k
+      do i = 1, size(sweeps)
+         associate (sweep => sweeps(i))
+            factors = ''
+            do k = 1, size(sweep%frictions)
+               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
+               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
+            end do
+            if (factors == '') factors = ' of the hole'
+            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
+               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
+               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
+               shown(sweep%depths(size(sweep%depths)))//' '//trim(units%length_label)//'; '// &
+               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
+         end associate
+      end do
+   contains
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth     !< [m]
+         character(:), allocatable :: text
+         text = to_text(depth/units%length, digits)
+      end function shown
+   end subroutine add_sweeps
 end module dg_sweep_study

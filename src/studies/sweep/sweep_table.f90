@@ -9,7 +9,7 @@ module dg_sweep_table
    use dg_measured_table, only: append_measured, factor_text, quantity_hookload, quantity_torque
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
-   use dg_sweep, only: at_operation, point_at, point_number, point_type, sweep_type
+   use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
@@ -24,8 +24,6 @@ module dg_sweep_table
    integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
    integer, parameter :: most_columns = 12
    integer, parameter :: label_width = 18
-   !> Rows of a table: a page shows the shape of a curve, the file has every depth.
-   integer, parameter :: most_rows = 25
    !> Points without solution that are listed.
    integer, parameter :: most_lost = 10
    !> Limits that a sentence tells.
@@ -156,7 +154,8 @@ contains
       type(curve_type), intent(in) :: curves(:)
       character(:), allocatable :: head, factors, factor, row, rule
       type(point_type) :: point
-      integer :: i, k, n, row_count
+      integer, allocatable :: depths(:)
+      integer :: i, k, n
       call append_text(lines, '')
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
                        quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors')
@@ -178,13 +177,12 @@ contains
       call append_text(lines, trim(head))
       call append_text(lines, trim(factors))
       call append_text(lines, rule)
-      n = size(sweep%depths)
-      row_count = min(n, most_rows)
-      do i = 1, row_count
+      allocate (depths, source=shown_depths(sweep))
+      do i = 1, size(depths)
          row = ''
          do k = 1, size(curves)
             point = curves(k)%point
-            point%depth = ceiling(real(i, wp)*real(n, wp)/real(row_count, wp))
+            point%depth = depths(i)
             if (k == 1) row = fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1)
             associate (found => points(point_number(sweep, point)))
                if (quantity == quantity_torque) then
@@ -201,7 +199,8 @@ contains
          call append_text(lines, trim(row))
       end do
       call append_text(lines, rule)
-      if (row_count < n) call append_text(lines, to_text(row_count)//' of '//to_text(n)//' depths; the file has them all')
+      if (size(depths) < size(sweep%depths)) call append_text(lines, to_text(size(depths))//' of '//to_text(size(sweep%depths))// &
+                                                              ' depths; the file has them all')
    end subroutine append_curves
 
    !> Name of an operation above its `n` columns: its first word where there is one column.

@@ -1,39 +1,44 @@
 !> &uncertainty: quantiles of hook load and torque over bit depth, where well, mud, friction and gauges are not known for sure.
 module dg_uncertainty_study
+   use dg_column, only: fields_of, row_type
    use dg_deck_draft, only: deck_type, note_use
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_uncertainty, only: take_uncertainties
-   use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles
+   use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type, raise, status_not_converged
    use dg_fault_list, only: fault_list_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: line_list_type
+   use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
-   use dg_picture_data, only: rows_of_file
+   use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
-   use dg_range_text, only: range_text_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: point_count, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count
    use dg_sweep_points, only: add_indicator
-   use dg_text, only: quoted, text_list, text_type
+   use dg_text, only: joined, quoted, text_type, to_text
    use dg_tornado_picture, only: tornado_chart
-   use dg_uncertainty, only: friction_factor_of, piece_count, uncertainty_type
-   use dg_uncertainty_echo, only: add_uncertainties
-   use dg_uncertainty_file, only: uncertainty_columns, write_uncertainty
-   use dg_uncertainty_outcome, only: note_uncertainty
+   use dg_uncertainty, only: friction_factor_of, piece_count, uncertainty_type, piece_number
+   use dg_uncertainty_file, only: uncertainty_row
    use dg_uncertainty_picture, only: uncertainty_chart
-   use dg_uncertainty_table, only: uncertainty_table
-   use dg_uncertainty_text, only: uncertainty_lines
+   use dg_uncertainty_table, only: deviations_text, uncertainty_table
    use dg_units, only: unit_system_type
+   use dg_load_case, only: operation_name
+   use dg_csv_table, only: add_row, csv_table_type, write_table
+   use dg_model_text, only: append_numbers, append_sweep, yes_or_no
+   use dg_case_result, only: result_locked_up, result_not_converged
+   use dg_point_outcome, only: note_points
+   use dg_run_outcome, only: add_part, outcome_type
+   use dg_sweep_result, only: sweep_result_type
    implicit none
    private
    public :: uncertainty_study_type
+   public :: note_uncertainty
 
    !> What is found of one range of depths.
    type :: found_type
@@ -50,9 +55,6 @@ module dg_uncertainty_study
       procedure :: echo
       procedure :: prepare
       procedure :: add_pictures
-      procedure :: range_count
-      procedure :: texts
-      procedure :: range => depth_range
       procedure :: points_of
       procedure :: settings
       procedure :: solve
@@ -92,8 +94,11 @@ contains
       associate (not_needed => notes)
          call take_uncertainties(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
       end associate
+      self%texts = range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', 'fewer samples')
+      allocate (self%ranges(size(self%uncertainties)))
       do i = 1, size(self%uncertainties)
-         associate (range => self%uncertainties(i)%range)
+         self%ranges(i) = self%uncertainties(i)%range
+         associate (range => self%ranges(i))
             if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths))
          end associate
       end do
@@ -140,34 +145,6 @@ contains
          ' was not run')
    end subroutine take_estimate
 
-   !> How many there are.
-   pure function range_count(self) result(number)
-      class(uncertainty_study_type), intent(in) :: self
-      integer :: number
-      number = size(self%uncertainties)
-   end function range_count
-
-   !> What it is called.
-   function texts(self)
-      class(uncertainty_study_type), intent(in) :: self
-      type(range_text_type) :: texts
-      associate (not_needed => self)
-         texts%what = 'uncertainty'
-         texts%points = 'solutions'
-         texts%points_solved = 'solutions'
-         texts%left_out = ' and are left out of the quantiles'
-         texts%fewer = 'fewer samples'
-      end associate
-   end function texts
-
-   !> Its depths.
-   function depth_range(self, number) result(range)
-      class(uncertainty_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      type(sweep_type) :: range
-      range = self%uncertainties(number)%range
-   end function depth_range
-
    !> Points of the range, each with all samples.
    pure function points_of(self, number) result(points)
       class(uncertainty_study_type), intent(in) :: self
@@ -202,6 +179,7 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       type(error_type), allocatable, intent(out) :: error
       type(point_statistics_type), allocatable :: statistics(:)
+      type(csv_table_type) :: table
       integer :: i
       if (.not. allocated(self%found)) allocate (self%found(size(self%uncertainties)))
       associate (uncertainty => self%uncertainties(number), points => self%ensembles(number)%points)
@@ -210,10 +188,10 @@ contains
          allocate (statistics(point_count(uncertainty%range)))
          do i = 1, size(statistics)
             statistics(i) = find_point_statistics(uncertainty, i, points)
+            call add_row(table, uncertainty_row(uncertainty%range, point_at(uncertainty%range, i), statistics(i)), run%job%units)
          end do
          self%found(number)%statistics = statistics
-         call write_uncertainty(run%job%output_dir//'/'//points_file('uncertainty', uncertainty%range%name), run%job, &
-                                uncertainty, statistics, error)
+         call write_table(table, run%job%output_dir//'/'//points_file('uncertainty', uncertainty%range%name), error)
          if (.not. allocated(error)) &
             allocate (lines, source=uncertainty_table(run%job%units, uncertainty, statistics, run%model%rig%given))
       end associate
@@ -234,26 +212,94 @@ contains
       type(run_type), intent(in) :: run
       type(picture_list_type), intent(inout) :: list
       type(error_type), allocatable, intent(inout) :: error
-      character(:), allocatable :: model
-      integer :: i, k
+      type(picture_data_type) :: data, shares
+      type(row_type) :: row
+      integer, allocatable :: rows(:)
+      integer :: i, k, r
       if (.not. allocated(self%found)) return
       do i = 1, size(self%uncertainties)
          if (.not. allocated(self%found(i)%statistics)) cycle
          associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range, &
                     statistics => self%found(i)%statistics)
             do k = 1, size(range%models)
-               model = trim(model_name(range%models(k)))
-               if (size(range%depths) > 1) call add_picture(list, run%job, &
-                                uncertainty_chart(run%job%units, range, k, run%model, statistics), &
-                                'What uncertain data make of hook load and torque', 0, &
-                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown, &
-                                             text_list('model', model)), error)
+               call picked_rows(points_file('uncertainty', range%name), [(model_of(range, r) == k, r=1, size(statistics))], data, &
+                                rows)
+               shares = data
+               do r = 1, size(rows)
+                  row = uncertainty_row(range, point_at(range, rows(r)), statistics(rows(r)))
+                  data%rows(r) = fields_of(row, shown)
+                  shares%rows(r) = fields_of(row, shown_shares)
+               end do
+               if (size(range%depths) > 1) &
+                  call add_picture(list, run%job, uncertainty_chart(run%job%units, range, k, run%model, statistics), &
+                                   'What uncertain data make of hook load and torque', 0, data, error)
                call add_picture(list, run%job, tornado_chart(run%job%units, uncertainty, k, statistics), &
-                                'What matters most: hook load and torque by one standard deviation of each input', 0, &
-                                rows_of_file(run%job, points_file('uncertainty', range%name), uncertainty_columns, shown_shares, &
-                                             text_list('model', model)), error)
+                                'What matters most: hook load and torque by one standard deviation of each input', 0, shares, &
+                                error)
             end do
          end associate
       end do
    end subroutine add_pictures
+
+   !> One line a Monte Carlo.
+   pure subroutine add_uncertainties(lines, uncertainties, units)
+      type(line_list_type), intent(inout) :: lines
+      type(uncertainty_type), intent(in) :: uncertainties(:)
+      type(unit_system_type), intent(in) :: units
+      integer :: i
+      do i = 1, size(uncertainties)
+         associate (uncertainty => uncertainties(i), range => uncertainties(i)%range)
+            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
+               joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
+               to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
+               deviations_text(units, uncertainty))
+         end associate
+      end do
+   end subroutine add_uncertainties
+
+   !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
+   function uncertainty_lines(model, uncertainty) result(texts)
+      type(model_type), intent(in) :: model
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(text_type), allocatable :: texts(:)
+      type(line_list_type) :: lines
+      integer :: i
+      call append_sweep(lines, model, uncertainty%range)
+      call add_line(lines, 'samples = '//to_text(uncertainty%samples))
+      call add_line(lines, 'seed = '//to_text(uncertainty%seed))
+      if (allocated(uncertainty%friction_factor)) then
+         do i = 1, size(uncertainty%friction_factor, 1)
+            call append_numbers(lines, 'friction of hole '//to_text(i), uncertainty%friction_factor(i, :i))
+         end do
+         call add_line(lines, 'friction axial, rotary = '//yes_or_no(uncertainty%axial)//' '//yes_or_no(uncertainty%rotary))
+      end if
+      call add_line(lines, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
+      call add_line(lines, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
+      call add_line(lines, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
+      call add_line(lines, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
+      allocate (texts, source=lines%lines(:lines%count))
+   end function uncertainty_lines
+
+   !> The samples of a Monte Carlo that failed: a row a point. Its table and its file tell how many locked up where.
+   pure subroutine note_uncertainty(outcome, uncertainty, pieces)
+      type(outcome_type), intent(inout) :: outcome
+      type(uncertainty_type), intent(in) :: uncertainty
+      type(sweep_result_type), intent(in) :: pieces(:)     !< a point and sample each
+      integer :: point, sample, lost, first
+      associate (name => 'uncertainty '//uncertainty%range%name)
+         call add_part(outcome, name, size(pieces), count(pieces%status == result_locked_up), &
+                       count(pieces%status == result_not_converged))
+         do point = 1, point_count(uncertainty%range)
+            lost = 0
+            first = 0
+            do sample = uncertainty%samples, 1, -1
+               if (pieces(piece_number(uncertainty, point, sample))%status /= result_not_converged) cycle
+               lost = lost + 1
+               first = sample
+            end do
+            if (lost > 0) call note_points(outcome, name, uncertainty%range, point, point, lost, &
+                                           pieces(piece_number(uncertainty, point, first)), ' (sample '//to_text(first)//')')
+         end do
+      end associate
+   end subroutine note_uncertainty
 end module dg_uncertainty_study

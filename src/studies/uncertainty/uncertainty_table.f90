@@ -4,12 +4,12 @@ module dg_uncertainty_table
    use dg_comparison, only: known
    use dg_job, only: model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_label, optional_real, rotates
+   use dg_load_case, only: operation_label, rotates
    use dg_missing, only: is_missing
    use dg_number_text, only: fixed_cell, right_aligned
    use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
-   use dg_sweep, only: point_number, point_type
+   use dg_sweep, only: measured_at, measured_type, point_number, point_type, shown_depths
    use dg_text, only: append_text, text_type, to_text
    use dg_uncertainty, only: uncertainty_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
@@ -20,8 +20,6 @@ module dg_uncertainty_table
    public :: uncertainty_table, deviations_text
 
    integer, parameter :: depth_width = 10, cell_width = 10
-   !> Rows of a table: a page shows the shape of a curve, the file has every depth.
-   integer, parameter :: most_rows = 25
    integer, parameter :: digits = 4, depth_digits = 7, share_digits = 2
 
 contains
@@ -99,8 +97,9 @@ contains
       logical, intent(in) :: indicated
       character(:), allocatable :: head, rule
       type(point_type) :: point
-      type(optional_real) :: measured
-      integer :: i, k, n, rows, first, last
+      type(measured_type) :: measured
+      integer, allocatable :: depths(:)
+      integer :: i, n, first, last
       call append_text(lines, '')
       call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
                        trim(model_name(uncertainty%range%models(curve%model)))//': '// &
@@ -114,27 +113,21 @@ contains
       call append_text(lines, rule)
       call append_text(lines, head)
       call append_text(lines, rule)
-      n = size(uncertainty%range%depths)
-      rows = min(n, most_rows)
+      allocate (depths, source=shown_depths(uncertainty%range))
       point = curve
-      do i = 1, rows
-         point%depth = ceiling(real(i, wp)*real(n, wp)/real(rows, wp))
-         measured = optional_real()
-         do k = 1, size(uncertainty%range%measured)
-            associate (told => uncertainty%range%measured(k))
-               if (told%operation == uncertainty%range%operations(curve%operation) .and. &
-                   abs(told%bit_depth - uncertainty%range%depths(point%depth)) <= 0.0_wp) measured = told%hookload
-            end associate
-         end do
+      do i = 1, size(depths)
+         point%depth = depths(i)
+         measured = measured_at(uncertainty%range, point)
          associate (found => statistics(point_number(uncertainty%range, point)))
             call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
-                             cells(loads_of(found), units%force, 1)//fixed_cell(measured, units%force, cell_width, 1)// &
+                             cells(loads_of(found), units%force, 1)//fixed_cell(measured%hookload, units%force, cell_width, 1)// &
                              cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width)// &
                              trim(merge('!', ' ', found%not_converged > 0)))
          end associate
       end do
       call append_text(lines, rule)
-      if (rows < n) call append_text(lines, to_text(rows)//' of '//to_text(n)//' depths; the file has them all')
+      n = size(uncertainty%range%depths)
+      if (size(depths) < n) call append_text(lines, to_text(size(depths))//' of '//to_text(n)//' depths; the file has them all')
       point%depth = 1
       first = point_number(uncertainty%range, point)
       point%depth = n

@@ -13,6 +13,7 @@ module dg_variance_shares
    implicit none
    private
    public :: variance_shares, varies, input_count, input_name
+   public :: input_friction, input_density, input_survey, input_gauge, input_rest
 
    integer, parameter :: input_friction = 1, input_density = 2, input_survey = 3, input_gauge = 4, input_rest = 5
    integer, parameter :: input_count = 5

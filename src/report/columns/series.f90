@@ -1,0 +1,142 @@
+!> Columns with all their values: results along the string, contacts, iterations. One statement puts a column into a list: name,
+!> quantity, meaning and values.
+module dg_series
+   use dg_kinds, only: wp
+   use dg_column, only: column_type, put, put_filled, row_type, unknown_column
+   use dg_missing, only: missing
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: series_type, series_list_type, put, series_of, row_of, value_count
+
+   !> A column and its values: numbers, counts, or states by number.
+   type :: series_type
+      type(column_type) :: column
+      real(wp), allocatable :: numbers(:)                !< in SI units, missing where there is none
+      logical :: is_whole = .false.                      !< numbers are counts
+      integer, allocatable :: states(:)                  !< numbers of words
+      type(text_type), allocatable :: words(:)           !< (0:), by number
+   end type series_type
+
+   !> Columns in their order, with as many values each.
+   type :: series_list_type
+      integer :: count = 0
+      type(series_type), allocatable :: items(:)         !< with room for more
+   end type series_list_type
+
+   !> Puts the next column of a list (or of a row).
+   interface put
+      module procedure put_numbers, put_counts, put_states, put_named
+   end interface put
+
+contains
+
+   !> The column of that name. Ends the program where there is none: a slip in the sources.
+   function series_of(list, name) result(series)
+      type(series_list_type), intent(in) :: list
+      character(*), intent(in) :: name
+      type(series_type) :: series
+      integer :: i
+      do i = 1, list%count
+         if (list%items(i)%column%name == name) exit
+      end do
+      if (i > list%count) call unknown_column(name)
+      series = list%items(i)
+   end function series_of
+
+   !> Values of each column of a list.
+   pure function value_count(list) result(number)
+      type(series_list_type), intent(in) :: list
+      integer :: number
+      number = 0
+      if (list%count == 0) return
+      if (allocated(list%items(1)%states)) number = size(list%items(1)%states)
+      if (allocated(list%items(1)%numbers)) number = size(list%items(1)%numbers)
+   end function value_count
+
+   !> A row of numbers and words.
+   pure function row_of(list, number) result(row)
+      type(series_list_type), intent(in) :: list
+      integer, intent(in) :: number
+      type(row_type) :: row
+      integer :: i
+      do i = 1, list%count
+         associate (series => list%items(i), column => list%items(i)%column)
+            if (allocated(series%states)) then
+               call put_filled(row, column%name, column%quantity, column%meaning, series%words(series%states(number))%text)
+            else
+               call put(row, column%name, column%quantity, column%meaning, series%numbers(number))
+            end if
+         end associate
+      end do
+   end function row_of
+
+   !> Puts a column without values.
+   pure subroutine add_column(list, name, quantity, meaning)
+      type(series_list_type), intent(inout) :: list
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      type(series_type), allocatable :: longer(:)
+      integer :: i
+      if (.not. allocated(list%items)) allocate (list%items(64))
+      if (list%count == size(list%items)) then
+         allocate (longer(2*list%count))
+         do i = 1, list%count
+            longer(i) = list%items(i)
+         end do
+         call move_alloc(longer, list%items)
+      end if
+      list%count = list%count + 1
+      list%items(list%count)%column = column_type(name, quantity, meaning)
+   end subroutine add_column
+
+   pure subroutine put_numbers(list, name, quantity, meaning, values)
+      type(series_list_type), intent(inout) :: list
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      real(wp), intent(in) :: values(:)      !< in SI units, missing where there is none
+      call add_column(list, name, quantity, meaning)
+      list%items(list%count)%numbers = values
+   end subroutine put_numbers
+
+   pure subroutine put_counts(list, name, quantity, meaning, values)
+      type(series_list_type), intent(inout) :: list
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      integer, intent(in) :: values(:)       !< negative where there is none
+      call add_column(list, name, quantity, meaning)
+      list%items(list%count)%is_whole = .true.
+      list%items(list%count)%numbers = merge(real(values, wp), missing, values >= 0)
+   end subroutine put_counts
+
+   pure subroutine put_states(list, name, quantity, meaning, values, words)
+      type(series_list_type), intent(inout) :: list
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      integer, intent(in) :: values(:)
+      character(*), intent(in) :: words(0:)  !< by value
+      type(text_type) :: texts(0:ubound(words, 1))
+      integer :: i
+      do i = 0, ubound(words, 1)
+         texts(i)%text = trim(words(i))
+      end do
+      call put_named(list, name, quantity, meaning, values, texts)
+   end subroutine put_states
+
+   !> States by number, or names, as the numbers of components.
+   pure subroutine put_named(list, name, quantity, meaning, values, words)
+      type(series_list_type), intent(inout) :: list
+      character(*), intent(in) :: name
+      integer, intent(in) :: quantity
+      character(*), intent(in) :: meaning
+      integer, intent(in) :: values(:)
+      type(text_type), intent(in) :: words(0:)  !< by value
+      call add_column(list, name, quantity, meaning)
+      list%items(list%count)%states = values
+      allocate (list%items(list%count)%words(0:ubound(words, 1)), source=words)
+   end subroutine put_named
+end module dg_series

@@ -1,0 +1,68 @@
+!> How a solution was found and what it touches: contacts_<case>_<model>.csv, history_<case>_<model>.csv, state table.
+module dg_solution_series
+   use dg_case_result, only: contact_name, contact_point_type, iteration_type, judged_name, gap_row_type
+   use dg_column, only: quantity_angle, quantity_force, quantity_length, quantity_text, quantity_moment, quantity_none, &
+                        quantity_width
+   use dg_series, only: put, series_list_type
+   use dg_named_states, only: state_name
+   implicit none
+   private
+   public :: contact_series, gap_series
+   public :: history_series
+
+contains
+
+   !> Contacts by column. New columns are put at the end only.
+   pure function contact_series(contacts) result(list)
+      type(contact_point_type), intent(in) :: contacts(:)
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth of the centroid of the force, of the point before loading', contacts%md)
+      call put(list, 'force', quantity_force, &
+               'across the hole, of the string on what it touches; of an edge: beyond what weight and tension in a bend '// &
+               'press to the wall there', contacts%force)
+      call put(list, 'length', quantity_length, 'over which it acts; 0 for bit and top', contacts%length)
+      call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
+      call put(list, 'kind', quantity_text, &
+               'tool joint, stabilizer, centralizer, edge, bit or top', contacts%kind - 1, contact_name)
+   end function contact_series
+
+   !> Iterations by column.
+   pure function history_series(steps) result(list)
+      type(iteration_type), intent(in) :: steps(:)
+      type(series_list_type) :: list
+      call put(list, 'attempt', quantity_none, &
+               'at the case: one that fails is followed by the next; shorter elements count on', steps%attempt)
+      call put(list, 'increment', quantity_none, 'load step', steps%increment)
+      call put(list, 'stage', quantity_none, &
+               'of the mesh: one more each time that elements are cut where the string stands outside', steps%stage)
+      call put(list, 'iteration', quantity_none, 'counted through all attempts, load steps and stages of the mesh', steps%iteration)
+      call put(list, 'residual', quantity_force, 'largest nodal force out of balance', steps%residual_force)
+      call put(list, 'residual', quantity_moment, 'largest nodal moment out of balance', steps%residual_moment)
+      call put(list, 'lateral_step', quantity_width, &
+               'largest lateral change asked for by the step that led here', steps%lateral_step)
+      call put(list, 'viscosity', quantity_none, &
+               'viscous stiffness that held the string back in that step, in units of F^2/(4 EI)', steps%viscosity)
+      call put(list, 'judged_by', quantity_none, &
+               'what judged that step: start (there was none), whole (taken as it is: the string is in tension), energy, '// &
+               'residual, refused (the string went back); in results.h5 1 to 5 in this order', &
+               steps%judged, [character(len(judged_name)) :: '', judged_name])
+      call put(list, 'negative_pivots', quantity_none, &
+               'negative eigenvalues of the matrix of that step: ways in which the string was unstable; by linear_solver '// &
+               'sparse where friction and torque leave the matrix symmetric, else empty', steps%negative_pivots)
+      call put(list, 'contacts', quantity_none, 'gaps that touch', steps%contacts)
+      call put(list, 'flips', quantity_none, 'gaps that changed state after that step', steps%flips)
+      call put(list, 'moves', quantity_none, 'gaps that moved to another x0 after that step', steps%moves)
+      call put(list, 'hookload', quantity_force, 'hook load at this iteration', steps%hookload)
+   end function history_series
+
+   !> The state table.
+   pure function gap_series(gaps) result(list)
+      type(gap_row_type), intent(in) :: gaps(:)
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth of the gap element''s place x0', gaps%md)
+      call put(list, 'state', quantity_text, 'free, elastic or rigid', gaps%state, state_name)
+      call put(list, 'force', quantity_force, 'contact force of the element', gaps%force)
+      call put(list, 'flips', quantity_none, 'changes of state during the iteration', gaps%flips)
+      call put(list, 'moves', quantity_none, 'changes of place during the iteration', gaps%moves)
+   end function gap_series
+end module dg_solution_series

@@ -1,0 +1,95 @@
+!> What rotation does: casing_wear_<case>_<model>.csv, one row a depth; fatigue_<case>_<model>.csv, components of the string, the
+!> one that is tired most first.
+module dg_wear_files
+   use dg_case_result, only: case_result_type
+   use dg_casing_wear, only: find_casing_wear, groove_type
+   use dg_column, only: quantity_length, quantity_line_load, quantity_percent, quantity_pressure, quantity_text, &
+                        quantity_width, quantity_curvature, quantity_none, quantity_stress
+   use dg_comparison, only: percent_of
+   use dg_csv_table, only: write_series
+   use dg_error, only: error_type
+   use dg_job, only: job_type
+   use dg_model, only: model_type, string_index
+   use dg_series, only: put, series_list_type
+   use dg_text, only: text_type
+   use dg_along_string, only: along_string_type
+   use dg_fatigue, only: fatigue_type, find_fatigue
+   implicit none
+   private
+   public :: write_casing_wear, write_fatigue
+
+contains
+
+   !> Writes the wear of the casing by `result` to `path`.
+   subroutine write_casing_wear(path, job, model, result, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(error_type), allocatable, intent(out) :: error
+      type(groove_type), allocatable :: grooves(:)
+      type(text_type) :: names(size(model%holes))
+      integer :: i
+      call find_casing_wear(model, result, grooves)
+      do i = 1, size(names)
+         names(i)%text = model%holes(i)%name
+      end do
+      call write_series(wear_series(grooves, names), path, job%units, error)
+   end subroutine write_casing_wear
+
+   !> Grooves by column. New columns are put at the end only.
+   pure function wear_series(grooves, names) result(list)
+      type(groove_type), intent(in) :: grooves(:)
+      type(text_type), intent(in) :: names(:)      !< of hole sections
+      type(series_list_type) :: list
+      call put(list, 'md', quantity_length, 'measured depth', grooves%md)
+      call put(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
+      call put(list, 'side_force', quantity_line_load, 'mean over the distance of two tool joints', grooves%side_force)
+      call put(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
+      call put(list, 'wall_left', quantity_percent, 'of the wall as it was new', percent_of(grooves%wall_left))
+      call put(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
+      call put(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
+   end function wear_series
+
+   !> Writes what a string that turns makes of its components to `path`.
+   subroutine write_fatigue(path, job, model, result, along, error)
+      character(*), intent(in) :: path
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(in) :: along
+      type(error_type), allocatable, intent(out) :: error
+      type(fatigue_type), allocatable :: parts(:)
+      type(text_type), allocatable :: names(:)
+      integer :: i
+      call find_fatigue(model, result, along, parts)
+      associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
+         allocate (names(size(string%components)))
+         do i = 1, size(names)
+            names(i)%text = string%components(i)%name
+         end do
+      end associate
+      call write_series(fatigue_series(parts, names), path, job%units, error)
+   end subroutine write_fatigue
+
+   !> Components by column. New columns are put at the end only.
+   pure function fatigue_series(parts, names) result(list)
+      type(fatigue_type), intent(in) :: parts(:)
+      type(text_type), intent(in) :: names(:)     !< of components
+      type(series_list_type) :: list
+      call put(list, 'component', quantity_text, 'its name', parts%part - 1, names)
+      call put(list, 'md', quantity_length, 'where it is bent hardest for its tension', parts%md)
+      call put(list, 'tension', quantity_stress, 'of the effective axial force', parts%tension)
+      call put(list, 'amplitude', quantity_stress, &
+               'of the bending stress of the body, largest between tool joints', parts%amplitude)
+      call put(list, 'permitted', quantity_stress, 'amplitude that it bears without end at that tension', parts%permitted)
+      call put(list, 'used', quantity_percent, 'amplitude over permitted', percent_of(parts%used))
+      call put(list, 'turns', quantity_none, &
+               'until failure; empty where endless, or where fatigue_exponent is not given', parts%turns)
+      call put(list, 'damage', quantity_percent, &
+               'part of its life that hours of rotation take at that place; empty without hours', percent_of(parts%damage))
+      call put(list, 'dogleg', quantity_curvature, 'of the hole there', parts%curvature)
+      call put(list, 'permitted_dogleg', quantity_curvature, &
+               'largest dogleg in which it may turn without end at that tension', parts%dogleg)
+   end function fatigue_series
+end module dg_wear_files
