@@ -60,6 +60,7 @@ contains
       integer, intent(in) :: number
       type(row_type) :: row
       integer :: i
+      allocate (row%fields(list%count))
       do i = 1, list%count
          associate (series => list%items(i), column => list%items(i)%column)
             if (allocated(series%states)) then

@@ -1,6 +1,7 @@
 !> The pictures of a run as their scripts are written: names, what they show in words and in numbers, which are there.
 module dg_picture_list
    use dg_chart, only: chart_type, is_empty
+   use dg_column, only: row_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_gnuplot_script, only: chart_script
@@ -42,6 +43,7 @@ contains
       type(picture_type), allocatable :: longer(:)
       type(chart_type) :: named
       type(text_type), allocatable :: lines(:)
+      type(row_type), allocatable :: rows(:)
       integer :: n, i, number
       if (allocated(error)) return
       if (is_empty(chart)) then
@@ -61,7 +63,11 @@ contains
       if (.not. allocated(error)) call note_file(job%output_dir, picture_folder//'/'//named%name//'.svg', error)
       if (.not. allocated(error)) call write_text_file(folder_in(job)//'/'//named%name//'.gp', lines, error)
       allocate (longer(n + 1))
-      longer(:n) = list%pictures
+      do i = 1, n
+         call move_alloc(list%pictures(i)%data%rows, rows)      ! many: not copied for each picture that is added
+         longer(i) = list%pictures(i)
+         call move_alloc(rows, longer(i)%data%rows)
+      end do
       longer(n + 1)%name = named%name
       longer(n + 1)%caption = caption
       longer(n + 1)%case_index = case_index
