@@ -184,6 +184,15 @@ contains
       call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &
                   'load of the rig 9 kN too much then')
       call expect(given(load + 20.0e3_wp), ', with 50 kN of overpull at the bit. Possible with 20 kN of overpull')
+      ! torque f W sin a times the radius is within the limit when the bit is off bottom
+      call build(model, operation_rotary_drilling, asked)
+      load = friction*weight_of(model)*sin(angle)*0.5_wp*model%strings(1)%components(1)%od
+      model%cases(1)%tob = load
+      model%rig%given = .true.
+      model%rig%max_torque = given(1.1_wp*load)
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(0, verdict%limit_without_load, message='no bit torque without weight on bit')
    contains
       subroutine expect(rig_limit, words)
          type(optional_real), intent(in) :: rig_limit      !< [N]
@@ -431,6 +440,9 @@ contains
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_lock_up, verdict%limit)
       call assertRelativelyEqual(most, verdict%most_wob%value, close)
+      result%lock_up_load = 0.5_wp*most
+      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call assertRelativelyEqual(0.5_wp*most, verdict%most_wob%value, close, message='what beams bear')
       model%cases(1)%operation = operation_trip_out
       call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
       call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)

@@ -40,12 +40,16 @@ contains
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
       type(verdict_type), intent(out) :: verdict
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
+      real(wp) :: most
       associate (load_case => model%cases(result%case_index))
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
-            if (block_way(load_case%operation) <= 0) verdict%most_wob = &
-               given(most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false.))
+            if (block_way(load_case%operation) <= 0) then
+               most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false.)
+               if (.not. is_missing(result%lock_up_load)) most = min(most, max(result%lock_up_load, 0.0_wp))
+               verdict%most_wob = given(most)
+            end if
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
             verdict%most_wob = whole%wob_lockup
@@ -112,6 +116,7 @@ contains
          if (.not. load_case%wob > 0.0_wp .and. .not. (load_case%wob < 0.0_wp .and. block_way(load_case%operation) > 0)) return
       end associate
       bare = other_model
+      if (model%cases(result%case_index)%wob > 0.0_wp) bare%cases(result%case_index)%tob = 0.0_wp     ! the bit is off bottom
       bare%cases(result%case_index)%wob = 0.0_wp
       if (result%status == result_locked_up) then
          if (locks_up(bare, result%case_index)) verdict%limit_without_load = limit_lock_up

@@ -31,6 +31,7 @@ module dg_friction_reserve
    type :: soft_type
       real(wp), allocatable :: axial(:), torque(:)   !< along the string [N, N.m]
       real(wp) :: compression = 0.0_wp               !< of the lower end [N]
+      real(wp) :: bit_torque = 0.0_wp                !< [N.m]
       real(wp) :: axial_ratio = 1.0_wp               !< friction of the result over that of the soft string [-]
       real(wp) :: torque_ratio = 1.0_wp              !< the same of torque
       logical :: coiled = .false.                    !< with the friction of a buckled string
@@ -109,6 +110,7 @@ contains
       soft%torque = torque
       associate (load_case => model%cases(result%case_index))
          soft%compression = end_compression(model, load_case)
+         soft%bit_torque = load_case%tob
          friction = totals%weight - soft%compression - axial(1)
          turning = torque(1) - load_case%tob
          if (abs(friction) > no_friction*abs(totals%weight)) soft%axial_ratio = max(result%friction/friction, 0.0_wp)
@@ -116,10 +118,10 @@ contains
       end associate
    end subroutine begin_soft
 
-   !> The result as it is with the friction of another model of the same well, or with another weight on bit.
+   !> The result as it is with the friction of another model of the same well, or with another weight on bit and bit torque.
    pure subroutine find_shifted(model, other_model, result, other, locks_up)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model        !< another friction of the hole or weight on bit, all else alike
+      type(model_type), intent(in) :: other_model        !< another friction of the hole, wob or tob; all else alike
       type(case_result_type), intent(in) :: result       !< of `model`, converged
       type(case_result_type), intent(out) :: other       !< hook load, torque, friction, profile
       logical, intent(out) :: locks_up                   !< no such result
@@ -129,7 +131,8 @@ contains
       if (.not. locks_up) call shift_result(other_model, result, soft, 1.0_wp, other, locks_up)
    end subroutine find_shifted
 
-   !> The result with friction of a model times a factor. What is added to the load of the lower end comes to the top as it is.
+   !> The result with friction of a model times a factor. Force and torque that are added at the lower end come to the top as
+   !> they are.
    pure subroutine shift_result(model, result, soft, factor, other, locks_up)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -138,7 +141,7 @@ contains
       type(case_result_type), intent(out) :: other
       logical, intent(out) :: locks_up
       type(soft_totals_type) :: totals
-      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), added
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), added, added_torque
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
       locks_up = totals%runaway
@@ -148,7 +151,8 @@ contains
       other%profile = result%profile
       added = end_compression(model, model%cases(result%case_index)) - soft%compression
       other%profile%axial = result%profile%axial - added + soft%axial_ratio*(axial - soft%axial + added)
-      other%profile%torque = result%profile%torque + soft%torque_ratio*(torque - soft%torque)
+      added_torque = model%cases(result%case_index)%tob - soft%bit_torque
+      other%profile%torque = result%profile%torque + added_torque + soft%torque_ratio*(torque - soft%torque - added_torque)
       other%hookload = other%profile%axial(1)
       other%torque = other%profile%torque(1)
       other%friction = result%friction - (other%hookload - result%hookload) - added
