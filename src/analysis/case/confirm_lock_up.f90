@@ -20,7 +20,7 @@ module dg_confirm_lock_up
 
    !> Beams are asked for loads that are less by these parts, one after the other until they find an equilibrium [-].
    real(wp), parameter :: less(4) = [0.05_wp, 0.1_wp, 0.2_wp, 0.5_wp]
-   !> Iterations at most for the first, and for each other: where beams confirm the first, they took up to 270.
+   !> Iterations at most for the first, and for each other: where beams confirm the first, they took up to 390.
    integer, parameter :: most_iterations(4) = [400, 150, 150, 150]
    !> Digits in a message.
    integer, parameter :: shown = 4

@@ -47,7 +47,7 @@ contains
       type(case_result_type), intent(in) :: result      !< with a profile
       type(along_string_type), intent(in) :: along
       type(picture_data_type) :: data
-      type(series_list_type) :: list
+      type(series_list_type) :: whole, list
       logical :: shown(size(result%profile%md))
       integer :: i, j, n
       n = size(result%profile%md)
@@ -56,10 +56,11 @@ contains
          shown(minloc(abs(result%profile%md - (result%profile%md(1) + (result%profile%md(n) - result%profile%md(1))*i/ &
                                                usual_rows)), dim=1)) = .true.
       end do
+      whole = profile_series(result%profile, along)
       list%count = size(names)
       allocate (list%items(size(names)))
       do j = 1, size(names)
-         list%items(j) = series_of(profile_series(result%profile, along), trim(names(j)))
+         list%items(j) = series_of(whole, trim(names(j)))
          associate (values => list%items(j)%numbers, known => .not. is_missing(list%items(j)%numbers))
             if (.not. any(known)) cycle
             shown(minloc(values, mask=known, dim=1)) = .true.
