@@ -107,6 +107,7 @@ contains
       integer, intent(in) :: number
       type(row_type) :: row
       real(wp) :: after
+      type(optional_real) :: residual
       logical :: hooks
       after = missing
       if (result%fit%status == fit_done) after = result%fit%values(number)
@@ -128,9 +129,8 @@ contains
          call put(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
          call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', error_of(before))
          call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', error_of(after))
-         call put(row, 'residual', quantity_none, &
-                  '(after - measured) / standard deviation', &
-                  optional_real(.not. is_missing(after), (after - datum%measured)/datum%deviation))
+         if (.not. is_missing(after)) residual = given((after - datum%measured)/datum%deviation)
+         call put(row, 'residual', quantity_none, '(after - measured) / standard deviation', residual)
       end associate
    contains
       pure function error_of(calculated) result(error)

@@ -120,6 +120,8 @@ contains
       type(model_type), intent(in) :: model
       type(steering_result_type), intent(in) :: result
       type(row_type) :: row
+      real(wp) :: bend(2)                  ! curvature that was found
+      bend = merge(result%curvature, 0.0_wp, result%found)
       call put(row, 'case', quantity_text, 'name of the load case', model%cases(result%case_index)%name)
       call put(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
       call put(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
@@ -131,13 +133,13 @@ contains
       call put(row, 'tilt_high', quantity_angle, 'to which the bit points against that hole, towards the high side', result%tilt(1))
       call put(row, 'tilt_right', quantity_angle, 'the same to the right', result%tilt(2))
       call put(row, 'build', quantity_curvature, &
-               'build rate of the equilibrium curvature: the hole goes on so', optional_real(result%found, result%curvature(1)))
+               'build rate of the equilibrium curvature: the hole goes on so', optional_real(result%found, bend(1)))
       call put(row, 'turn', quantity_curvature, &
-               'its change of azimuth, clockwise seen from above', optional_real(result%found, turn_rate(result, result%curvature)))
-      call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(result%curvature)))
+               'its change of azimuth, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
+      call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(bend)))
       call put(row, 'dogleg_clock', quantity_angle, &
                'to which the hole bends, from the high side clockwise looking down the hole', &
-               optional_real(result%found, dogleg_clock(result%curvature)))
+               optional_real(result%found, dogleg_clock(bend)))
       call put(row, 'status', quantity_text, &
                'converged, or not_converged: then there is no curvature', merge('converged    ', 'not_converged', result%found))
       call put(row, 'solutions', quantity_none, 'of the string that it took', result%solutions)
