@@ -2,7 +2,8 @@
 !> another program's case.
 module dg_run_action
    use dg_arguments, only: arguments_type
-   use dg_catalogue, only: catalogue_type, find_catalogue, kind_of_grades, number_of, numeric_keys, read_catalogue
+   use dg_catalogue, only: catalogue_type, find_catalogue, kind_of_grades, number_of, numeric_keys, place_of_name, &
+                           read_catalogue
    use dg_deck_convert, only: convert_deck
    use dg_deck_schema, only: group_keys_type
    use dg_deck_source, only: read_source
@@ -119,7 +120,7 @@ contains
       sought = lower_case(trim(pattern))
       cut = index(sought, ' ', back=.true.)
       grade = 0
-      if (cut > 0) grade = grade_of(catalogue, sought(cut + 1:))
+      if (cut > 0) grade = place_of_name(catalogue, sought(cut + 1:), .true.)
       if (grade > 0) sought = sought(:cut - 1)
       do i = 1, size(catalogue%entries)
          if (grade > 0 .and. catalogue%entries(i)%kind == kind_of_grades) cycle
@@ -137,21 +138,12 @@ contains
          call tell(path//' has nothing like '//quoted(pattern))
          return
       end if
-      if (sought /= '' .and. grade_of(catalogue, sought) > 0) call append_text(lines, 'A grade stands behind the name of a '// &
-         "pipe: catalogue = 'DP 5 19.50 NC50 S135'. List pipe of a grade so: --list-catalogue 'DP 5 S135'")
+      if (sought /= '' .and. place_of_name(catalogue, sought, .true.) > 0) &
+         call append_text(lines, 'A grade stands behind the name of a '// &
+                          "pipe: catalogue = 'DP 5 19.50 NC50 S135'. List pipe of a grade so: --list-catalogue 'DP 5 S135'")
       call print_lines(lines)
       status = status_ok
    end subroutine list_catalogue
-
-   !> The entry of a grade; 0 where there is none of that name.
-   pure function grade_of(catalogue, name) result(grade)
-      type(catalogue_type), intent(in) :: catalogue
-      character(*), intent(in) :: name      !< in small letters
-      integer :: grade
-      do grade = size(catalogue%entries), 1, -1
-         if (catalogue%entries(grade)%kind == kind_of_grades .and. lower_case(catalogue%entries(grade)%name) == name) exit
-      end do
-   end function grade_of
 
    !> Units of the columns of numbers.
    function heads(units) result(text)

@@ -19,7 +19,7 @@ module dg_catalogue
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
-   public :: catalogue_within, kind_of_grades
+   public :: catalogue_within, kind_of_grades, place_of_name
 
    !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder; else
    !> the one within the program, under a name that no file of a user has.
@@ -246,24 +246,26 @@ contains
       integer :: cut
       wanted = plain(name)
       grade = 0
-      entry = place_of(catalogue, wanted, .false.)
+      entry = place_of_name(catalogue, wanted, .false.)
       cut = index(wanted, ' ', back=.true.)
       if (entry > 0 .or. cut == 0) return
-      grade = place_of(catalogue, wanted(cut + 1:), .true.)
-      if (grade > 0) entry = place_of(catalogue, wanted(:cut - 1), .false.)
+      grade = place_of_name(catalogue, wanted(cut + 1:), .true.)
+      if (grade > 0) entry = place_of_name(catalogue, wanted(:cut - 1), .false.)
    end subroutine find_entry
 
-   !> Place of a name, as `plain` gives it, among the entries or the grades of a catalogue; 0 where there is none.
-   pure function place_of(catalogue, name, among_grades) result(place)
+   !> Place of a name among the entries or the grades of a catalogue, letter case and number of blanks aside; 0: not found.
+   pure function place_of_name(catalogue, name, among_grades) result(place)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
       logical, intent(in) :: among_grades
       integer :: place
+      character(:), allocatable :: wanted
+      wanted = plain(name)
       do place = size(catalogue%entries), 1, -1
          if ((catalogue%entries(place)%kind == kind_of_grades) .neqv. among_grades) cycle
-         if (plain(catalogue%entries(place)%name) == name) return
+         if (plain(catalogue%entries(place)%name) == wanted) return
       end do
-   end function place_of
+   end function place_of_name
 
    !> What an entry with a grade (0: none) gives for one of `numeric_keys` [SI]; `has` tells whether it does.
    pure subroutine number_of(catalogue, entry, grade, key, has, number)

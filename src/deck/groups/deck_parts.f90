@@ -153,7 +153,7 @@ contains
       end subroutine refuse_both
    end subroutine draft_component
 
-   !> What a component has beside pipe: a bent housing, pads, a survey sensor, a fatigue curve. A bend and pads say where they are.
+   !> Extras of a component: bent housing, pads, survey sensor, fatigue curve. A bend and pads need their positions.
    subroutine draft_tools(group, part, faults)
       type(checked_group_type), intent(in) :: group
       type(component_type), intent(inout) :: part

@@ -165,7 +165,7 @@ contains
       call station_fault(group, stations, 1, message, sound, faults)
    end subroutine check_begin
 
-   !> Whether stations are those of a file, not of the deck itself.
+   !> True where stations come from a file, false where the deck lists them.
    pure function of_file(group, stations) result(are)
       type(checked_group_type), intent(in) :: group
       type(station_list_type), intent(in) :: stations

@@ -105,21 +105,21 @@ contains
          character(:), allocatable :: range
          associate (low => usual(number)%low, high => usual(number)%high)
             if (value >= low .and. value <= high) return
-            range = 'at least '//told(number, low)
-            if (value > high) range = 'at most '//told(number, high)
+            range = 'at least '//value_text(number, low)
+            if (value > high) range = 'at most '//value_text(number, high)
          end associate
-         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//told(number, value)//' is unusual. Usual is '// &
+         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(number, value)//' is unusual. Usual is '// &
                           range//'. Check the unit')
       end subroutine note_range
 
       !> A value in the units of the deck, with its unit where the range has one.
-      function told(number, value) result(text)
+      function value_text(number, value) result(text)
          integer, intent(in) :: number       !< of the range
          real(wp), intent(in) :: value       !< [SI]
          character(:), allocatable :: text
          text = to_text(value/draft%units%density, digits)
          if (number /= usual_density) text = trim(in_units(draft%units, usual(number)%unit, value, digits))
-      end function told
+      end function value_text
    end subroutine note_unusual
 
    !> Inclinations that look like radians.
