@@ -5,7 +5,7 @@ module dg_coiling
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    implicit none
    private
-   public :: coiling_load, least_coiling_load, coil_force, wound_compression
+   public :: coiling_load, least_coiling_load, coil_force, coil_bend, wound_compression
 
 contains
 
@@ -37,6 +37,13 @@ contains
       real(wp) :: force
       force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
    end function coil_force
+
+   !> Curvature c F/(2 EI) of a coiled string [1/m] (Lubinski, Althouse & Logan 1962).
+   elemental function coil_bend(ei, compression, clearance) result(curvature)
+      real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
+      real(wp) :: curvature
+      curvature = clearance*max(compression, 0.0_wp)/(2.0_wp*ei)
+   end function coil_bend
 
    !> Compression that winds a coil without torque as tightly as `compression` winds one under torque [N]: 2 EI b^2, with b the
    !> angle per metre of the coil of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that is turned to the

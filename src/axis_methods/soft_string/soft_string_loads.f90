@@ -16,7 +16,7 @@
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
-   use dg_coiling, only: coil_force
+   use dg_coiling, only: coil_bend, coil_force
    use dg_load_case, only: optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
@@ -25,7 +25,7 @@ module dg_soft_string_loads
    use dg_trajectory, only: point_on_arc, turn_of, turn_type
    implicit none
    private
-   public :: soft_string_at, soft_totals_type, other_loads_type
+   public :: soft_string_at, soft_totals_type, other_loads_type, bearable_strain
    ! What the integration of the stiff string shares.
    public :: longest_step, largest_angle, runaway_force
 
@@ -37,14 +37,16 @@ module dg_soft_string_loads
    !> Axial force beyond which the integration stops [N]: no string carries a millionth of it, and friction in
    !> a long sharp bend grows exponentially until numbers end.
    real(wp), parameter :: runaway_force = 1.0e15_wp
-   !> The same for a coiled string, whose friction reaches infinity at a finite length: strain [-] that no steel bears.
-   real(wp), parameter :: runaway_strain = 0.01_wp
+   !> The same for a coiled string, whose friction reaches infinity at a finite length: strain of the body by compression and by
+   !> the bending of coils [-]. Pipe of 135 ksi yields at 0.45 %, so that no push may pass it.
+   real(wp), parameter :: bearable_strain = 0.005_wp
 
    !> Sums over the string between the first of the depths asked for and the bit.
    type :: soft_totals_type
       real(wp) :: weight = 0.0_wp        !< buoyed weight along the hole: sum of w dz [N]
       real(wp) :: normal_force = 0.0_wp  !< integral of n [N]
       integer :: steps = 0               !< integration steps
+      real(wp) :: strain = 0.0_wp        !< largest of a coiled string, by compression and by the bending of coils [-]
       logical :: runaway = .false.       !< axial force left all bounds
       real(wp) :: runaway_md = 0.0_wp    !< ... at this depth, above which nothing was integrated [m]
    end type soft_totals_type
@@ -123,13 +125,22 @@ contains
       place = place_at(piece, md - piece%arc%md)
    end subroutine enter_piece
 
+   !> Load across the hole [N/m] at a place of a piece under an axial force [N].
+   pure function load_across(piece, place, force) result(load)
+      type(piece_type), intent(in) :: piece
+      type(place_type), intent(in) :: place
+      real(wp), intent(in) :: force
+      real(wp) :: load
+      load = sqrt(max(force*(force*piece%arc%curvature**2 + 2.0_wp*place%both) + place%across, 0.0_wp))
+   end function load_across
+
    !> Contact force [N/m] at a place of a piece under an axial force [N].
    pure function pressed(piece, place, force) result(normal)
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
       real(wp), intent(in) :: force
       real(wp) :: normal, limit
-      normal = sqrt(max(force*(force*piece%arc%curvature**2 + 2.0_wp*place%both) + place%across, 0.0_wp))
+      normal = load_across(piece, place, force)
       if (piece%coils .and. force < 0.0_wp) then
          limit = sinusoidal_limit(piece%stiffness, normal, piece%clearance)
          if (-force > max(helical_low*limit, piece%least_coiling)) then
@@ -140,6 +151,18 @@ contains
       end if
       normal = piece%climb*normal
    end function pressed
+
+   !> Strain of a compressed piece by compression, and where it coils by bending [-].
+   pure function strain_of(piece, place, compression) result(strain)
+      type(piece_type), intent(in) :: piece
+      type(place_type), intent(in) :: place
+      real(wp), intent(in) :: compression    !< > 0 [N]
+      real(wp) :: strain
+      strain = compression/piece%stretching
+      if (compression > max(helical_low*sinusoidal_limit(piece%stiffness, load_across(piece, place, -compression), &
+                                                         piece%clearance), piece%least_coiling)) &
+         strain = strain + piece%reach*coil_bend(piece%stiffness, compression, piece%clearance)
+   end function strain_of
 
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
    !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
@@ -200,7 +223,8 @@ contains
          sums%normal_force = sums%normal_force + normal
          sums%weight = sums%weight + piece%weight*(place%depth - there%depth)
          sums%steps = sums%steps + 1
-         if (abs(force) > runaway_force .or. (piece%coils .and. -force > runaway_strain*piece%stretching)) then
+         if (piece%coils .and. force < 0.0_wp) sums%strain = max(sums%strain, strain_of(piece, there, -force))
+         if (abs(force) > runaway_force .or. sums%strain > bearable_strain) then
             sums%runaway = .true.
             sums%runaway_md = piece%arc%md + offset
             place = place_at(piece, target - piece%arc%md)

@@ -47,6 +47,7 @@ module dg_string_piece
       real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
       real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
+      real(wp) :: reach = 0.0_wp    !< of its outside from its axis [m]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
       real(wp) :: least_coiling = 0.0_wp !< coiling load of a string that nothing presses [N]
       logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
@@ -100,6 +101,7 @@ contains
          if (part%centralizer%present) piece%radius = 0.5_wp*centralizer_diameter(part)
          piece%stiffness = bending_stiffness(part)
          piece%stretching = axial_stiffness(part)
+         piece%reach = 0.5_wp*part%od
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)

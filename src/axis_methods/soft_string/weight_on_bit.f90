@@ -5,11 +5,11 @@ module dg_weight_on_bit
    use dg_component, only: axial_stiffness
    use dg_load_case, only: block_way, given, optional_real
    use dg_model, only: model_type, string_index
-   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_soft_string_loads, only: bearable_strain, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: bearable_strain, bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
+   public :: bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -17,8 +17,6 @@ module dg_weight_on_bit
    !> to more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
-   !> Strain of the weakest component that no push may pass: pipe of 135 ksi yields at 0.45 % [-].
-   real(wp), parameter :: bearable_strain = 0.005_wp
    !> Depths that are tried from the bit up, and to what part of the bit's depth the one between two of them is found [-].
    integer, parameter :: depths = 50
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
@@ -131,7 +129,8 @@ contains
       end associate
    end function bearable_force
 
-   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` above the largest push.
+   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` what is left of the strain
+   !> that pipe bears, as a force.
    pure function left_of(model, case_index, wob, coiled, pushed) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -143,7 +142,7 @@ contains
       call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
                           other=other_loads_type(coiled=coiled, wob=given(wob)))
       left = axial(1)
-      if (pushed) left = left + bearable_force(model, case_index)
+      if (pushed) left = bearable_force(model, case_index)*(1.0_wp - totals%strain/bearable_strain)
       if (totals%runaway) left = min(left, -1.0_wp)
    end function left_of
 end module dg_weight_on_bit

@@ -15,18 +15,47 @@ module dg_stiff_drag
    use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_walls, only: lay_out_gaps, softness
+   use dg_weight_on_bit, only: most_load_at_bit
    use dg_whirling, only: find_climb
    implicit none
    private
    public :: find_stiff_drag
 
+   !> Part of that load by which it is eased [-]: at the load itself the soft string may run away by round-off.
+   real(wp), parameter :: eased_by = 0.01_wp
+   !> Times that it is found of a string that locks up: the load that comes to its bit goes by it.
+   integer, parameter :: passes = 2
+
 contains
 
-   !> That friction less what the soft string has there, > 0 down the hole [N]; 0 where no equilibrium feels it.
+   !> That friction less what the soft string has there, > 0 down the hole [N]; 0 where no equilibrium feels it. Of a string that
+   !> locks up it is the one under the greatest load that comes to its bit.
    pure subroutine find_stiff_drag(model, case_index, drag)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(out) :: drag
+      type(model_type) :: eased
+      real(wp) :: most
+      integer :: i
+      logical :: locked_up
+      call find_drag(model, case_index, drag, locked_up)
+      if (.not. locked_up) return
+      eased = model
+      do i = 1, passes
+         most = most_load_at_bit(eased, case_index, coiled=.true., pushed=.true.)
+         eased%cases(case_index)%wob = most - eased_by*abs(most)
+         call find_drag(eased, case_index, drag, locked_up)
+         if (locked_up .or. .not. abs(drag) > 0.0_wp) return
+         eased%stiff_drag = drag
+      end do
+   end subroutine find_stiff_drag
+
+   !> The same of a string under the loads of its case.
+   pure subroutine find_drag(model, case_index, drag, locked_up)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(out) :: drag
+      logical, intent(out) :: locked_up         !< nothing is found then
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
       type(soft_totals_type) :: totals
@@ -36,7 +65,8 @@ contains
       integer :: shortened(scale_count)
       drag = 0.0_wp
       call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
-      if (totals%runaway) return
+      locked_up = totals%runaway
+      if (locked_up) return
       stiff = near_edges(mesh)
       if (.not. any(abs(mesh%axial) > 0.0_wp .and. stiff)) return
       allocate (climb(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
@@ -51,5 +81,5 @@ contains
       soft = axial(:mesh%elements) - axial(2:)
       drag = sum(mesh%axial*pressed - soft, mask=stiff)
       if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
-   end subroutine find_stiff_drag
+   end subroutine find_drag
 end module dg_stiff_drag
