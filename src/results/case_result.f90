@@ -9,7 +9,7 @@ module dg_case_result
    public :: judged_start, judged_whole, judged_energy, judged_residual, judged_refused, judged_name
    public :: scale_compression, scale_bend, scale_load, scale_joint, scale_end, scale_neighbour, scale_count, scale_name
    public :: result_converged, result_not_converged, result_locked_up, result_status_name
-   public :: add_sentence, has_numbers, is_pushed, push_needed
+   public :: add_sentence, has_numbers, is_pushed, push_needed, without_load_type
    public :: contact_point_type, contact_joint, contact_blades, contact_edge, contact_bit, contact_top, contact_centralizer, &
              contact_name
 
@@ -83,6 +83,12 @@ module dg_case_result
       real(wp) :: md(2) = 0.0_wp         !< where that part begins and ends [m]
    end type unlike_contact_type
 
+   !> What was found of a case without its weight on bit.
+   type :: without_load_type
+      integer :: status = result_not_converged   !< that, too, where it was not looked at
+      real(wp) :: hookload = 0.0_wp              !< of a converged one [N]
+   end type without_load_type
+
    type :: case_result_type
       integer :: case_index = 0                !< in model%cases
       integer :: model = 0                     !< number of the model (dg_job)
@@ -112,6 +118,7 @@ module dg_case_result
       !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
       !> where not locked up [N].
       real(wp) :: lock_up_load = missing
+      type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
       real(wp) :: moment_error = missing

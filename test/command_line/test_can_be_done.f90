@@ -24,6 +24,7 @@ contains
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
       call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
+      call suite%addTest(TestMethod('what_string_weight_can_do', test_ways_down))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('page', test_page))
       call suite%addTest(TestMethod('head_and_jar', test_head))
@@ -213,6 +214,51 @@ contains
       call assertEqual('converged', field(rows(3)%text, col_status))
       call assertTrue(index(rows(3)%text, ',yes,') > 0, message=rows(3)%text)
    end subroutine test_less_weight
+
+   !> Where beams lock up, the weight on bit, the friction and the depth that are told are followed: yes with 3 % less, NO with 3 %
+   !> more.
+   subroutine test_ways_down()
+      type(run_type) :: run
+      real(wp) :: wob, factor, depth
+      run = run_slide(15000.0_wp, 60.0_wp, 1.0_wp)
+      wob = told('String weight alone brings ')
+      factor = told('The answer becomes yes at about ')
+      depth = told('Deepest bit depth possible: about ')
+      call expect('yes', 15000.0_wp, 0.97_wp*wob, 1.0_wp)
+      call expect('NO ', 15000.0_wp, 1.03_wp*wob, 1.0_wp)
+      call expect('yes', 15000.0_wp, 60.0_wp, 0.97_wp*factor)
+      call expect('NO ', 15000.0_wp, 60.0_wp, 1.03_wp*factor)
+      call expect('yes', 0.97_wp*depth, 60.0_wp, 1.0_wp)
+      call expect('NO ', 1.03_wp*depth, 60.0_wp, 1.0_wp)
+   contains
+      !> A number of the answer.
+      function told(words) result(value)
+         character(*), intent(in) :: words
+         real(wp) :: value
+         character(:), allocatable :: number
+         number = number_after(run%output, words)
+         read (number, *) value
+      end function told
+
+      !> Checks the answer to another case.
+      subroutine expect(answer, bit_depth, weight, friction_scale)
+         character(*), intent(in) :: answer
+         real(wp), intent(in) :: bit_depth, weight, friction_scale   !< [ft, klbf, -]
+         run = run_slide(bit_depth, weight, friction_scale)
+         call assertTrue(index(run%output, newline//'slide  '//answer//' ') > 0, message=answer//' wanted: '//run%output)
+      end subroutine expect
+
+      !> Slides by beams on long elements.
+      function run_slide(bit_depth, weight, friction_scale) result(run)
+         real(wp), intent(in) :: bit_depth, weight, friction_scale   !< [ft, klbf, -]
+         type(run_type) :: run
+         character(:), allocatable :: text
+         text = replaced(deck("operation = 'sliding', friction = "//to_text(0.3_wp*friction_scale)//', wob = '// &
+                              to_text(weight), .false.), "models = 'soft'", "models = 'mcge'")
+         text = replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(bit_depth))
+         run = run_deck_text(text//"&solver fidelity = 'fast' /"//newline)
+      end function run_slide
+   end subroutine test_ways_down
 
    !> The depth from which it cannot be done, and the rows that say so.
    subroutine test_sweep()

@@ -1,6 +1,7 @@
 !> One load case by the model of a given number: the one place that knows the doors of all models.
 module dg_solve_case
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
+   use dg_case_without_load, only: solve_without_load
    use dg_confirm_lock_up, only: confirm_lock_up
    use dg_error, only: error_type, raise, status_failure
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
@@ -39,7 +40,10 @@ contains
          result%message = 'not begun'
       case (model_mcge)
          call solve_static_analysis(model, case_index, result, error, totals_only, stop)
-         if (.not. shortly) call confirm_lock_up(model, case_index, stopped, result)
+         if (.not. shortly) then
+            call confirm_lock_up(model, case_index, stopped, result)
+            call solve_without_load(model, case_index, stopped, result)
+         end if
       case (model_soft)
          call solve_soft_string(model, case_index, result, error, totals_only)
       case (model_rigid)

@@ -22,7 +22,7 @@ module dg_find_verdict
                              limit_torsion, limit_von_mises, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_lock_up, limit_string_weight, verdict_type
-   use dg_weight_on_bit, only: find_reach, locks_up, most_weight_on_bit
+   use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -71,10 +71,47 @@ contains
          if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
              .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) then
             call find_turning_loads(model, result%case_index, verdict)
-            if (verdict%friction /= friction_upper_end_alone) call find_reach(model, result%case_index, verdict%reach)
+            if (verdict%friction /= friction_upper_end_alone) call find_ways_down(model, result, verdict)
          end if
       end associate
    end subroutine find_verdict
+
+   !> What string weight can do in a case that needs more of it: largest weight on bit, deepest bit depth, largest friction. They
+   !> are those of the soft string with the friction of coils, times a factor with which it has the hook load of the beams: of the
+   !> case without weight on bit where that was solved, else of the case itself.
+   pure subroutine find_ways_down(model, result, verdict)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(verdict_type), intent(inout) :: verdict
+      real(wp) :: scale, part
+      associate (wob => model%cases(result%case_index)%wob, bare => result%without_load, i => result%case_index)
+         scale = 0.0_wp
+         if (bare%status == result_converged) then
+            scale = matching_friction(model, i, 0.0_wp, bare%hookload)
+            verdict%limit_without_load = merge(limit_string_weight, 0, bare%hookload < 0.0_wp)
+            verdict%excess_without_load = -bare%hookload
+         else if (bare%status == result_locked_up) then
+            verdict%limit_without_load = limit_lock_up
+         else if (result%status == result_converged .and. result%model == model_mcge) then
+            scale = matching_friction(model, i, wob, result%hookload)
+         end if
+         if (.not. scale > 0.0_wp) scale = 1.0_wp
+         if (wob > 0.0_wp) verdict%most_wob = given(most_of(scale))
+         call find_reach(model, i, verdict%reach, scale)
+         part = matching_friction(model, i, wob, 0.0_wp)/scale
+         verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
+      end associate
+
+   contains
+
+      !> Largest weight on bit [N]; not more than beams bear of a string that locks up.
+      pure function most_of(factor) result(most)
+         real(wp), intent(in) :: factor    !< of friction [-]
+         real(wp) :: most
+         most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., friction_scale=factor)
+         if (.not. is_missing(result%lock_up_load)) most = min(most, max(result%lock_up_load, 0.0_wp))
+      end function most_of
+   end subroutine find_ways_down
 
    !> Judges what can be done once more, with friction that was found at the upper end of its interval.
    pure subroutine judge_upper_end(model, result, design, rig_limit, upper, verdict)

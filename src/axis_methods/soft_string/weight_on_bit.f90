@@ -9,7 +9,7 @@ module dg_weight_on_bit
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach
+   public :: bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -20,39 +20,43 @@ module dg_weight_on_bit
    !> Depths that are tried from the bit up, and to what part of the bit's depth the one between two of them is found [-].
    integer, parameter :: depths = 50
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
+   !> Factors of friction that are looked for, and to what part of one [-].
+   real(wp), parameter :: scales(2) = [0.1_wp, 4.0_wp], scale_tolerance = 1.0e-4_wp
 
 contains
 
    !> Greatest weight on bit [N] that leaves a hook load, or with `pushed` that a push at the top brings down which the pipe
    !> bears; 0 where none does. With `coiled`, friction of a coiled string counts: without it nothing limits a push.
-   pure function most_weight_on_bit(model, case_index, coiled, pushed) result(wob)
+   pure function most_weight_on_bit(model, case_index, coiled, pushed, friction_scale) result(wob)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       logical, intent(in) :: coiled, pushed
+      real(wp), intent(in), optional :: friction_scale   !< on all friction [-]; absent: 1
       real(wp) :: wob
       wob = 0.0_wp
-      if (left_of(model, case_index, 0.0_wp, coiled, pushed) >= 0.0_wp) &
-         wob = most_load_at_bit(model, case_index, coiled, pushed)
+      if (left_of(model, case_index, 0.0_wp, coiled, pushed, friction_scale) >= 0.0_wp) &
+         wob = most_load_at_bit(model, case_index, coiled, pushed, friction_scale)
    end function most_weight_on_bit
 
    !> The same load, or minus the pull at the bit that brings the string down where no weight reaches the bit. 0 where the search
    !> finds neither.
-   pure function most_load_at_bit(model, case_index, coiled, pushed) result(load)
+   pure function most_load_at_bit(model, case_index, coiled, pushed, friction_scale) result(load)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       logical, intent(in) :: coiled, pushed
+      real(wp), intent(in), optional :: friction_scale   !< on all friction [-]; absent: 1
       real(wp) :: load
       type(bracket_type) :: bracket
       real(wp) :: left, here, other, value, narrowness, step
       integer :: i
       load = 0.0_wp
       here = 0.0_wp
-      left = left_of(model, case_index, here, coiled, pushed)
+      left = left_of(model, case_index, here, coiled, pushed, friction_scale)
       step = max(left, first_guess)
       if (left < 0.0_wp) step = -step
       do i = 1, doublings
          other = step
-         value = left_of(model, case_index, other, coiled, pushed)
+         value = left_of(model, case_index, other, coiled, pushed, friction_scale)
          if ((value < 0.0_wp) .neqv. (left < 0.0_wp)) exit
          here = other
          left = value
@@ -70,7 +74,7 @@ contains
       narrowness = tolerance*abs(other)
       do while (.not. is_narrow(bracket, narrowness))
          load = next_try(bracket, narrowness)
-         call narrow(bracket, load, left_of(model, case_index, load, coiled, pushed))
+         call narrow(bracket, load, left_of(model, case_index, load, coiled, pushed, friction_scale))
       end do
       load = bracket%low
    end function most_load_at_bit
@@ -87,10 +91,11 @@ contains
    !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction of a coiled string
    !> counts; 0 where no depth that is tried is possible. Absent where that is the depth of the load case, and for a string that is
    !> pulled.
-   pure subroutine find_reach(model, case_index, reach)
+   pure subroutine find_reach(model, case_index, reach, friction_scale)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(optional_real), intent(out) :: reach
+      real(wp), intent(in), optional :: friction_scale   !< on all friction [-]; absent: 1
       type(model_type) :: probe
       type(bracket_type) :: bracket
       real(wp) :: left, below
@@ -98,12 +103,12 @@ contains
       if (block_way(model%cases(case_index)%operation) >= 0) return
       probe = model
       associate (load_case => model%cases(case_index), depth => probe%cases(case_index)%bit_depth)
-         left = left_of(model, case_index, load_case%wob, coiled=.true., pushed=.false.)
+         left = left_of(model, case_index, load_case%wob, coiled=.true., pushed=.false., friction_scale=friction_scale)
          if (left >= 0.0_wp) return
          do i = depths - 1, 1, -1
             below = left
             depth = load_case%bit_depth*real(i, wp)/real(depths, wp)
-            left = left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false.)
+            left = left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., friction_scale=friction_scale)
             if (left >= 0.0_wp) exit
          end do
          if (i < 1) then
@@ -113,11 +118,44 @@ contains
          bracket = new_bracket(depth, left, load_case%bit_depth*real(i + 1, wp)/real(depths, wp), below)
          do while (.not. is_narrow(bracket, depth_tolerance*load_case%bit_depth))
             depth = next_try(bracket, depth_tolerance*load_case%bit_depth)
-            call narrow(bracket, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false.))
+            call narrow(bracket, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., &
+                                                friction_scale=friction_scale))
          end do
       end associate
       reach = given(bracket%low)
    end subroutine find_reach
+
+   !> Factor of all friction with which a weight on bit leaves a hook load of a string that goes down, friction of coils included;
+   !> 0 where none does between a tenth and four times today's.
+   pure function matching_friction(model, case_index, wob, hookload) result(scale)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: wob, hookload   !< [N]
+      real(wp) :: scale
+      type(bracket_type) :: bracket
+      real(wp) :: more(2)
+      integer :: i
+      scale = 0.0_wp
+      do i = 1, 2
+         more(i) = more_than_asked(scales(i))
+      end do
+      if (more(1) < 0.0_wp .or. more(2) >= 0.0_wp) return
+      bracket = new_bracket(scales(1), more(1), scales(2), more(2))
+      do while (.not. is_narrow(bracket, scale_tolerance))
+         scale = next_try(bracket, scale_tolerance)
+         call narrow(bracket, scale, more_than_asked(scale))
+      end do
+      scale = bracket%low
+
+   contains
+
+      !> Hook load over the one asked for [N].
+      pure function more_than_asked(factor) result(more)
+         real(wp), intent(in) :: factor   !< [-]
+         real(wp) :: more
+         more = left_of(model, case_index, wob, coiled=.true., pushed=.false., friction_scale=factor) - hookload
+      end function more_than_asked
+   end function matching_friction
 
    !> Axial force that strains the weakest component of a load case's string by bearable_strain [N].
    pure function bearable_force(model, case_index) result(force)
@@ -131,16 +169,19 @@ contains
 
    !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` what is left of the strain
    !> that pipe bears, as a force.
-   pure function left_of(model, case_index, wob, coiled, pushed) result(left)
+   pure function left_of(model, case_index, wob, coiled, pushed, friction_scale) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: wob
       logical, intent(in) :: coiled, pushed
+      real(wp), intent(in), optional :: friction_scale
       real(wp) :: left
       type(soft_totals_type) :: totals
+      type(other_loads_type) :: other
       real(wp) :: axial(1), torque(1)
-      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
-                          other=other_loads_type(coiled=coiled, wob=given(wob)))
+      other = other_loads_type(coiled=coiled, wob=given(wob))
+      if (present(friction_scale)) other%friction_scale = friction_scale
+      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, other=other)
       left = axial(1)
       if (pushed) left = bearable_force(model, case_index)*(1.0_wp - totals%strain/bearable_strain)
       if (totals%runaway) left = min(left, -1.0_wp)

@@ -1,0 +1,49 @@
+!> Solves a case that string weight does not bring about once more, without weight on bit.
+!>
+!> Friction of coils grows with the square of compression. A result that is pushed hard therefore says little of what the string
+!> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
+module dg_case_without_load
+   use dg_kinds, only: wp
+   use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
+   use dg_error, only: error_type
+   use dg_load_case, only: block_way
+   use dg_model, only: model_type
+   use dg_static_analysis, only: solve_static_analysis
+   use dg_stopping, only: stop_type
+   implicit none
+   private
+   public :: solve_without_load
+
+contains
+
+   !> Sets `result%without_load` of a string that goes down under weight on bit and locks up or must be pushed. Iterations and
+   !> seconds are added.
+   subroutine solve_without_load(model, case_index, stop, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      type(model_type) :: bare
+      type(case_result_type) :: found
+      type(error_type), allocatable :: error
+      associate (load_case => model%cases(case_index))
+         if (.not. load_case%wob > 0.0_wp .or. block_way(load_case%operation) >= 0) return
+      end associate
+      select case (result%status)
+      case (result_converged)
+         if (.not. is_pushed(result%hookload, result%profile%axial)) return
+      case (result_locked_up)
+         continue
+      case default
+         return
+      end select
+      bare = model
+      bare%cases(case_index)%wob = 0.0_wp
+      bare%cases(case_index)%tob = 0.0_wp       ! the bit is off bottom
+      call solve_static_analysis(bare, case_index, found, error, totals_only=.true., stop=stop)
+      if (allocated(error)) return
+      result%iterations = result%iterations + found%iterations
+      result%seconds = result%seconds + found%seconds
+      result%without_load = without_load_type(found%status, found%hookload)
+   end subroutine solve_without_load
+end module dg_case_without_load
