@@ -47,6 +47,7 @@ contains
       call suite%addTest(TestMethod('limit_behind_the_reserve', test_reserve_limit))
       call suite%addTest(TestMethod('reserve_of_coils', test_reserve_of_coils))
       call suite%addTest(TestMethod('upper_end_of_friction', test_upper_end))
+      call suite%addTest(TestMethod('upper_end_of_frictions_together', test_correlated_frictions))
       call suite%addTest(TestMethod('no_lock_up_of_a_string_that_rests', test_static))
       call suite%addTest(TestMethod('top_drive', test_top_drive))
       call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
@@ -210,6 +211,33 @@ contains
       end function kilonewtons
    end subroutine test_without_load
 
+   !> Two sections of equal length whose frictions have a half width of 0.12 each, correlation r: the friction that both take
+   !> together has one of 0.12 sqrt((1 + r)/2) on their mean.
+   subroutine test_correlated_frictions()
+      real(wp), parameter :: r(3) = [-0.98_wp, 0.0_wp, 1.0_wp]
+      type(model_type) :: model
+      type(verdict_type) :: verdict
+      type(friction_estimate_type) :: estimate
+      type(upper_friction_type) :: upper
+      real(wp) :: load
+      integer :: i
+      call build(model, operation_trip_out, 0.0_wp)
+      model%holes = [model%holes(1), model%holes(1)]
+      model%holes(1)%md_bottom = 0.5_wp*depth
+      model%holes(2)%md_top = 0.5_wp*depth
+      do i = 1, size(r)
+         estimate = friction_estimate_type(name='k', applied=.true., found=.true., half_widths=[0.12_wp, 0.12_wp], known=.true., &
+                                           deviations=[0.06_wp, 0.06_wp], &
+                                           correlation=reshape([1.0_wp, r(i), r(i), 1.0_wp], [2, 2]))
+         call find_upper_friction(model%holes, [estimate], upper)
+         load = weight_of(model)*(cos(angle) + (friction + 0.12_wp*sqrt(0.5_wp*(1.0_wp + r(i))))*sin(angle))
+         call judge(model, given(1.001_wp*load), verdict, upper)
+         call assertEqual(answer_yes, verdict%answer, message='a rig that carries it')
+         call judge(model, given(0.999_wp*load), verdict, upper)
+         call assertEqual(answer_no, verdict%answer, message='a rig that does not')
+      end do
+   end subroutine test_correlated_frictions
+
    !> Pulling out with friction that was found, f = 0.3, 95 % interval up to 0.42. The rig carries the hook
    !> load W (cos a + f sin a) at 0.3, and, or not, at the upper end.
    subroutine test_upper_end()
@@ -242,7 +270,7 @@ contains
       text = verdict_sentences(si_units(), model%cases(1), verdict)
       call assertEqual('Hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
                        ' kN allowed, '//to_text(0.01_wp*loads(2)/1000.0_wp, 3)//' kN too much, at the upper end of the 95 % '// &
-                       'interval of friction. The answer becomes yes at about 1.36 times the calibrated friction', text)
+                       'interval of friction. With up to about 1.36 times the calibrated friction the answer is yes', text)
       ! One that cannot be done with the friction found, either.
       call judge(model, given(0.99_wp*loads(1)), verdict, upper)
       text = verdict_sentences(si_units(), model%cases(1), verdict)

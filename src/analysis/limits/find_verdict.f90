@@ -17,6 +17,7 @@ module dg_find_verdict
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
+   use dg_upper_friction, only: raise_friction
    use dg_utilisation, only: as_much, find_utilisation, has_rating, lacks_rating, limit_burst, limit_collapse, &
                              limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_torsion, limit_von_mises, part_limits, utilisation_type
@@ -127,7 +128,7 @@ contains
       verdict%friction = merge(friction_upper_end, friction_calibrated, upper%known)
       if (verdict%answer == answer_no .or. .not. upper%known) return
       raised = model
-      raised%holes = upper%holes
+      call raise_friction(model, result%case_index, upper, raised%holes)
       at_end%friction = friction_upper_end_alone
       at_end%not_checked = verdict%not_checked
       at_end%possible_friction = verdict%friction_reserve

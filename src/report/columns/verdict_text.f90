@@ -173,7 +173,11 @@ contains
                 trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
       if (.not. verdict%possible_friction%present) return
-      text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
+      if (verdict%friction == friction_upper_end_alone) then
+         text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
+      else
+         text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
+      end if
    end function help_text
 
    !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.

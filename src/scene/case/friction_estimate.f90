@@ -20,11 +20,12 @@ module dg_friction_estimate
       real(wp), allocatable :: correlation(:, :)     !< of two sections [-]
    end type friction_estimate_type
 
-   !> Friction at the upper end of its 95 % interval, in all hole sections at once.
+   !> Friction at the upper end of its 95 % interval.
    type :: upper_friction_type
       logical :: axial = .false., rotary = .false.      !< coefficients that a study of the run has found and applied
       logical :: known = .true.                         !< their intervals are
-      type(hole_section_type), allocatable :: holes(:)
+      type(hole_section_type), allocatable :: holes(:)          !< each section at the upper end of its own interval
+      type(friction_estimate_type), allocatable :: estimates(:) !< where the intervals are known
    end type upper_friction_type
 
 contains
@@ -36,12 +37,14 @@ contains
       type(upper_friction_type), intent(out) :: upper
       integer :: i
       upper%holes = holes
+      allocate (upper%estimates(0))
       do i = 1, size(estimates)
          if (.not. (estimates(i)%applied .and. estimates(i)%found)) cycle
          upper%axial = upper%axial .or. estimates(i)%axial
          upper%rotary = upper%rotary .or. estimates(i)%rotary
          upper%known = upper%known .and. .not. any(is_missing(estimates(i)%half_widths))
          if (.not. upper%known) cycle
+         upper%estimates = [upper%estimates, estimates(i)]
          if (estimates(i)%axial) call shift_axial_friction(upper%holes, estimates(i)%half_widths)
          if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + estimates(i)%half_widths
       end do
