@@ -16,9 +16,8 @@ module drillgap
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_drillstring, only: drillstring_type
-   use dg_error, only: error_type, raise, status_bad_input, status_failure
+   use dg_error, only: error_list_type, error_type, joined_errors, raise, status_bad_input, status_failure
    use dg_fatigue_curve, only: fatigue_curve_type, fatigue_e75, fatigue_none, fatigue_own, fatigue_s135
-   use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_count, model_name
@@ -107,21 +106,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
-      type(fault_type), allocatable :: sorted(:)
-      character(:), allocatable :: text
+      type(error_list_type) :: faults
       integer :: i
       !$omp critical (drillgap_words)
       call read_checked_deck(path, deck%model%inner, job, notes, faults)
-      text = ''
       deck%notes = ''
       if (faults%count > 0) then
-         allocate (sorted, source=sorted_faults(faults))
-         do i = 1, size(sorted)
-            if (i > 1) text = text//new_line('a')
-            text = text//fault_text(sorted(i))
-         end do
-         call raise(error, status_bad_input, text)
+         call raise(error, status_bad_input, joined_errors(faults))
       else
          do i = 1, size(notes)
             if (i > 1) deck%notes = deck%notes//new_line('a')

@@ -7,9 +7,8 @@ module dg_steering_study
    use dg_deck_steering, only: take_steering
    use dg_diagnostic, only: tell
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
-   use dg_error, only: error_type, status_not_converged
+   use dg_error, only: error_list_type, error_type, status_not_converged
    use dg_exit_status, only: graver, note_failure
-   use dg_fault_list, only: fault_list_type
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
@@ -59,7 +58,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
          call take_steering(deck%draft, deck%groups, self%steering, faults)
       end associate

@@ -7,10 +7,9 @@ module dg_sticking_study
    use dg_deck_draft, only: deck_type
    use dg_deck_sticking, only: take_stickings
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_factor_columns, only: factor_file, factor_row
-   use dg_fault_list, only: fault_list_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -59,7 +58,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
          call take_stickings(deck%draft, deck%groups, self%stickings, faults)
       end associate
