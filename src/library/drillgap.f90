@@ -22,10 +22,10 @@ module drillgap
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_count, model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: given, load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
-      operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, operation_trip_in, &
-      operation_trip_out, optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
+      operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, &
+      operation_trip_in, operation_trip_out
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: boundary_type, copy_without_cases, inner_type => model_type
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of

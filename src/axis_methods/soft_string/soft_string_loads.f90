@@ -17,7 +17,7 @@ module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
    use dg_coiling, only: coil_force
-   use dg_load_case, only: optional_real
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
    use dg_snake, only: snake_contact, snake_swing

@@ -6,7 +6,7 @@ module dg_catalogue
    use dg_connection, only: connection_name
    use dg_deck_number, only: read_real
    use dg_deck_keys, only: keys_of
-   use dg_deck_schema, only: key_rule_type
+   use dg_deck_schema, only: hold_in_range, key_rule_type
    use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_lines, only: beside, read_lines
    use dg_merge_sort, only: first_equal
@@ -15,7 +15,7 @@ module dg_catalogue
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
    use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor
-   use dg_units, only: si_units, system_of, unit_in, unit_system_type
+   use dg_units, only: system_of, unit_in, unit_system_type
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
@@ -192,7 +192,7 @@ contains
       type(entry_type), intent(out) :: entry
       type(error_list_type), intent(inout) :: faults
       type(key_rule_type) :: rule
-      real(wp) :: number, scale
+      real(wp) :: number
       integer :: i
       logical :: legal
       character(:), allocatable :: failure
@@ -220,10 +220,10 @@ contains
          case default
             call read_real(fields(i)%text, number, legal)
             rule = rule_of(columns(i))
-            scale = unit_factor(si_units(), rule%unit)
-            number = number*factors(i)
-            if (legal) legal = number >= rule%low*scale .and. number <= rule%high*scale
-            if (legal .and. rule%open) legal = number > rule%low*scale
+            if (legal) then
+               number = number*factors(i)
+               call hold_in_range(rule, number, legal)
+            end if
             if (.not. legal) then
                call add_fault(faults, path, line, 'catalogue: '//trim(rule%key)//' = '//quoted(fields(i)%text)// &
                               ' is no number that a deck may give')

@@ -11,8 +11,8 @@ module dg_deck_parts
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
    use dg_error, only: error_list_type, key_of
-   use dg_load_case, only: operation_from_name, optional_real, given
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: operation_from_name
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: boundary_type, hold_free, packer_hold_name
    use dg_shown_size, only: length_digits
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name

@@ -25,7 +25,7 @@ module dg_open_deck
    use dg_error, only: add_fault, error_list_type, error_type
    use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text

@@ -10,8 +10,8 @@ module dg_range_check
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_count, optional_real
-   use dg_missing, only: is_shown, missing
+   use dg_load_case, only: load_case_type, operation_count
+   use dg_missing, only: is_shown, missing, optional_real
    use dg_error, only: add_part_fault, error_list_type
    use dg_numerics, only: fidelity_name, gap_location_count, numerics_type, solver_name
    use dg_rig, only: rig_type

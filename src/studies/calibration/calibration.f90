@@ -7,7 +7,8 @@ module dg_calibration
    use dg_kinds, only: wp
    use dg_contact_friction, only: axial_friction, set_axial_friction
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: load_case_type, moves_axially, optional_real, rotates
+   use dg_load_case, only: load_case_type, moves_axially, rotates
+   use dg_missing, only: optional_real
    use dg_rig, only: rig_type
    implicit none
    private

@@ -9,7 +9,8 @@ module dg_deck_calibrate
    use dg_error, only: add_fault, error_list_type
    use dg_hole_section, only: hole_section_type
    use dg_measured_cases, only: take_measured_cases, take_models
-   use dg_load_case, only: given, load_case_type, operation_name
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: given
    use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private

@@ -6,8 +6,9 @@ module dg_deck_range
    use dg_deck_draft, only: draft_case_type, draft_type
    use dg_error, only: add_fault, error_list_type
    use dg_job, only: model_name
-   use dg_load_case, only: given, moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
+   use dg_load_case, only: moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
       operation_trip_out, rotates
+   use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
    use dg_text, only: is_separator_free, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length

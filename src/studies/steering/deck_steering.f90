@@ -4,7 +4,7 @@ module dg_deck_steering
    use dg_checked_group, only: checked_group_type, is_sound, line_of, real_of, reals_of
    use dg_deck_draft, only: draft_type, take_cases
    use dg_error, only: add_fault, error_list_type
-   use dg_load_case, only: given
+   use dg_missing, only: given
    use dg_steering, only: steering_type
    use dg_text, only: quoted, to_text
    implicit none

@@ -4,7 +4,7 @@ module dg_deck_sticking
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
    use dg_deck_draft, only: draft_type
    use dg_error, only: add_fault, error_list_type
-   use dg_load_case, only: given
+   use dg_missing, only: given
    use dg_measured_cases, only: take_measured_cases, take_models
    use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type

@@ -26,8 +26,9 @@ module dg_sticking_study
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    use dg_column, only: row_type, set
-   use dg_comparison, only: difference, known
-   use dg_load_case, only: given, load_case_type, operation_name
+   use dg_comparison, only: difference
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: given, known
    implicit none
    private
    public :: sticking_study_type

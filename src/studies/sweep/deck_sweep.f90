@@ -5,7 +5,8 @@ module dg_deck_sweep
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: take_range
    use dg_error, only: add_fault, error_list_type
-   use dg_load_case, only: given, operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
+   use dg_load_case, only: operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
+   use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, sweep_type, with_depths
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
