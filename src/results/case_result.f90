@@ -108,7 +108,7 @@ module dg_case_result
       !> Part by which compression could still grow before the equilibrium is lost (dg_stability): until the tangent is indefinite,
       !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
-      logical :: coiled = .false.              !< the string is compressed beyond its coiling load: it may lie in more than one way
+      logical :: coiled = .false.              !< the string is compressed beyond its helical load: it may lie in more than one way
       !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
       !> where not locked up [N].
       real(wp) :: lock_up_load = missing

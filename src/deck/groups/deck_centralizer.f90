@@ -36,7 +36,7 @@ contains
             do k = 1, size(meant)
                meant(k) = draft%components(k)%component%name == name .and. draft%components(k)%string == string
             end do
-            if (.not. any(meant)) call tell_unknown(draft, group, faults)
+            if (.not. any(meant)) call report_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
                call group_fault(group, 'kind', "kind = 'bow' needs restoring_force", faults)
             do k = 1, size(of_bows)
@@ -93,7 +93,7 @@ contains
    end subroutine draft_centralizer
 
    !> Tells of a group whose name and string no component has.
-   subroutine tell_unknown(draft, group, faults)
+   subroutine report_unknown(draft, group, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(error_list_type), intent(inout) :: faults
@@ -106,5 +106,5 @@ contains
       if (.not. all(draft%components%sound)) return     ! one of them may be meant
       call group_fault(group, 'component', 'string '//quoted(text_of(group, 'string', 'main'))//' has no component '// &
                        quoted(text_of(group, 'component', ''))//'; '//suggestion(text_of(group, 'component', ''), names), faults)
-   end subroutine tell_unknown
+   end subroutine report_unknown
 end module dg_deck_centralizer

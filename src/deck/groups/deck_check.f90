@@ -12,12 +12,12 @@ module dg_deck_check
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model, only: hold_free
-   use dg_opening_check, only: settle_opening
+   use dg_opening_check, only: set_opened_depth
    use dg_string_check, only: check_in_string
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
    private
-   public :: close_holes, check_draft, check_case, tell_faults
+   public :: close_holes, check_draft, check_case, report_faults
 
    !> Words of check_passage, up to the case.
    character(*), parameter :: passes_not = 'does not pass', case_mark = ') in '
@@ -62,7 +62,7 @@ contains
             if (.not. hole%sound) cycle
             call check_section(hole%section, i, draft%units, in_itself)
             hole%sound = in_itself%count == 0
-            call tell_faults(draft, in_itself, faults)
+            call report_faults(draft, in_itself, faults)
          end associate
       end do
       if (n == 0 .or. .not. all(draft%holes%sound)) return
@@ -76,7 +76,7 @@ contains
       do i = 1, found%count
          if (place_of(found%items(i)) > 1) draft%holes(place_of(found%items(i)))%sound = .false.
       end do
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
 
    contains
 
@@ -96,7 +96,7 @@ contains
       integer :: first(size(draft%cases))
       integer :: i
       call check_strings(draft, faults)
-      call settle_openings(draft, faults)
+      call set_openings(draft, faults)
       do i = 1, size(names)
          names(i)%text = lower_case(draft%cases(i)%load_case%name)
       end do
@@ -178,11 +178,11 @@ contains
             call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found, heaviest)
          end associate
       end do
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
    end subroutine check_strings
 
    !> Gives tools that open their depth, by the hole.
-   subroutine settle_openings(draft, faults)
+   subroutine set_openings(draft, faults)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
       type(error_list_type) :: found
@@ -192,11 +192,11 @@ contains
       sections = sections_of(draft)
       do i = 1, size(draft%components)
          if (.not. draft%components(i)%sound) cycle
-         call settle_opening(draft%components(i)%component, i, sections, found)
+         call set_opened_depth(draft%components(i)%component, i, sections, found)
          draft%components(i)%sound = found%count == 0
-         call tell_faults(draft, found, faults)
+         call report_faults(draft, found, faults)
       end do
-   end subroutine settle_openings
+   end subroutine set_openings
 
    !> Survey and holes reach the bit.
    subroutine check_depth(draft, item, faults)
@@ -208,7 +208,7 @@ contains
       if (all(draft%holes%sound) .and. size(draft%holes) > 0) &
          call reach('lowest hole section', draft%holes(size(draft%holes))%section%md_bottom)
       if (found%count > 0) item%sound = .false.
-      call tell_faults(draft, found, faults, item)
+      call report_faults(draft, found, faults, item)
    contains
       subroutine reach(what, bottom)
          character(*), intent(in) :: what
@@ -239,7 +239,7 @@ contains
          end do
          if (n == 0) then
             call check_string_name(case%string, 0, string_names(draft), found)
-            call tell_faults(draft, found, faults, item)
+            call report_faults(draft, found, faults, item)
             return
          end if
          parts = parts(:n)
@@ -249,16 +249,16 @@ contains
             string(k) = draft%components(parts(k))%component
          end do
          call check_string_length(string, parts(size(parts)), case, 0, trim(item%depth_key), draft%units, found)
-         call tell_faults(draft, found, faults, item)
+         call report_faults(draft, found, faults, item)
          if (.not. all(draft%holes%sound)) return
          call check_passage(string, parts, sections_of(draft), case%bit_depth, trim(item%what)//' '//quoted(case%name), &
                             draft%units, found)
-         call tell_faults(draft, found, faults, item)
+         call report_faults(draft, found, faults, item)
       end associate
    end subroutine check_string
 
    !> Tells what checks of the model have found, with the lines of the deck, and empties the list.
-   subroutine tell_faults(draft, found, faults, item)
+   subroutine report_faults(draft, found, faults, item)
       type(draft_type), intent(in) :: draft
       type(error_list_type), intent(inout) :: found
       type(error_list_type), intent(inout) :: faults
@@ -282,7 +282,7 @@ contains
          end associate
       end do
       call clear_errors(found)
-   end subroutine tell_faults
+   end subroutine report_faults
 
    !> Line of a quantity of a part; key '': of its group.
    pure function line_of_part(draft, part, place, key) result(line)

@@ -4,7 +4,7 @@ module dg_deck_fluid
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of
    use dg_component, only: buoyed_weight
-   use dg_deck_check, only: tell_faults
+   use dg_deck_check, only: report_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: add_fault, error_list_type, key_of
@@ -91,7 +91,7 @@ contains
                         ' is deeper than the hole; leave this fluid out')
       end do
       call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
    end subroutine place_fluids
 
    !> One note a matter, with the first load case where it is so.

@@ -62,7 +62,7 @@ contains
          call take_arrays(group, stations, sound, faults)
       end if
       if (sound) call check_stations(group, units, stations, sound, faults)
-      if (sound .and. is_given(group, 'survey_file')) call tell_file(stations, units, notes)
+      if (sound .and. is_given(group, 'survey_file')) call note_file(stations, units, notes)
       if (sound .and. is_given(group, 'parent_file')) call take_parent(group, units, stations, sound, notes, faults)
       if (sound) call check_begin(group, units, stations, sound, faults)
    end subroutine read_stations
@@ -112,7 +112,7 @@ contains
    end subroutine read_table
 
    !> Rows skipped, columns chosen and positions compared, of a file that was read.
-   subroutine tell_file(stations, units, notes)
+   subroutine note_file(stations, units, notes)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -121,7 +121,7 @@ contains
       if (stations%skipped /= '') call append_text(notes, 'survey '//stations%file//': '//stations%skipped)
       if (stations%columns /= '') call append_text(notes, 'survey '//stations%file//': '//stations%columns)
       if (positions /= '') call append_text(notes, 'survey '//stations%file//': '//positions)
-   end subroutine tell_file
+   end subroutine note_file
 
    !> Puts the stations of the parent above those of the survey.
    subroutine take_parent(group, units, stations, sound, notes, faults)
@@ -136,7 +136,7 @@ contains
       call read_table(group, 'parent_file', units, parent, sound, faults)
       if (sound) call check_stations(group, units, parent, sound, faults)
       if (.not. sound) return
-      call tell_file(parent, units, notes)
+      call note_file(parent, units, notes)
       call join_parent(parent, units, stations, words, failure)
       sound = failure == ''
       if (.not. sound) call group_fault(group, 'parent_file', failure, faults)

@@ -14,7 +14,7 @@ module dg_checked_model
    use dg_model, only: model_type, string_index
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: settings_of
-   use dg_opening_check, only: settle_opening
+   use dg_opening_check, only: set_opened_depth
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
       check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
    use dg_settings_check, only: check_numerics
@@ -52,7 +52,7 @@ contains
       call take_holes(parts, sound_survey, model, report, sound_holes)
       call take_fluids(parts, sound_survey, model, report, sound_fluids)
       call take_strings(parts, sound_fluids, model, report)
-      if (report%count == 0) call settle_openings(model, report)
+      if (report%count == 0) call set_openings(model, report)
       call check_settings(model, report)
       allocate (model%cases(0))
       call report_error(report, error)
@@ -95,7 +95,7 @@ contains
                                'case '//quoted(load_case%name), base_units(), found)
          end associate
       end if
-      call tell(found, whose, string, report)
+      call report_all(found, whose, string, report)
       call report_error(report, error)
    end subroutine check_load_case
 
@@ -131,7 +131,7 @@ contains
             'the first station is at '//to_text(md(1))//' m and inclined; the survey must begin at surface, md = 0, or where '// &
             'the hole is still vertical')
       end if
-      call tell(found, 'survey', 0, report)
+      call report_all(found, 'survey', 0, report)
       if (report%count > before) return
       if (begins_below(md(1))) then
          md = [0.0_wp, md]
@@ -162,12 +162,12 @@ contains
             if (.not. allocated(hole%name)) hole%name = 'hole '//to_text(i)
             call check_section_ranges_of(i == n)
             if (found%count == 0) call check_section(hole, i, base_units(), found)
-            call tell(found, 'holes('//to_text(i)//')', 0, report)
+            call report_all(found, 'holes('//to_text(i)//')', 0, report)
             call check_text(hole%name, 'name', 'holes('//to_text(i)//')', report)
          end associate
       end do
       if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
-      call tell_each(found, 'holes', report)
+      call report_each(found, 'holes', report)
       sound = report%count == before
    contains
       !> The last section may leave its end open. Without a survey the end is not known, and only its other numbers are checked.
@@ -200,12 +200,12 @@ contains
       do i = 1, size(parts%fluids)
          call check_fluid_ranges(parts%fluids(i), i, base_units(), found)
          if (found%count == 0) call check_fluid(parts%fluids(i), i, found)
-         call tell(found, 'fluids('//to_text(i)//')', 0, report)
+         call report_all(found, 'fluids('//to_text(i)//')', 0, report)
       end do
       sound = report%count == before
       if (.not. (sound .and. sound_survey)) return
       call check_fluid_order(model%mud%fluids, bottom_md(model%trajectory), found)
-      call tell_each(found, 'fluids', report)
+      call report_each(found, 'fluids', report)
    end subroutine take_fluids
 
    subroutine take_strings(parts, sound_fluids, model, report)
@@ -270,29 +270,29 @@ contains
             else
                call check_in_string(part, place, name, place == size(components), base_units(), found)
             end if
-            call tell(found, where, string, report)
+            call report_all(found, where, string, report)
             if (.not. part%centralizer%present) return
             call check_centralizer_ranges(part%centralizer, place, base_units(), found)
             if (found%count == 0) call check_centralizer(part%centralizer, part, place, base_units(), found)
             where = where//'%centralizer'
          end if
-         call tell(found, where, string, report)
+         call report_all(found, where, string, report)
       end associate
    end subroutine take_component
 
    !> Gives tools that open their depth. Everything else of holes and strings is right.
-   subroutine settle_openings(model, report)
+   subroutine set_openings(model, report)
       type(model_type), intent(inout) :: model
       type(error_list_type), intent(inout) :: report
       type(error_list_type) :: found
       integer :: i, j
       do i = 1, size(model%strings)
          do j = 1, size(model%strings(i)%components)
-            call settle_opening(model%strings(i)%components(j), j, model%holes, found)
-            call tell(found, 'strings('//to_text(i)//')%components('//to_text(j)//')', i, report)
+            call set_opened_depth(model%strings(i)%components(j), j, model%holes, found)
+            call report_all(found, 'strings('//to_text(i)//')%components('//to_text(j)//')', i, report)
          end do
       end do
-   end subroutine settle_openings
+   end subroutine set_openings
 
    subroutine check_settings(model, report)
       type(model_type), intent(in) :: model
@@ -301,42 +301,42 @@ contains
       type(ranges_type) :: ranges
       call check_numerics_ranges(model%numerics, base_units(), found)
       if (found%count == 0) call check_numerics(model%numerics, found)
-      call tell(found, 'numerics', 0, report)
+      call report_all(found, 'numerics', 0, report)
       call check_rig_ranges(model%rig, base_units(), found)
-      call tell(found, 'rig', 0, report)
+      call report_all(found, 'rig', 0, report)
       call take_ranges('boundary', 0, base_units(), ranges)
       call check_range(ranges, 'packer_bore', model%boundary%packer_bore, found)
-      call tell(found, 'boundary', 0, report)
+      call report_all(found, 'boundary', 0, report)
       call take_ranges('job', 0, base_units(), ranges)
       call check_range(ranges, 'gravity', model%gravity, found)
-      call tell(found, 'model', 0, report)
+      call report_all(found, 'model', 0, report)
    end subroutine check_settings
 
    !> Tells what was found of the part `where`, and empties the list.
-   subroutine tell(found, where, string, report)
+   subroutine report_all(found, where, string, report)
       type(error_list_type), intent(inout) :: found
       character(*), intent(in) :: where
       integer, intent(in) :: string           !< whose components are meant; 0: none
       type(error_list_type), intent(inout) :: report
       integer :: i
       do i = 1, found%count
-         call tell_one(found%items(i), where, string, report)
+         call report_one(found%items(i), where, string, report)
       end do
       call clear_errors(found)
-   end subroutine tell
+   end subroutine report_all
 
    !> Tells faults each of which names its own part.
-   subroutine tell_each(found, parts, report)
+   subroutine report_each(found, parts, report)
       type(error_list_type), intent(in) :: found
       character(*), intent(in) :: parts       !< component of model_parts_type: 'holes'
       type(error_list_type), intent(inout) :: report
       integer :: i
       do i = 1, found%count
-         call tell_one(found%items(i), parts//'('//to_text(place_of(found%items(i)))//')', 0, report)
+         call report_one(found%items(i), parts//'('//to_text(place_of(found%items(i)))//')', 0, report)
       end do
-   end subroutine tell_each
+   end subroutine report_each
 
-   subroutine tell_one(fault, where, string, report)
+   subroutine report_one(fault, where, string, report)
       type(error_type), intent(in) :: fault
       character(*), intent(in) :: where
       integer, intent(in) :: string
@@ -352,7 +352,7 @@ contains
       end select
       call whole_message(fault, mention, words)
       call add_fault(report, where, 0, words)
-   end subroutine tell_one
+   end subroutine report_one
 
    !> Tells of a name that a file could not hold as a cell.
    subroutine check_text(text, called, where, report)

@@ -10,12 +10,12 @@ module dg_opening_check
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: settle_opening, check_open_passage, opening_advice
+   public :: set_opened_depth, check_open_passage, opening_advice
 
 contains
 
    !> Gives a tool that opens its default depth: the lower end of the last cased section.
-   subroutine settle_opening(component, place, holes, found)
+   subroutine set_opened_depth(component, place, holes, found)
       type(component_type), intent(inout) :: component
       integer, intent(in) :: place                     !< of the component
       type(hole_section_type), intent(in) :: holes(:)  !< from the top down
@@ -25,7 +25,7 @@ contains
       if (is_missing(component%opened_below)) call add_part_fault(found, 'component', place, 'opened_od', quoted(component%name)// &
          ' has opened_od and no depth from which on it is open; give opened_below, or cased = .true. in the hole sections that '// &
          'are cased')
-   end subroutine settle_opening
+   end subroutine set_opened_depth
 
    !> A tool that is open is no wider than each hole section between the depth where it opened and where it stands. It may be as
    !> wide: under-reamers cut their hole, packers fill it.

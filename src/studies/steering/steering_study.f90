@@ -97,7 +97,7 @@ contains
       call solve_all(self%steering, run, results)
       if (is_interrupted()) return
       call once_each(results)
-      call tell_lost(run, results, lost)
+      call report_lost(run, results, lost)
       call add_part(run%printed%outcome, 'steering', size(results), 0, lost)
       do i = 1, size(results)
          call add_row(table, steering_row(run%model, results(i)), run%job%units)
@@ -146,7 +146,7 @@ contains
    end subroutine solve_all
 
    !> Tells what has no curvature, and of what is known roughly.
-   subroutine tell_lost(run, results, lost)
+   subroutine report_lost(run, results, lost)
       type(run_type), intent(inout) :: run
       type(steering_result_type), intent(in) :: results(:)
       integer, intent(out) :: lost
@@ -162,7 +162,7 @@ contains
          call tell('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
                    trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
       end do
-   end subroutine tell_lost
+   end subroutine report_lost
 
    !> One file.
    subroutine name_files(self, job, names)

@@ -135,7 +135,7 @@ contains
             end if
             if (is_interrupted()) return
             call show_time(progress, real(n, wp)/real(many, wp))
-            if (results(n)%status == sticking_no_solution) call tell_lost(sticking, results(n), run)
+            if (results(n)%status == sticking_no_solution) call report_lost(sticking, results(n), run)
          end do
       end do
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
@@ -148,7 +148,7 @@ contains
    end subroutine run_one
 
    !> Tells of a string without a solution.
-   subroutine tell_lost(sticking, result, run)
+   subroutine report_lost(sticking, result, run)
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: result
       type(run_type), intent(inout) :: run
@@ -159,7 +159,7 @@ contains
                    trim(model_name(result%model))//': no solution; '//result%message)
       end associate
       run%status = graver(run%status, status_not_converged)
-   end subroutine tell_lost
+   end subroutine report_lost
 
    !> Its rows stand in the file of the factors.
    subroutine name_files(self, job, names)
