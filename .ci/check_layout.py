@@ -84,7 +84,7 @@ WIDER = {
     **dict.fromkeys(("beam_tangent_parts", "assemble", "gap_nodal_force"), INNERMOST),
     **dict.fromkeys(("dgbtrs", "dgels", "dgesvd", "ldl_numeric"), FOREIGN),
     "prove": "all that bend_again works on, for its last step",
-    "coil": "arrays along a zone, each of its own meaning",
+    "set_helix": "arrays along a zone, each of its own meaning",
 }
 
 BEGIN_PROCEDURE = re.compile(r"^\s*(?:(?:pure|elemental|recursive|impure|module)\s+)*(?:subroutine|(?:[a-z_]+(?:\([^)]*\))?\s+)?function)"

@@ -32,11 +32,13 @@ def public_names():
 
 
 def components_of_types():
-    """Components of every type of the sources, by the type's name; those after `private` are left out."""
+    """Components of every type of the sources, by the type's name; those after `private` that are not `public` are left out."""
     found = {}
     for path in sorted((ROOT / "src").rglob("*.f90")):
         for name, body in re.findall(r"^ *type :: (\w+)\n(.*?)^ *end type", without_comments(path), re.M | re.S):
-            body = body.split("private\n")[0] if "private\n" in body else body
+            if "private\n" in body:
+                before, after = body.split("private\n", 1)
+                body = before + "".join(line + "\n" for line in after.split("\n") if re.search(r", *public\b.*::", line))
             names = [re.match(r"\w+", part.strip()).group() for line in re.findall(r"^[^\n]*?::([^\n]*)", body, re.M)
                      for part in re.split(r",(?![^(]*\))", line) if re.match(r"\w+", part.strip())]
             if (name, path) == ("model_type", DOOR) or name not in found or path == DOOR:

@@ -5,8 +5,7 @@ program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell, tell_lines
-   use dg_error, only: error_type, status_ok, status_bad_input, status_failure
-   use dg_fault_list, only: fault_lines, fault_list_type
+   use dg_error, only: error_lines, error_list_type, error_type, status_bad_input, status_failure, status_ok
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_line, print_lines
@@ -62,14 +61,14 @@ contains
       type(job_type) :: job
       type(studies_type) :: studies
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(error_type), allocatable :: error
       integer :: i
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults, studies)
       if (faults%count > 0) then
-         call tell_lines(fault_lines(faults))
+         call tell_lines(error_lines(faults))
          status = status_bad_input
          return
       end if

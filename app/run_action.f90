@@ -9,8 +9,7 @@ module dg_run_action
    use dg_deck_source, only: read_source
    use dg_deck_template, only: deck_template
    use dg_diagnostic, only: tell, tell_lines
-   use dg_error, only: status_bad_input, status_failure, status_ok
-   use dg_fault_list, only: add_fault, fault_lines, fault_list_type
+   use dg_error, only: add_fault, error_lines, error_list_type, status_bad_input, status_failure, status_ok
    use dg_import_case, only: import_case
    use dg_job, only: job_type
    use dg_kinds, only: wp
@@ -39,7 +38,7 @@ contains
       type(arguments_type), intent(in) :: arguments
       integer, intent(out) :: status          !< of the program
       type(text_type), allocatable :: lines(:), deck(:), notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(group_keys_type), allocatable :: groups(:)
       type(model_type) :: model
       type(job_type) :: job
@@ -62,7 +61,7 @@ contains
             call build_deck(name, deck, model, job, notes, faults)
          end if
          if (faults%count > 0) then
-            call tell_lines(fault_lines(faults))
+            call tell_lines(error_lines(faults))
             status = status_bad_input
          else
             call deck_groups(groups)
@@ -105,7 +104,7 @@ contains
       character(*), intent(in) :: pattern
       integer, intent(out) :: status
       type(catalogue_type) :: catalogue
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(text_type), allocatable :: lines(:)
       character(:), allocatable :: path, sought
       integer :: i, cut, grade
@@ -113,7 +112,7 @@ contains
       call find_catalogue('', '', path)
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
-         call tell_lines(fault_lines(faults))
+         call tell_lines(error_lines(faults))
          return
       end if
       allocate (lines(0))

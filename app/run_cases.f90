@@ -13,7 +13,7 @@ module dg_run_cases
    use dg_fatigue, only: asks_for_fatigue
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
-   use dg_held_string, only: settle_packer_loads
+   use dg_held_string, only: find_packer_loads
    use dg_interruption, only: by_signals, interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_length_change, only: less
@@ -100,7 +100,7 @@ contains
       integer, intent(inout) :: status
       integer, allocatable :: failed(:)
       integer :: i
-      call settle_packer_loads(model, failed)
+      call find_packer_loads(model, failed)
       do i = 1, size(failed)
          call tell('load case '//quoted(model%cases(failed(i))%name)//': the force on the packer was not found; it is solved '// &
                    'without one, and its lower end moves')

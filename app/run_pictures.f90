@@ -3,7 +3,7 @@ module dg_run_pictures
    use dg_along_string, only: along_string_type
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell
-   use dg_error, only: add_error, error_type, raise, status_failure
+   use dg_error, only: error_type, join_error, raise, status_failure
    use dg_html_report, only: write_html_report
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_picture_files, only: begin_pictures, end_pictures
@@ -46,6 +46,6 @@ contains
       call echo_lines(run%job, run%model, before, after, echo)
       call write_html_report(run%job, run%model, run%results, wholes, alongs, run%printed, pictures, echo, &
                              page_error)
-      call add_error(error, page_error)
+      call join_error(error, page_error)
    end subroutine run_pictures
 end module dg_run_pictures

@@ -21,8 +21,7 @@ program bench
    use dg_bench_trade, only: print_trade
    use dg_bench_walls, only: print_walls
    use dg_case_result, only: case_result_type, result_converged
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -84,7 +83,7 @@ contains
       type(model_type) :: model
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       allocate (notes(0))
       call read_deck(deck, model, job, notes, faults)
       if (faults%count > 0) then

@@ -2,8 +2,7 @@
 module dg_bench_ablation
    use, intrinsic :: iso_fortran_env, only: output_unit
    use dg_case_result, only: case_result_type, result_converged
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -73,7 +72,7 @@ contains
       type(model_type) :: all(size(decks))
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       integer :: i, n
       n = 0
       do i = 1, size(decks)

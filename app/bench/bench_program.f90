@@ -4,8 +4,7 @@ module dg_bench_program
    use dg_bench_runs, only: column_of, folder, out, program_beside, since, time_run
    use dg_bench_tools, only: median
    use dg_case_result, only: case_result_type
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_file_lines, only: read_lines
    use dg_file_system, only: write_text_file
    use dg_folder, only: make_folder
@@ -95,7 +94,7 @@ contains
       type(studies_type) :: studies
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       real(wp) :: seconds, solutions
       integer(int64) :: start
       integer :: i, k

@@ -5,8 +5,7 @@ module dg_bench_trade
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bench_tools, only: median, now
    use dg_case_result, only: case_result_type, result_converged, result_status_name
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_fidelity_errors, only: fidelity_errors, new_printed, printed_type, quantity_count, quantity_name
    use dg_job, only: job_type, model_mcge
    use dg_kinds, only: wp
@@ -61,7 +60,7 @@ contains
       type(model_type) :: model
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(trade_type) :: trade
       integer :: i, first, last
       allocate (notes(0))

@@ -7,6 +7,7 @@ module dg_linear_solver
    use dg_block_solver, only: block_solve, block_solver_type, new_block_solver
    use dg_largest, only: largest_of
    use dg_linear_solver_name, only: solver_banded, solver_block, solver_count, solver_name, solver_sparse
+   use dg_missing, only: missing_count
    use dg_sparse_solver, only: sparse_factor, sparse_release, sparse_solve, sparse_solver_type
    use dg_symmetric_solver, only: is_symmetric, symmetric_factor, symmetric_solve, symmetric_solver_type
    implicit none
@@ -26,8 +27,8 @@ module dg_linear_solver
       type(symmetric_solver_type) :: symmetric
       integer :: refinements = 0                !< so far
       integer :: fallbacks = 0                  !< so far
-      !> Negative eigenvalues of the last matrix, where solver_sparse found it symmetric; -1: not known.
-      integer :: negative_pivots = -1
+      !> Negative eigenvalues of the last matrix, where solver_sparse found it symmetric; missing: not known.
+      integer :: negative_pivots = missing_count
    end type linear_solver_type
 
 contains
@@ -87,7 +88,7 @@ contains
       real(wp), intent(inout), contiguous :: step(:, :)
       logical, intent(out) :: good
       integer :: info
-      solver%negative_pivots = -1
+      solver%negative_pivots = missing_count
       good = is_symmetric(matrix)
       if (.not. good) return
       call symmetric_factor(solver%symmetric, matrix, info)

@@ -1,26 +1,61 @@
-!> A number in a list that has no value there: a safety factor where no yield strength is known, a shear force in a
-!> flexible string. Such numbers are written as empty fields (CSV) and as NaN (HDF5); no NaN is ever computed with.
+!> Numbers that may be absent: a safety factor where no yield strength is known, a shear force in a flexible string. They are
+!> written as empty fields (CSV) and as NaN (HDF5); no NaN is ever computed with.
+!>
+!> `missing` marks an absent number among others, as in an array. `optional_real` is one number that may be absent. Do not
+!> calculate with `missing`: the result overflows.
 module dg_missing
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    implicit none
    private
-   public :: missing, is_missing, is_shown
+   public :: missing, missing_count, is_missing, is_shown, optional_real, given, known
 
    !> Marks a number that is not there. No quantity of a drillstring comes near it.
    real(wp), parameter :: missing = -huge(1.0_wp)
+   !> Marks a whole number that is not there.
+   integer, parameter :: missing_count = -huge(1)
+
+   !> A number that may be absent.
+   type :: optional_real
+      logical :: present = .false.
+      real(wp) :: value = 0.0_wp
+   end type optional_real
+
+   !> Whether a number is not there.
+   interface is_missing
+      module procedure is_missing_number, is_missing_count
+   end interface is_missing
 
    !> Exponent of an infinite number and of a NaN (IEEE 754, 64 bits).
    integer(int64), parameter :: all_ones = int(z'7FF0000000000000', int64)
 
 contains
 
-   !> Whether a number is not there.
-   elemental function is_missing(value) result(yes)
+   elemental function is_missing_number(value) result(yes)
       real(wp), intent(in) :: value
       logical :: yes
       yes = value <= missing
-   end function is_missing
+   end function is_missing_number
+
+   elemental function is_missing_count(value) result(yes)
+      integer, intent(in) :: value
+      logical :: yes
+      yes = value <= missing_count
+   end function is_missing_count
+
+   !> An optional number that is present.
+   elemental function given(value) result(number)
+      real(wp), intent(in) :: value
+      type(optional_real) :: number
+      number = optional_real(.true., value)
+   end function given
+
+   !> A number that may be missing as an optional one.
+   elemental function known(value) result(number)
+      real(wp), intent(in) :: value
+      type(optional_real) :: number
+      if (.not. is_missing(value)) number = given(value)
+   end function known
 
    !> Whether a number may be written: one that is there, and finite. A quotient may be beyond all numbers, as the error
    !> against a measurement next to nothing.

@@ -16,17 +16,16 @@ module drillgap
    use dg_component, only: component_type
    use dg_constants, only: degree, pi
    use dg_drillstring, only: drillstring_type
-   use dg_error, only: error_type, raise, status_bad_input, status_failure
+   use dg_error, only: error_list_type, error_type, joined_errors, raise, status_bad_input, status_failure
    use dg_fatigue_curve, only: fatigue_curve_type, fatigue_e75, fatigue_none, fatigue_own, fatigue_s135
-   use dg_fault_list, only: fault_list_type, fault_text, fault_type, sorted_faults
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_count, model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: given, load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
-      operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, operation_trip_in, &
-      operation_trip_out, optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: load_case_type, operation_backream, operation_from_name, operation_name, operation_ream, &
+      operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, operation_static, &
+      operation_trip_in, operation_trip_out
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: boundary_type, copy_without_cases, inner_type => model_type
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: gap_at_extremum, gap_at_nodes, numerics_type, settings_of
@@ -107,21 +106,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
-      type(fault_type), allocatable :: sorted(:)
-      character(:), allocatable :: text
+      type(error_list_type) :: faults
       integer :: i
       !$omp critical (drillgap_words)
       call read_checked_deck(path, deck%model%inner, job, notes, faults)
-      text = ''
       deck%notes = ''
       if (faults%count > 0) then
-         allocate (sorted, source=sorted_faults(faults))
-         do i = 1, size(sorted)
-            if (i > 1) text = text//new_line('a')
-            text = text//fault_text(sorted(i))
-         end do
-         call raise(error, status_bad_input, text)
+         call raise(error, status_bad_input, joined_errors(faults))
       else
          do i = 1, size(notes)
             if (i > 1) deck%notes = deck%notes//new_line('a')

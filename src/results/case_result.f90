@@ -1,7 +1,7 @@
 !> What any model returns for one load case. SI units.
 module dg_case_result
    use dg_kinds, only: wp
-   use dg_missing, only: missing
+   use dg_missing, only: missing, missing_count
    use dg_profile, only: profile_type
    implicit none
    private
@@ -59,7 +59,7 @@ module dg_case_result
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
       real(wp) :: viscosity = 0.0_wp           !< viscous regularisation, in units of F^2/(4 EI) [-]
       integer :: judged = judged_start         !< what judged the step that led here
-      integer :: negative_pivots = -1          !< negative eigenvalues of the step's matrix; -1: not known
+      integer :: negative_pivots = missing_count !< negative eigenvalues of the step's matrix; missing: not known
       integer :: contacts = 0                  !< gaps in contact
       integer :: flips = 0                     !< gaps that changed state
       integer :: moves = 0                     !< gaps that moved to another x0
@@ -114,7 +114,7 @@ module dg_case_result
       !> Part by which compression could still grow before the equilibrium is lost (dg_stability): until the tangent is indefinite,
       !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
       real(wp) :: stability_margin = missing
-      logical :: coiled = .false.              !< the string is compressed beyond its coiling load: it may lie in more than one way
+      logical :: coiled = .false.              !< the string is compressed beyond its helical load: it may lie in more than one way
       !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
       !> where not locked up [N].
       real(wp) :: lock_up_load = missing

@@ -3,7 +3,7 @@ module dg_read_deck
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: group_keys_type
    use dg_deck_source, only: read_source
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_job, only: job_type
    use dg_model, only: model_type
    use dg_open_deck, only: close_deck, open_deck
@@ -22,7 +22,7 @@ contains
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
       type(text_type), allocatable, intent(out) :: notes(:)
-      type(fault_list_type), intent(out) :: faults
+      type(error_list_type), intent(out) :: faults
       type(studies_type), intent(out), optional :: studies   !< that the deck asks for
       type(text_type), allocatable :: lines(:)
       character(:), allocatable :: name, failure
@@ -42,7 +42,7 @@ contains
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
       type(text_type), allocatable, intent(out) :: notes(:)
-      type(fault_list_type), intent(out) :: faults
+      type(error_list_type), intent(out) :: faults
       type(studies_type), intent(out), optional :: studies
       type(studies_type) :: found
       type(deck_type) :: deck

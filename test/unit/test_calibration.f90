@@ -9,9 +9,9 @@ module dg_test_calibration
    use dg_kinds, only: wp
    use dg_least_squares, only: fit_done, fit_from_less, fit_least_squares, fit_type, fit_without_values, &
                                measured_function_type, unknowns_type
-   use dg_load_case, only: given, load_case_type, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_load_case, only: load_case_type, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_contact_friction, only: axial_friction
-   use dg_missing, only: is_missing
+   use dg_missing, only: given, is_missing
    implicit none
    private
    public :: calibration_suite

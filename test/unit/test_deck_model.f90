@@ -5,8 +5,7 @@ module dg_test_deck_model
    use dg_constants, only: degree, pi
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type, fault_text
+   use dg_error, only: error_list_type, error_text, error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_load_case, only: operation_backream, operation_trip_out
@@ -46,14 +45,14 @@ contains
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
       type(text_type), allocatable, intent(out) :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(error_type), allocatable :: error
       character(:), allocatable :: first
       call write_text_file(path, lines, error)
       call assertFalse(allocated(error), message='scratch deck written')
       call read_deck(path, model, job, notes, faults)
       first = ''
-      if (faults%count > 0) first = fault_text(faults%items(1))
+      if (faults%count > 0) first = error_text(faults%items(1))
       call assertEqual('', first, message='no fault')
    end subroutine read_text
 

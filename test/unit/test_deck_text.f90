@@ -7,7 +7,7 @@ module dg_test_deck_text
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_token, only: token_type, tokenize, token_comma, token_end, token_equals, token_group, token_open_text, &
       token_stray, token_text, token_word
-   use dg_fault_list, only: add_fault, fault_list_type, fault_text, fault_type, sorted_faults
+   use dg_error, only: add_fault, error_lines, error_list_type
    use dg_text, only: append_text, edit_distance, is_separator_free, lower_case, nearest_name, quoted, text_type, to_text
    use dg_unit_kind, only: unit_length, unit_diameter
    use dg_units, only: field_units, si_units
@@ -121,7 +121,7 @@ contains
    subroutine test_groups()
       type(token_type), allocatable :: tokens(:)
       type(group_type), allocatable :: groups(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       call cut('&Hole MD_top = 1 2, 3', 'od(2:3) = 2*''x'' / &fluid /', tokens)
       call parse_groups('deck', tokens, groups, faults)
       call assertEqual(0, faults%count)
@@ -211,8 +211,8 @@ contains
    end subroutine test_ranges
 
    subroutine test_order_of_faults()
-      type(fault_list_type) :: faults
-      type(fault_type), allocatable :: sorted(:)
+      type(error_list_type) :: faults
+      type(text_type), allocatable :: lines(:)
       integer :: i
       call add_fault(faults, 'deck', 9, 'nine')
       call add_fault(faults, 'survey', 1, 'one')
@@ -222,11 +222,11 @@ contains
       do i = 1, 40
          call add_fault(faults, 'deck', 100 + i, 'many')
       end do
-      allocate (sorted, source=sorted_faults(faults))
-      call assertEqual('deck:2: two', fault_text(sorted(1)))
-      call assertEqual('deck:9: nine', fault_text(sorted(2)))
-      call assertEqual('deck:9: nine again', fault_text(sorted(3)))
-      call assertEqual('survey: whole', fault_text(sorted(44)))
-      call assertEqual('survey:1: one', fault_text(sorted(45)))
+      allocate (lines, source=error_lines(faults))
+      call assertEqual('deck:2: two', lines(1)%text)
+      call assertEqual('deck:9: nine', lines(2)%text)
+      call assertEqual('deck:9: nine again', lines(3)%text)
+      call assertEqual('survey: whole', lines(44)%text)
+      call assertEqual('survey:1: one', lines(45)%text)
    end subroutine test_order_of_faults
 end module dg_test_deck_text

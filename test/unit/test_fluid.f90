@@ -3,8 +3,7 @@ module dg_test_fluid
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_component, only: buoyed_weight, component_type
    use dg_constants, only: degree, pi
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type, fault_text
+   use dg_error, only: error_list_type, error_text, error_type
    use dg_fluid, only: collar_closed, cut_mud, density_at, fluid_tops, fluid_type, heaviest_fluid, mud_type, side_inside, &
                        side_outside, standing_mud
    use dg_job, only: job_type
@@ -110,7 +109,7 @@ contains
    subroutine read_with(fluids, model, faults, notes)
       character(*), intent(in) :: fluids
       type(model_type), intent(out) :: model
-      type(fault_list_type), intent(out) :: faults
+      type(error_list_type), intent(out) :: faults
       type(text_type), allocatable, intent(out) :: notes(:)
       type(text_type), allocatable :: lines(:)
       type(job_type) :: job
@@ -124,7 +123,7 @@ contains
 
    subroutine test_deck()
       type(model_type) :: model
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(text_type), allocatable :: notes(:)
       call read_with('&fluid density=1200 / &fluid where=''inside'' density=900 tvd_top=500 / '// &
                      '&fluid where=''inside'' above_bit=300 float_collar=''closed'' /', model, faults, notes)
@@ -155,15 +154,15 @@ contains
          call read_with(fluids, model, faults, notes)
          call assertEqual(1, faults%count, message=fluids)
          if (faults%count /= 1) return
-         call assertTrue(index(fault_text(faults%items(1)), expected) > 0, message=fault_text(faults%items(1)))
-         call assertTrue(index(fault_text(faults%items(1)), 'deck:') == 1, message='file and line')
+         call assertTrue(index(error_text(faults%items(1)), expected) > 0, message=error_text(faults%items(1)))
+         call assertTrue(index(error_text(faults%items(1)), 'deck:') == 1, message='file and line')
       end subroutine refuse
    end subroutine test_deck
 
    !> A deviation of density is that of the heaviest fluid; gas changes by as much less as it is lighter.
    subroutine test_samples()
       type(model_type) :: model, drawn
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(text_type), allocatable :: notes(:)
       type(uncertainty_type) :: uncertainty
       type(error_type), allocatable :: error

@@ -1,9 +1,10 @@
 module dg_test_load_case
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_load_case, only: friction_split, given, load_case_type, operation_backream, operation_count, &
-      operation_from_name, operation_name, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, &
-      operation_sliding_drilling, operation_static, operation_trip_in, operation_trip_out, optional_real
+   use dg_load_case, only: friction_split, load_case_type, operation_backream, operation_count, operation_from_name, &
+      operation_name, operation_ream, operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, &
+      operation_static, operation_trip_in, operation_trip_out
+   use dg_missing, only: given, optional_real
    implicit none
    private
    public :: load_case_suite

@@ -13,9 +13,10 @@ module dg_test_mesh
    use dg_gap_table, only: gap_table_type, new_gap_table
    use dg_hole_section, only: hole_section_type, wall_of
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_out
+   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out
    use dg_mesh, only: graded, mesh_type, new_mesh, node_depths, subdivided
    use dg_mesh_for_case, only: mesh_for_case
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_predictor, only: predict, start_type
    use dg_soft_string_loads, only: soft_string_at, soft_totals_type

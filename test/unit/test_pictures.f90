@@ -14,9 +14,8 @@ module dg_test_pictures
    use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe
    use dg_line_list, only: line_list_type
    use dg_job, only: job_type, model_mcge, model_soft
-   use dg_load_case, only: given, operation_rotary_drilling, operation_trip_in, operation_trip_out, &
-      optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_path_picture, only: path_chart
    use dg_picture_data, only: picked_rows, picture_data_type

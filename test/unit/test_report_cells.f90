@@ -4,9 +4,9 @@ module dg_test_report_cells
    use dg_html_text, only: html_safe
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_load_case, only: given, moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
-      operation_static, operation_trip_out, optional_real, rotates
-   use dg_missing, only: is_shown, missing
+   use dg_load_case, only: moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
+      operation_static, operation_trip_out, rotates
+   use dg_missing, only: given, is_shown, missing, optional_real
    use dg_number_text, only: count_cell, csv_text, fixed_cell, left_aligned, put_csv_number, right_aligned, scientific_cell
    use dg_ten_digits, only: longest_number
    implicit none

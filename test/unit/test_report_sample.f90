@@ -4,8 +4,8 @@ module dg_test_report_sample
    use dg_constants, only: degree
    use dg_job, only: job_type, model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, &
-      operation_trip_out
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_profile, only: new_profile, state_elastic
    implicit none

@@ -3,7 +3,7 @@ module dg_test_report_table
    use dg_case_result, only: case_result_type, result_converged
    use dg_job, only: job_type, model_mcge, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_result_table, only: cost_table, result_table
    use dg_test_report_sample, only: sample_job, sample_model, sample_results

@@ -7,7 +7,8 @@ module dg_test_run_outcome
    use dg_job, only: model_soft
    use dg_kinds, only: wp
    use dg_model, only: model_type
-   use dg_load_case, only: given, operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_trip_in, operation_trip_out
+   use dg_missing, only: given
    use dg_run_outcome, only: add_part, locked_count, lost_count, note_cases, note_lost, outcome_type, solution_count
    use dg_point_outcome, only: note_sweep
    use dg_uncertainty_study, only: note_uncertainty

@@ -7,8 +7,8 @@ module dg_test_soft_string
    use dg_error, only: error_type, status_bad_input
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_ream, operation_rotary_drilling, operation_static, &
-      operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_ream, operation_rotary_drilling, operation_static, operation_trip_in, operation_trip_out
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_profile, only: state_elastic, state_free
    use dg_soft_string, only: solve_soft_string

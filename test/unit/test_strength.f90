@@ -11,7 +11,8 @@ module dg_test_strength
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, optional_real
+   use dg_load_case, only: operation_rotary_drilling
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
                                torsional_strength

@@ -12,8 +12,8 @@ module dg_test_string_limits
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_trip_out, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_trip_out
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_profile, only: new_profile, side_above, side_below, side_none
    use dg_soft_string, only: solve_soft_string

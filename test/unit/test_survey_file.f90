@@ -4,8 +4,7 @@ module dg_test_survey_file
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree
    use dg_deck_number, only: read_real
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_kinds, only: wp
    use dg_survey_file, only: read_survey_file, station_list_type
@@ -344,7 +343,7 @@ contains
       logical, intent(in) :: units_told
       real(wp), intent(in), optional :: first_azimuth
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       logical :: sound
       real(wp) :: azimuth
       real(wp), parameter :: round_off = 1.0e-7_wp     ! of the feet written above
@@ -380,7 +379,7 @@ contains
    subroutine skip(what, table, expected)
       character(*), intent(in) :: what, table, expected
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       logical :: sound
       call accept(what, table)
       call read_survey_file(path, si_units(), stations, sound, faults)
@@ -391,7 +390,7 @@ contains
       character(*), intent(in) :: what, table, expected
       type(unit_system_type), intent(in), optional :: units
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(unit_system_type) :: system
       logical :: sound
       system = si_units()

@@ -2,8 +2,7 @@
 module dg_test_survey_heading
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_kinds, only: wp
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
@@ -228,7 +227,7 @@ contains
       character(*), intent(in), optional :: names(:), skipped, columns
       integer, intent(in), optional :: more           !< stations beside the three
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       real(wp), parameter :: round_off = 1.0e-3_wp    ! of the feet written above
       logical :: sound
       integer :: n
@@ -252,7 +251,7 @@ contains
       character(*), intent(in) :: what, table, expected
       character(*), intent(in), optional :: names(:)
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       logical :: sound
       call read_table(table, names, stations, sound, faults)
       call assertFalse(sound, message=what)
@@ -266,7 +265,7 @@ contains
       character(*), intent(in), optional :: names(:)
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(column_names_type) :: named
       type(error_type), allocatable :: error
       call write_text_file(path, lines_between(table, ';'), error)

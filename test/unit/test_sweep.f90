@@ -7,10 +7,10 @@ module dg_test_sweep
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_in, operation_trip_out, optional_real
+   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_measured_table, only: fitting_friction
    use dg_mesh, only: mesh_type, new_mesh, node_depths
-   use dg_missing, only: missing
+   use dg_missing, only: given, missing, optional_real
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
    use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, &

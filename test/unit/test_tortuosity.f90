@@ -2,7 +2,7 @@
 module dg_test_tortuosity
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree, pi
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between
@@ -226,7 +226,7 @@ contains
       type(text_type), allocatable, intent(out) :: notes(:)
       type(model_type) :: model
       type(job_type) :: job
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(text_type), allocatable :: lines(:)
       call append_text(lines, '&trajectory '//stations//' /')
       call append_text(lines, group)

@@ -10,8 +10,8 @@ module dg_test_uncertainty
    use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_trip_in, operation_trip_out
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: operation_trip_in, operation_trip_out
+   use dg_missing, only: given, is_missing, missing
    use dg_model, only: model_type
    use dg_sample_statistics, only: distribution_type, find_distribution, find_point_statistics, p10, p50, p90, &
       point_statistics_type, quantile

@@ -12,9 +12,9 @@ module dg_test_verdict
    use dg_friction_estimate, only: find_upper_friction, friction_estimate_type, upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
-                           operation_trip_out, optional_real
-   use dg_missing, only: missing
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
+      operation_trip_out
+   use dg_missing, only: given, missing, optional_real
    use dg_model, only: model_type
    use dg_rounding, only: rounded_down
    use dg_soft_string, only: solve_soft_string

@@ -2,8 +2,7 @@
 module dg_test_witsml_survey
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_kinds, only: wp
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
@@ -67,7 +66,7 @@ contains
    !> Positions that the document lists are read beside its stations.
    subroutine test_positions()
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       logical :: sound
       call read_document('<trajectory><trajectoryStation><md uom="m">0</md><incl uom="dega">0</incl><tvd uom="m">0</tvd>'// &
                          '</trajectoryStation><trajectoryStation><md uom="m">10</md><incl uom="dega">0</incl>'// &
@@ -115,7 +114,7 @@ contains
       character(*), intent(in) :: what, document, wanted
       character(*), intent(in) :: told                 !< in the message
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       real(wp), parameter :: round_off = 1.0e-6_wp
       logical :: sound
       call read_document(document, wanted, stations, sound, faults)
@@ -132,7 +131,7 @@ contains
    subroutine refuse(what, document, wanted, expected)
       character(*), intent(in) :: what, document, wanted, expected
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       logical :: sound
       call read_document(document, wanted, stations, sound, faults)
       call assertFalse(sound, message=what)
@@ -145,7 +144,7 @@ contains
       character(*), intent(in) :: document, wanted
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(column_names_type) :: named
       type(error_type), allocatable :: error
       call write_text_file(path, lines_between(document, '|'), error)

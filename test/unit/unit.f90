@@ -51,7 +51,7 @@ contains
       use dg_test_hermite, only: hermite_suite
       use dg_test_merge_sort, only: merge_sort_suite
       use dg_test_mesh, only: mesh_suite
-      use dg_test_snake, only: snake_suite
+      use dg_test_sinusoidal_shape, only: sinusoidal_shape_suite
       use dg_test_curvature_change, only: curvature_change_suite
       use dg_test_model_table, only: model_table_suite
       use dg_test_legacy, only: legacy_suite
@@ -120,7 +120,7 @@ contains
       call suite%addTest(hermite_suite())
       call suite%addTest(merge_sort_suite())
       call suite%addTest(mesh_suite())
-      call suite%addTest(snake_suite())
+      call suite%addTest(sinusoidal_shape_suite())
       call suite%addTest(curvature_change_suite())
       call suite%addTest(model_table_suite())
       call suite%addTest(legacy_suite())

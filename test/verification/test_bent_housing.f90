@@ -12,8 +12,8 @@ module dg_test_bent_housing
    use dg_independent_beam, only: bend_independently, independent_beam_type, independent_well_type, push_at_bit
    use dg_fluid, only: fluid_type, standing_mud
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_soft_string_loads, only: soft_string_at

@@ -12,8 +12,8 @@ module dg_test_both_sides
    use dg_fluid, only: collar_closed, fluid_type
    use dg_job, only: model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_sliding_drilling, operation_trip_out, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: operation_sliding_drilling, operation_trip_out
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_profile, only: new_profile, profile_type, side_above, side_below, side_none
    use dg_profile_file, only: profile_series

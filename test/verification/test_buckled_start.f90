@@ -28,7 +28,7 @@ contains
    function buckled_start_suite() result(suite)
       type(TestSuite) :: suite
       suite = TestSuite('buckled_start')
-      call suite%addTest(TestMethod('snake', test_snake))
+      call suite%addTest(TestMethod('snake', test_sinusoidal))
       call suite%addTest(TestMethod('coil', test_coil))
       call suite%addTest(TestMethod('few_iterations', test_few_iterations))
       call suite%addTest(TestMethod('mirrored', test_mirrored))
@@ -92,7 +92,7 @@ contains
 
    !> Amplitude and phase together: the mean square of what differs over that of the snake, either handedness; a quarter wave off it
    !> is 2, at opposite phase 4.
-   subroutine test_snake()
+   subroutine test_sinusoidal()
       real(wp), parameter :: ratio(2) = [1.1_wp, 1.3_wp], off_end = 3.0_wp, allowed = 0.05_wp
       real(wp), allocatable :: md(:), predicted(:), found(:)
       real(wp) :: differs
@@ -105,7 +105,7 @@ contains
          call note('differs', differs)
          call assertLessThan(differs, allowed, message='snake')
       end do
-   end subroutine test_snake
+   end subroutine test_sinusoidal
 
    !> A coil's angle, unrolled, less what was predicted [rad]: over 25 turns within a twelfth of one.
    subroutine test_coil()

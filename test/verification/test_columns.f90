@@ -10,7 +10,8 @@ module dg_test_columns
    use dg_fluid, only: standing_mud
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_test_wells, only: hold_ends, new_well, note, part, solve

@@ -5,7 +5,8 @@ module dg_test_component_friction
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_missing, only: given
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string

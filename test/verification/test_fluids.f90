@@ -12,7 +12,8 @@ module dg_test_fluids
    use dg_fluid, only: collar_closed, collar_open_below, fluid_type, standing_mud
    use dg_job, only: model_count, model_mcge, model_mixed, model_rigid, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_static, operation_trip_in, operation_trip_out, optional_real
+   use dg_load_case, only: operation_static, operation_trip_in, operation_trip_out
+   use dg_missing, only: optional_real
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string

@@ -12,7 +12,7 @@ module dg_test_length_change
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, tube_area
    use dg_error, only: error_type
    use dg_fluid, only: fluid_type, standing_mud
-   use dg_held_string, only: settle_packer_loads
+   use dg_held_string, only: find_packer_loads
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_rigid, model_soft
    use dg_kinds, only: wp
@@ -184,7 +184,7 @@ contains
       real(wp), parameter :: warmer = -10.0_wp
       real(wp) :: length, area(2), pressure, weight, share, coil, rest, root
       call build_two(model, hold_fixed, warmer)
-      call settle_packer_loads(model, failed)
+      call find_packer_loads(model, failed)
       call assertEqual(0, size(failed))
       length = si(depth, unit_length)
       pressure = si(pumped, unit_stress)
@@ -207,13 +207,13 @@ contains
       type(model_type) :: model, fixed
       integer, allocatable :: failed(:)
       call build_two(model, hold_landed, -10.0_wp)
-      call settle_packer_loads(model, failed)
+      call find_packer_loads(model, failed)
       call assertEqual(0, size(failed))
       call assertEqual(0.0_wp, model%cases(2)%wob, 0.0_wp)
       call build_two(model, hold_landed, 60.0_wp)
-      call settle_packer_loads(model, failed)
+      call find_packer_loads(model, failed)
       call build_two(fixed, hold_fixed, 60.0_wp)
-      call settle_packer_loads(fixed, failed)
+      call find_packer_loads(fixed, failed)
       call assertTrue(model%cases(2)%wob > 0.0_wp)
       call assertRelativelyEqual(fixed%cases(2)%wob, model%cases(2)%wob, 1.0e-9_wp)
    end subroutine test_landed

@@ -4,8 +4,7 @@
 module dg_test_lone_contacts
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, contact_blades, result_converged
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_file_system, only: write_text_file
    use dg_job, only: job_type
    use dg_kinds, only: wp
@@ -334,7 +333,7 @@ contains
       type(text_type), allocatable :: lines(:), notes(:)
       type(model_type) :: model
       type(job_type) :: job
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(error_type), allocatable :: error
       integer :: i
       allocate (lines(0), notes(0))

@@ -8,7 +8,8 @@ module dg_test_margins
    use dg_fluid, only: standing_mud
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_static, optional_real
+   use dg_load_case, only: operation_static
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_soft_string, only: solve_soft_string

@@ -9,7 +9,8 @@ module dg_test_opened_tools
    use dg_gnuplot_script, only: chart_script
    use dg_job, only: job_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out, optional_real
+   use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out
+   use dg_missing, only: optional_real
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string

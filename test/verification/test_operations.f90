@@ -3,8 +3,7 @@
 module dg_test_operations
    use funit, only: anyExceptions, assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type, fault_text
+   use dg_error, only: error_list_type, error_text, error_type
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_load_case, only: moves_axially, operation_count, operation_name, rotates
@@ -44,13 +43,13 @@ contains
       type(case_result_type), allocatable, intent(out) :: results(:, :)   !< (case, model)
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(error_type), allocatable :: error
       character(:), allocatable :: first
       integer :: i
       call read_deck('input/operations.nml', model, job, notes, faults)
       first = ''
-      if (faults%count > 0) first = fault_text(faults%items(1))
+      if (faults%count > 0) first = error_text(faults%items(1))
       call assertEqual('', first, message='no fault')
       if (anyExceptions()) return
       allocate (results(size(model%cases), size(names)))

@@ -6,8 +6,9 @@ module dg_test_soft_wells
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
    use dg_kinds, only: wp
-   use dg_load_case, only: given, operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, &
+   use dg_load_case, only: operation_rotary_drilling, operation_rotate_off_bottom, operation_sliding_drilling, &
       operation_static, operation_trip_in, operation_trip_out
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_soft_string, only: solve_soft_string
    use dg_soft_string_loads, only: soft_string_at

@@ -15,7 +15,7 @@ module dg_held_string
    use dg_solve_case, only: solve_case
    implicit none
    private
-   public :: settle_packer_loads
+   public :: find_packer_loads
 
    !> First step of the search [N], and how often it doubles at most.
    real(wp), parameter :: first_step = 1.0e4_wp
@@ -27,7 +27,7 @@ contains
 
    !> Gives each load case that is held by its packer the load at the lower end, as its weight on bit. A case for which none is
    !> found keeps its own, and `failed` has its number.
-   subroutine settle_packer_loads(model, failed)
+   subroutine find_packer_loads(model, failed)
       type(model_type), intent(inout) :: model
       integer, allocatable, intent(out) :: failed(:)
       integer :: i
@@ -36,13 +36,13 @@ contains
       if (model%boundary%packer_hold == hold_free) return
       do i = 1, size(model%cases)
          if (model%cases(i)%length_reference == 0) cycle
-         call settle_one(model, i, found)
+         call find_packer_load(model, i, found)
          if (.not. found) failed = [failed, i]
       end do
-   end subroutine settle_packer_loads
+   end subroutine find_packer_loads
 
    !> Find the load of one load case that is held.
-   subroutine settle_one(model, number, found)
+   subroutine find_packer_load(model, number, found)
       type(model_type), intent(inout) :: model
       integer, intent(in) :: number
       logical, intent(out) :: found
@@ -96,7 +96,7 @@ contains
          model%cases(number)%wob = own
          moved = total - there
       end subroutine find_moved
-   end subroutine settle_one
+   end subroutine find_packer_load
 
    !> Change of length in a load case by the soft string [m].
    subroutine find_total(model, number, total, found)

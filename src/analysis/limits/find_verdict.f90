@@ -12,8 +12,8 @@ module dg_find_verdict
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_job, only: model_mcge
-   use dg_load_case, only: block_way, given, moves_axially, operation_rotary_drilling, optional_real, rotates
-   use dg_missing, only: is_missing
+   use dg_load_case, only: block_way, moves_axially, operation_rotary_drilling, rotates
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md

@@ -9,7 +9,8 @@ module dg_friction_reserve
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
    use dg_job, only: model_mcge, model_soft
-   use dg_load_case, only: block_way, given, load_case_type, optional_real, rotates
+   use dg_load_case, only: block_way, load_case_type, rotates
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type

@@ -9,8 +9,8 @@
 !>
 !> The lean y' of mcge is that of its own string on short elements: sag between contacts counts, too. Of other methods, and of mcge
 !> without short elements, it follows from the compression F and the clearance c: beyond the lower helical limit
-!> y'^2/2 = c^2 F/(4 EI) (a helix of the pitch 2 pi (2 EI/F)^(1/2)), between it and the sinusoidal limit F_s the snake of dg_snake,
-!> y'^2/2 = c^2 A^2 k^2 F_s/(8 EI).
+!> y'^2/2 = c^2 F/(4 EI) (a helix of the pitch 2 pi (2 EI/F)^(1/2)), between it and the sinusoidal limit F_s that of
+!> dg_sinusoidal_shape, y'^2/2 = c^2 A^2 k^2 F_s/(8 EI).
 module dg_length_change
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -21,7 +21,7 @@ module dg_length_change
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: true_axial
-   use dg_snake, only: snake_swing, snake_wave
+   use dg_sinusoidal_shape, only: sinusoidal_swing, sinusoidal_wave
    use dg_trajectory, only: top_md
    implicit none
    private
@@ -111,8 +111,8 @@ contains
       if (is_missing(along%helical(row)) .or. -axial > along%helical(row)) then
          short = -clearance**2*axial/(4.0_wp*bending_stiffness(part))
       else if (-axial > along%sinusoidal(row)) then
-         swing = snake_swing(-axial/along%sinusoidal(row))
-         short = (clearance*swing*snake_wave(swing))**2*along%sinusoidal(row)/(8.0_wp*bending_stiffness(part))
+         swing = sinusoidal_swing(-axial/along%sinusoidal(row))
+         short = (clearance*swing*sinusoidal_wave(swing))**2*along%sinusoidal(row)/(8.0_wp*bending_stiffness(part))
       end if
    end function lean
 

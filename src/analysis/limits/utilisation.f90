@@ -10,8 +10,8 @@ module dg_utilisation
    use dg_component, only: component_type, is_bit, is_pipe, tube_area, worn_od
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops
-   use dg_load_case, only: given, optional_real, rotates
-   use dg_missing, only: is_missing
+   use dg_load_case, only: rotates
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_profile, only: piece_depths
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &

@@ -1,7 +1,7 @@
 !> The answer to 'can it be done?' for one load case, with the limit that decides.
 module dg_verdict
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
+   use dg_missing, only: optional_real
    use dg_text, only: lower_case
    use dg_utilisation, only: limit_count, limit_name
    implicit none

@@ -12,8 +12,8 @@ module dg_whole_string
    use dg_fatigue, only: fatigue_type, find_fatigue
    use dg_job, only: model_mcge
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type
-   use dg_load_case, only: block_way, given, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: block_way
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: tension_capacity
    use dg_profile, only: piece_depths

@@ -10,17 +10,17 @@
 !> added to f n. Where a component has centralizers they share the contact with the body between them (dg_centralized_contact).
 !> Brett et al. 1989 (the paper's flexible type) use the same balance.
 !>
-!> Asked for `coiled`, compression F beyond the coiling load presses the string on the wall all around, by c F^2/(4 EI) per metre
+!> Asked for `coiled`, compression F beyond the helical load presses the string on the wall all around, by c F^2/(4 EI) per metre
 !> (Mitchell 1986) where that is more than n: friction then grows with F squared, and a weight on bit exists that no push at the
 !> top can bring down (Wu & Juvkam-Wold 1993).
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
-   use dg_coiling, only: coil_bend, coil_force
-   use dg_load_case, only: optional_real
+   use dg_helical_load, only: helical_bend, helical_contact
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
-   use dg_snake, only: snake_contact, snake_swing
+   use dg_sinusoidal_shape, only: sinusoidal_contact, sinusoidal_swing
    use dg_string_piece, only: climbed, layout_of, layout_type, piece_above, piece_type, share_contact
    use dg_trajectory, only: point_on_arc, turn_of, turn_type
    implicit none
@@ -143,10 +143,10 @@ contains
       normal = load_across(piece, place, force)
       if (piece%coils .and. force < 0.0_wp) then
          limit = sinusoidal_limit(piece%stiffness, normal, piece%clearance)
-         if (-force > max(helical_low*limit, piece%least_coiling)) then
-            normal = max(normal, coil_force(piece%stiffness, -force, piece%clearance))
+         if (-force > max(helical_low*limit, piece%least_helical)) then
+            normal = max(normal, helical_contact(piece%stiffness, -force, piece%clearance))
          else if (-force > limit .and. normal > 0.0_wp) then
-            normal = normal*snake_contact(snake_swing(-force/limit))
+            normal = normal*sinusoidal_contact(sinusoidal_swing(-force/limit))
          end if
       end if
       normal = piece%climb*normal
@@ -160,8 +160,8 @@ contains
       real(wp) :: strain
       strain = compression/piece%stretching
       if (compression > max(helical_low*sinusoidal_limit(piece%stiffness, load_across(piece, place, -compression), &
-                                                         piece%clearance), piece%least_coiling)) &
-         strain = strain + piece%reach*coil_bend(piece%stiffness, compression, piece%clearance)
+                                                         piece%clearance), piece%least_helical)) &
+         strain = strain + piece%reach*helical_bend(piece%stiffness, compression, piece%clearance)
    end function strain_of
 
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true

@@ -3,7 +3,7 @@
 module dg_string_piece
    use dg_kinds, only: wp
    use dg_centralized_contact, only: body_share, spans_of, spans_type
-   use dg_coiling, only: least_coiling_load
+   use dg_helical_load, only: least_helical_load
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: component_at, component_tops
@@ -49,7 +49,7 @@ module dg_string_piece
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: reach = 0.0_wp    !< of its outside from its axis [m]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
-      real(wp) :: least_coiling = 0.0_wp !< coiling load of a string that nothing presses [N]
+      real(wp) :: least_helical = 0.0_wp !< helical load of a string that nothing presses [N]
       logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
       type(spans_type) :: spans     !< between centralizers
       type(rubbing_type) :: rubbing(2) !< of centralizers, of the body between them; set with spans
@@ -116,7 +116,7 @@ contains
          end if
       end associate
       if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
-      if (piece%coils) piece%least_coiling = least_coiling_load(piece%stiffness, piece%weight)
+      if (piece%coils) piece%least_helical = least_helical_load(piece%stiffness, piece%weight)
       if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
 

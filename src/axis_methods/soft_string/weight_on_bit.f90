@@ -3,7 +3,8 @@ module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_component, only: axial_stiffness
-   use dg_load_case, only: block_way, given, optional_real
+   use dg_load_case, only: block_way
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: bearable_strain, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md

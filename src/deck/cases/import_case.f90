@@ -4,7 +4,7 @@ module dg_import_case
    use dg_constants, only: degree, pi
    use dg_edm_case, only: read_edm_case
    use dg_edm_rows, only: edm_attributes, edm_elements, is_edm
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type
    use dg_file_kind, only: foreign_kind, is_xml
    use dg_file_lines, only: read_lines
    use dg_imported_case, only: empty_case, imported_case_type, one_of
@@ -147,7 +147,7 @@ contains
       type(imported_case_type), intent(inout) :: case
       character(:), allocatable, intent(inout) :: failure
       type(station_list_type) :: stations
-      type(fault_list_type) :: faults
+      type(error_list_type) :: faults
       type(column_names_type) :: names
       logical :: sound
       integer :: at

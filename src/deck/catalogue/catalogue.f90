@@ -6,8 +6,8 @@ module dg_catalogue
    use dg_connection, only: connection_name
    use dg_deck_number, only: read_real
    use dg_deck_keys, only: keys_of
-   use dg_deck_schema, only: key_rule_type
-   use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
+   use dg_deck_schema, only: hold_in_range, key_rule_type
+   use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_lines, only: beside, read_lines
    use dg_merge_sort, only: first_equal
    use dg_quantity, only: system_count, unit_type
@@ -15,7 +15,7 @@ module dg_catalogue
    use dg_text, only: joined, lower_case, quoted, text_type, to_text
    use dg_text_fault, only: find_text_fault
    use dg_unit_kind, only: unit_factor
-   use dg_units, only: si_units, system_of, unit_in, unit_system_type
+   use dg_units, only: system_of, unit_in, unit_system_type
    implicit none
    private
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
@@ -85,8 +85,8 @@ contains
    subroutine read_catalogue(path, catalogue, faults, asked)
       character(*), intent(in) :: path
       type(catalogue_type), intent(out) :: catalogue
-      type(fault_list_type), intent(inout) :: faults
-      type(fault_type), intent(in), optional :: asked   !< where the deck names the file, for one that cannot be read
+      type(error_list_type), intent(inout) :: faults
+      type(error_type), intent(in), optional :: asked   !< where the deck names the file, for one that cannot be read
       type(text_type), allocatable :: lines(:), fields(:)
       character(:), allocatable :: failure, text
       integer, allocatable :: columns(:), line_of(:)
@@ -130,7 +130,7 @@ contains
    subroutine check_names(catalogue, line_of, faults)
       type(catalogue_type), intent(in) :: catalogue
       integer, intent(in) :: line_of(:)                 !< of each entry
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type) :: names(size(catalogue%entries))
       integer :: first(size(names)), i
       do i = 1, size(names)
@@ -152,7 +152,7 @@ contains
       type(text_type), intent(in) :: fields(:)
       integer, allocatable, intent(out) :: columns(:)
       real(wp), allocatable, intent(out) :: factors(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(unit_system_type) :: units
       type(key_rule_type) :: rule
       integer :: i, k, system
@@ -190,9 +190,9 @@ contains
       integer, intent(in) :: columns(:)
       real(wp), intent(in) :: factors(:)
       type(entry_type), intent(out) :: entry
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(key_rule_type) :: rule
-      real(wp) :: number, scale
+      real(wp) :: number
       integer :: i
       logical :: legal
       character(:), allocatable :: failure
@@ -220,10 +220,10 @@ contains
          case default
             call read_real(fields(i)%text, number, legal)
             rule = rule_of(columns(i))
-            scale = unit_factor(si_units(), rule%unit)
-            number = number*factors(i)
-            if (legal) legal = number >= rule%low*scale .and. number <= rule%high*scale
-            if (legal .and. rule%open) legal = number > rule%low*scale
+            if (legal) then
+               number = number*factors(i)
+               call hold_in_range(rule, number, legal)
+            end if
             if (.not. legal) then
                call add_fault(faults, path, line, 'catalogue: '//trim(rule%key)//' = '//quoted(fields(i)%text)// &
                               ' is no number that a deck may give')

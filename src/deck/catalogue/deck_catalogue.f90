@@ -6,7 +6,7 @@ module dg_deck_catalogue
    use dg_catalogue_advice, only: catalogue_advice
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, text_of
    use dg_deck_keys, only: key_place
-   use dg_fault_list, only: add_fault, fault_at, fault_list_type, fault_type
+   use dg_error, only: add_fault, error_at, error_list_type, error_type
    use dg_text, only: append_text, quoted
    implicit none
    private
@@ -19,21 +19,21 @@ contains
       character(*), intent(in) :: path
       type(checked_group_type), intent(inout) :: groups(:)
       character(:), allocatable, intent(out) :: file     !< the catalogue's path; '' where none was needed
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(catalogue_type) :: catalogue
-      type(fault_type) :: asked
+      type(error_type) :: asked
       character(:), allocatable :: named
       integer :: i, before
       logical :: tried, sound
       named = ''
       file = ''
-      asked = fault_at(path, 0, '')
+      asked = error_at(path, 0, '')
       tried = .false.
       sound = .false.
       do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
          named = text_of(groups(i), 'catalogue_file', '')
-         if (named /= '') asked = fault_at(path, line_of(groups(i), 'catalogue_file'), 'group &job: catalogue_file')
+         if (named /= '') asked = error_at(path, line_of(groups(i), 'catalogue_file'), 'group &job: catalogue_file')
       end do
       do i = 1, size(groups)
          if (groups(i)%name /= 'component') cycle
@@ -42,7 +42,7 @@ contains
             tried = .true.
             call find_catalogue(path, named, file)
             before = faults%noted
-            if (named == '') asked = fault_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
+            if (named == '') asked = error_at(path, line_of(groups(i), 'catalogue'), 'group &component: catalogue')
             call read_catalogue(file, catalogue, faults, asked)
             sound = faults%noted == before
          end if
@@ -55,7 +55,7 @@ contains
       character(*), intent(in) :: path
       type(catalogue_type), intent(in) :: catalogue
       type(checked_group_type), intent(inout) :: group
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(:), allocatable :: name
       integer :: entry, grade, key, place
       real(wp) :: number

@@ -4,9 +4,8 @@ module dg_deck_centralizer
    use dg_centralizer, only: centralizer_type
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, text_of
    use dg_deck_draft, only: draft_component_type, draft_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, key_of, whole_message
    use dg_missing, only: missing
-   use dg_model_fault, only: fault_words, model_faults_type
    use dg_string_check, only: check_centralizer
    use dg_text, only: name_shown, quoted, suggestion, to_text
    implicit none
@@ -19,7 +18,7 @@ contains
    subroutine take_centralizers(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       !> Keys that say nothing of a rigid centraliser.
       character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
@@ -37,7 +36,7 @@ contains
             do k = 1, size(meant)
                meant(k) = draft%components(k)%component%name == name .and. draft%components(k)%string == string
             end do
-            if (.not. any(meant)) call tell_unknown(draft, group, faults)
+            if (.not. any(meant)) call report_unknown(draft, group, faults)
             if (centralizer%bow .and. .not. is_given(group, 'restoring_force')) &
                call group_fault(group, 'kind', "kind = 'bow' needs restoring_force", faults)
             do k = 1, size(of_bows)
@@ -58,7 +57,7 @@ contains
       !> Whether a component has no others, and is thinner.
       subroutine check_on(item)
          type(draft_component_type), intent(in) :: item
-         type(model_faults_type) :: found
+         type(error_list_type) :: found
          character(:), allocatable :: words
          integer :: m
          associate (part => item%component)
@@ -68,8 +67,8 @@ contains
          end associate
          call check_centralizer(centralizer, item%component, 0, draft%units, found)
          do m = 1, found%count
-            call fault_words(found%items(m), 'line '//to_text(item%line), words)
-            call group_fault(groups(i), trim(found%items(m)%key), words, faults)
+            call whole_message(found%items(m), 'line '//to_text(item%line), words)
+            call group_fault(groups(i), key_of(found%items(m)), words, faults)
          end do
       end subroutine check_on
 
@@ -94,10 +93,10 @@ contains
    end subroutine draft_centralizer
 
    !> Tells of a group whose name and string no component has.
-   subroutine tell_unknown(draft, group, faults)
+   subroutine report_unknown(draft, group, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(name_shown) :: names(size(draft%components))
       integer :: k
       if (size(names) == 0 .or. .not. is_sound(group, 'component')) return
@@ -107,5 +106,5 @@ contains
       if (.not. all(draft%components%sound)) return     ! one of them may be meant
       call group_fault(group, 'component', 'string '//quoted(text_of(group, 'string', 'main'))//' has no component '// &
                        quoted(text_of(group, 'component', ''))//'; '//suggestion(text_of(group, 'component', ''), names), faults)
-   end subroutine tell_unknown
+   end subroutine report_unknown
 end module dg_deck_centralizer

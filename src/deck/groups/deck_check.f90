@@ -6,18 +6,18 @@ module dg_deck_check
    use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type, find_case, lowest_of, sections_of
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, clear_errors, error_list_type, is_listed, key_of, other_of, other_place_of, part_of, &
+      place_of, whole_message
    use dg_hole_check, only: check_section, depth_round_off, join_sections
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model, only: hold_free
-   use dg_model_fault, only: fault_words, model_faults_type
-   use dg_opening_check, only: settle_opening
+   use dg_opening_check, only: set_opened_depth
    use dg_string_check, only: check_in_string
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
    private
-   public :: close_holes, check_draft, check_case, tell_faults
+   public :: close_holes, check_draft, check_case, report_faults
 
    !> Words of check_passage, up to the case.
    character(*), parameter :: passes_not = 'does not pass', case_mark = ') in '
@@ -28,10 +28,10 @@ contains
    !> from surface on.
    subroutine close_holes(draft, faults)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp) :: tops(size(draft%holes))
       type(hole_section_type) :: sections(size(draft%holes))
-      type(model_faults_type) :: found, in_itself
+      type(error_list_type) :: found, in_itself
       integer :: i, n
 
       n = size(draft%holes)
@@ -62,7 +62,7 @@ contains
             if (.not. hole%sound) cycle
             call check_section(hole%section, i, draft%units, in_itself)
             hole%sound = in_itself%count == 0
-            call tell_faults(draft, in_itself, faults)
+            call report_faults(draft, in_itself, faults)
          end associate
       end do
       if (n == 0 .or. .not. all(draft%holes%sound)) return
@@ -74,9 +74,9 @@ contains
          draft%holes(i)%section%md_top = sections(i)%md_top
       end do
       do i = 1, found%count
-         if (found%items(i)%place > 1) draft%holes(found%items(i)%place)%sound = .false.
+         if (place_of(found%items(i)) > 1) draft%holes(place_of(found%items(i)))%sound = .false.
       end do
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
 
    contains
 
@@ -90,13 +90,13 @@ contains
    !> All checks across groups; `draft` is as it comes from close_holes.
    subroutine check_draft(draft, faults)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(draft_case_type) :: item
       type(text_type) :: names(size(draft%cases))
       integer :: first(size(draft%cases))
       integer :: i
       call check_strings(draft, faults)
-      call settle_openings(draft, faults)
+      call set_openings(draft, faults)
       do i = 1, size(names)
          names(i)%text = lower_case(draft%cases(i)%load_case%name)
       end do
@@ -118,7 +118,7 @@ contains
    subroutine find_reference(draft, item, faults)
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(:), allocatable :: head
       integer :: k
       head = 'group &load_case: length_reference '//quoted(item%length_reference)
@@ -153,7 +153,7 @@ contains
    subroutine check_case(draft, item, faults)
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       call check_depth(draft, item, faults)
       call check_string(draft, item, faults)
    end subroutine check_case
@@ -161,8 +161,8 @@ contains
    !> Components: lengths, and that they sink in the mud.
    subroutine check_strings(draft, faults)
       type(draft_type), intent(in) :: draft
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       integer, dimension(size(draft%components)) :: lowest, uppermost
       real(wp) :: heaviest
       integer :: i
@@ -178,37 +178,37 @@ contains
             call check_in_string(item%component, i, item%string, uppermost(lowest(i)) == i, draft%units, found, heaviest)
          end associate
       end do
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
    end subroutine check_strings
 
    !> Gives tools that open their depth, by the hole.
-   subroutine settle_openings(draft, faults)
+   subroutine set_openings(draft, faults)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       type(hole_section_type) :: sections(size(draft%holes))
       integer :: i
       if (.not. all(draft%holes%sound)) return
       sections = sections_of(draft)
       do i = 1, size(draft%components)
          if (.not. draft%components(i)%sound) cycle
-         call settle_opening(draft%components(i)%component, i, sections, found)
+         call set_opened_depth(draft%components(i)%component, i, sections, found)
          draft%components(i)%sound = found%count == 0
-         call tell_faults(draft, found, faults)
+         call report_faults(draft, found, faults)
       end do
-   end subroutine settle_openings
+   end subroutine set_openings
 
    !> Survey and holes reach the bit.
    subroutine check_depth(draft, item, faults)
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       if (draft%has_stations) call reach('survey', draft%stations%md(size(draft%stations%md)))
       if (all(draft%holes%sound) .and. size(draft%holes) > 0) &
          call reach('lowest hole section', draft%holes(size(draft%holes))%section%md_bottom)
       if (found%count > 0) item%sound = .false.
-      call tell_faults(draft, found, faults, item)
+      call report_faults(draft, found, faults, item)
    contains
       subroutine reach(what, bottom)
          character(*), intent(in) :: what
@@ -221,8 +221,8 @@ contains
    subroutine check_string(draft, item, faults)
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(in) :: item
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       integer, allocatable :: parts(:)
       type(component_type), allocatable :: string(:)
       integer :: k, n
@@ -239,7 +239,7 @@ contains
          end do
          if (n == 0) then
             call check_string_name(case%string, 0, string_names(draft), found)
-            call tell_faults(draft, found, faults, item)
+            call report_faults(draft, found, faults, item)
             return
          end if
          parts = parts(:n)
@@ -249,50 +249,40 @@ contains
             string(k) = draft%components(parts(k))%component
          end do
          call check_string_length(string, parts(size(parts)), case, 0, trim(item%depth_key), draft%units, found)
-         call tell_faults(draft, found, faults, item)
+         call report_faults(draft, found, faults, item)
          if (.not. all(draft%holes%sound)) return
          call check_passage(string, parts, sections_of(draft), case%bit_depth, trim(item%what)//' '//quoted(case%name), &
                             draft%units, found)
-         call tell_faults(draft, found, faults, item)
+         call report_faults(draft, found, faults, item)
       end associate
    end subroutine check_string
 
    !> Tells what checks of the model have found, with the lines of the deck, and empties the list.
-   subroutine tell_faults(draft, found, faults, item)
+   subroutine report_faults(draft, found, faults, item)
       type(draft_type), intent(in) :: draft
-      type(model_faults_type), intent(inout) :: found
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: faults
       type(draft_case_type), intent(in), optional :: item   !< the load case, or what stands for one
       character(:), allocatable :: words, group
       integer :: i, line
       do i = 1, found%count
          associate (fault => found%items(i))
-            line = line_of_part(draft, fault%part, fault%place, fault%key)
-            group = trim(fault%part)
-            if (present(item) .and. fault%part == 'load_case') then
+            line = line_of_part(draft, part_of(fault), place_of(fault), key_of(fault))
+            group = trim(part_of(fault))
+            if (present(item) .and. part_of(fault) == 'load_case') then
                group = trim(item%group)
-               line = merge(item%line_string, item%line_depth, fault%key == 'string')
+               line = merge(item%line_string, item%line_depth, key_of(fault) == 'string')
             end if
-            call fault_words(fault, 'line '//to_text(line_of_part(draft, fault%other, fault%other_place, '')), words)
+            call whole_message(fault, 'line '//to_text(line_of_part(draft, other_of(fault), other_place_of(fault), '')), words)
             ! one case is enough to show that a component is too wide for a hole section
-            if (index(words, passes_not) > 0 .and. said_of(line, words)) cycle
+            if (index(words, passes_not) > 0) then
+               if (is_listed(faults, line, words(:index(words, case_mark) + len(case_mark) - 1))) cycle
+            end if
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
-      found%count = 0
-   contains
-      function said_of(number, new) result(said)
-         integer, intent(in) :: number
-         character(*), intent(in) :: new         !< message, which is the same up to the name of the case
-         logical :: said
-         integer :: k
-         said = .false.
-         do k = 1, faults%count
-            if (faults%items(k)%line == number .and. &
-                index(faults%items(k)%message, new(:index(new, case_mark) + len(case_mark) - 1)) > 0) said = .true.
-         end do
-      end function said_of
-   end subroutine tell_faults
+      call clear_errors(found)
+   end subroutine report_faults
 
    !> Line of a quantity of a part; key '': of its group.
    pure function line_of_part(draft, part, place, key) result(line)

@@ -5,7 +5,7 @@ module dg_deck_draft
    use dg_constants, only: standard_gravity
    use dg_checked_group, only: checked_group_type, is_sound, line_of, texts_of
    use dg_component, only: component_type
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_fluid, only: fluid_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_hole_section, only: hole_section_type
@@ -145,7 +145,7 @@ contains
       character(*), intent(in) :: group, name
       integer, intent(in) :: line
       integer, intent(out) :: number
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(name_shown) :: names(size(draft%cases))
       integer :: k
       number = 0
@@ -163,7 +163,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: wanted(:)
       integer :: i, k, found
       allocate (wanted, source=texts_of(group, 'cases'))

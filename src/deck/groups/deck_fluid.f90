@@ -4,17 +4,16 @@ module dg_deck_fluid
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of
    use dg_component, only: buoyed_weight
-   use dg_deck_check, only: tell_faults
+   use dg_deck_check, only: report_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_drillstring, only: component_at, component_tops
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type, key_of
    use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, density_at, fluid_tops, side_inside, &
                        side_outside
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
-   use dg_model_fault, only: model_faults_type
    use dg_text, only: append_text, quoted, text_type
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type, top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_length, unit_pressure
@@ -37,8 +36,8 @@ contains
    subroutine draft_fluid(group, item, faults)
       type(checked_group_type), intent(in) :: group
       type(draft_fluid_type), intent(out) :: item
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       type(fluid_type) :: begun
       integer :: i
       item%line = group%line
@@ -63,8 +62,8 @@ contains
       call check_fluid(begun, 0, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
-            if (wrong%key == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
-            call group_fault(group, trim(wrong%key), wrong%message, faults)
+            if (key_of(wrong) == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
+            call group_fault(group, key_of(wrong), wrong%message, faults)
          end associate
       end do
    end subroutine draft_fluid
@@ -75,8 +74,8 @@ contains
       type(draft_type), intent(in) :: draft
       type(trajectory_type), intent(in) :: trajectory
       type(mud_type), intent(out) :: mud
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       integer :: i
       mud = standing_mud(0.0_wp)
       if (size(draft%fluids) == 0) return
@@ -92,7 +91,7 @@ contains
                         ' is deeper than the hole; leave this fluid out')
       end do
       call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
-      call tell_faults(draft, found, faults)
+      call report_faults(draft, found, faults)
    end subroutine place_fluids
 
    !> One note a matter, with the first load case where it is so.

@@ -9,6 +9,7 @@ module dg_deck_notes
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: operation_trip_out, rotates
    use dg_minimum_curvature, only: dogleg_between
+   use dg_missing, only: is_missing, missing
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -75,7 +76,8 @@ contains
       do i = 1, size(draft%components)
          call note_component(draft, draft%components(i), narrowest, notes)
          call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
-         call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
+         if (.not. is_missing(deepest_bit(i))) &
+            call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
          if (size(notes) < before + most_notes) cycle
          call append_text(notes, 'more notes on components are left out')
          exit
@@ -221,7 +223,7 @@ contains
    subroutine find_uses(draft, uses, deepest_bit, below)
       type(draft_type), intent(in) :: draft
       type(string_use_type), intent(in) :: uses(:)
-      real(wp), intent(out) :: deepest_bit(:)   !< of all cases and other uses; -1: the string is not used [m]
+      real(wp), intent(out) :: deepest_bit(:)   !< of all cases and other uses; missing: the string is not used [m]
       real(wp), intent(out) :: below(:)         !< [m]
       real(wp) :: length(size(below))           ! of each string so far, at the place of its lowest component
       integer :: lowest(size(below)), i
@@ -236,12 +238,12 @@ contains
 
    contains
 
-      !> The greatest depth of a string; -1 where it is not used [m].
+      !> The greatest depth of a string; missing where it is not used [m].
       function depth_of(string) result(depth)
          character(*), intent(in) :: string
          real(wp) :: depth
          integer :: k
-         depth = -1.0_wp
+         depth = missing
          do k = 1, size(draft%cases)
             if (draft%cases(k)%load_case%string == string) depth = max(depth, draft%cases(k)%load_case%bit_depth)
          end do
@@ -255,10 +257,10 @@ contains
    subroutine note_unused(draft, item, deepest_bit, below, notes)
       type(draft_type), intent(in) :: draft
       type(draft_component_type), intent(in) :: item
-      real(wp), intent(in) :: deepest_bit       !< of its string; < 0: the string is not used [m]
+      real(wp), intent(in) :: deepest_bit       !< of its string; missing: the string is not used [m]
       real(wp), intent(in) :: below             !< length of its string below it [m]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      if (deepest_bit < 0.0_wp) then
+      if (is_missing(deepest_bit)) then
          call append_text(notes, 'group &component in line '//to_text(item%line)//': string '//quoted(item%string)// &
                           ' is used by no case and no sweep')
       else if (below >= deepest_bit) then

@@ -10,11 +10,11 @@ module dg_deck_parts
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
-   use dg_fault_list, only: fault_list_type
-   use dg_load_case, only: operation_from_name, optional_real, given
-   use dg_missing, only: is_missing, missing
+   use dg_error, only: error_list_type, key_of
+   use dg_load_case, only: operation_from_name
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: boundary_type, hold_free, packer_hold_name
-   use dg_model_fault, only: length_digits, model_faults_type
+   use dg_shown_size, only: length_digits
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
    use dg_rig, only: rig_type
    use dg_settings_check, only: check_numerics
@@ -68,8 +68,8 @@ contains
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(out) :: item
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       integer :: i, before
       before = faults%noted
       item%line = group%line
@@ -113,10 +113,10 @@ contains
       call check_component(item%component, 0, units, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
-            if (wrong%key == 'id' .and. .not. is_sound(group, 'id')) cycle
-            if (any(wrong%key == [character(9) :: 'id', 'joint_od', 'opened_od']) .and. .not. is_sound(group, 'od')) cycle
-            if (wrong%key == 'opened_below' .and. is_given(group, 'opened_od') .and. .not. is_sound(group, 'opened_od')) cycle
-            call group_fault(group, trim(wrong%key), wrong%message, faults)
+            if (key_of(wrong) == 'id' .and. .not. is_sound(group, 'id')) cycle
+            if (any(key_of(wrong) == [character(9) :: 'id', 'joint_od', 'opened_od']) .and. .not. is_sound(group, 'od')) cycle
+            if (key_of(wrong) == 'opened_below' .and. is_given(group, 'opened_od') .and. .not. is_sound(group, 'opened_od')) cycle
+            call group_fault(group, key_of(wrong), wrong%message, faults)
          end associate
       end do
       item%sound = is_whole(group) .and. faults%noted == before
@@ -157,7 +157,7 @@ contains
    subroutine draft_tools(group, part, faults)
       type(checked_group_type), intent(in) :: group
       type(component_type), intent(inout) :: part
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       part%sensor = real_of(group, 'sensor', part%sensor)
       part%bend = real_of(group, 'bend', part%bend)
       part%bend_position = real_of(group, 'bend_position', part%bend_position)
@@ -230,9 +230,9 @@ contains
    subroutine draft_case(group, item, faults)
       type(checked_group_type), intent(in) :: group
       type(draft_case_type), intent(out) :: item
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(optional_real) :: friction
-      type(model_faults_type) :: found
+      type(error_list_type) :: found
       integer :: i, before
       before = faults%noted
       item%line = group%line
@@ -274,7 +274,7 @@ contains
       if (is_sound(group, 'operation')) call check_operation(item%load_case, 0, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
-            if (is_sound(group, trim(wrong%key))) call group_fault(group, trim(wrong%key), wrong%message, faults)
+            if (is_sound(group, key_of(wrong))) call group_fault(group, key_of(wrong), wrong%message, faults)
          end associate
       end do
       item%sound = is_whole(group) .and. faults%noted == before
@@ -292,7 +292,7 @@ contains
    subroutine draft_boundary(group, boundary, faults)
       type(checked_group_type), intent(in) :: group
       type(boundary_type), intent(out) :: boundary
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       boundary%top_centred = text_of(group, 'top_lateral', 'centred') == 'centred'
       boundary%bit_centred = text_of(group, 'bit_lateral', 'centred') == 'centred'
       boundary%packer_bore = real_of(group, 'packer_bore', boundary%packer_bore)
@@ -306,7 +306,7 @@ contains
    subroutine draft_rig(group, rig, faults)
       type(checked_group_type), intent(in) :: group
       type(rig_type), intent(out) :: rig
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       rig%given = .true.
       rig%block_weight = real_of(group, 'block_weight', rig%block_weight)
       rig%lines = integer_of(group, 'lines', rig%lines)
@@ -323,8 +323,8 @@ contains
    subroutine draft_numerics(group, numerics, faults)
       type(checked_group_type), intent(in) :: group
       type(numerics_type), intent(out) :: numerics
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       real(wp) :: rigid_over_elastic
       integer :: i
       numerics = settings_of(text_of(group, 'fidelity', 'auto'))
@@ -353,7 +353,7 @@ contains
       numerics%wall_climb = logical_of(group, 'wall_climb', numerics%wall_climb)
       call check_numerics(numerics, found)
       do i = 1, found%count
-         call group_fault(group, trim(found%items(i)%key), found%items(i)%message, faults)
+         call group_fault(group, key_of(found%items(i)), found%items(i)%message, faults)
       end do
    end subroutine draft_numerics
 end module dg_deck_parts

@@ -5,12 +5,11 @@ module dg_deck_survey
    use dg_constants, only: degree
    use dg_deck_keys, only: key_place, keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
-   use dg_error, only: error_type
-   use dg_fault_list, only: add_fault, fault_at, fault_list_type
+   use dg_error, only: add_fault, error_at, error_list_type, error_type, place_of
    use dg_file_lines, only: beside
    use dg_listed_positions, only: position_words
    use dg_minimum_curvature, only: dogleg_between
-   use dg_model_fault, only: model_faults_type, depth_words
+   use dg_shown_size, only: depth_words
    use dg_survey, only: tangent_of
    use dg_survey_check, only: begins_below, begins_vertical, check_station_order, at_surface, sharpest_tie
    use dg_survey_file, only: column_names_type, read_survey_file, station_list_type
@@ -43,7 +42,7 @@ contains
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(*), parameter :: of_files(4) = [character(12) :: 'md_column', 'inc_column', 'azi_column', 'survey_well']
       integer :: i
       sound = .false.
@@ -63,7 +62,7 @@ contains
          call take_arrays(group, stations, sound, faults)
       end if
       if (sound) call check_stations(group, units, stations, sound, faults)
-      if (sound .and. is_given(group, 'survey_file')) call tell_file(stations, units, notes)
+      if (sound .and. is_given(group, 'survey_file')) call note_file(stations, units, notes)
       if (sound .and. is_given(group, 'parent_file')) call take_parent(group, units, stations, sound, notes, faults)
       if (sound) call check_begin(group, units, stations, sound, faults)
    end subroutine read_stations
@@ -75,10 +74,10 @@ contains
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(unit_system_type) :: file_units
       type(column_names_type) :: names
-      type(fault_list_type) :: unused
+      type(error_list_type) :: unused
       integer :: column
       sound = .false.
       if (.not. is_sound(group, key)) return
@@ -105,15 +104,15 @@ contains
    contains
 
       subroutine read_named(found)
-         type(fault_list_type), intent(inout) :: found
+         type(error_list_type), intent(inout) :: found
          call read_survey_file(beside(group%path, text_of(group, key, '')), file_units, stations, sound, found, &
                                is_given(group, 'survey_units'), &
-                               fault_at(group%path, line_of(group, key), 'group &trajectory: '//key), names)
+                               error_at(group%path, line_of(group, key), 'group &trajectory: '//key), names)
       end subroutine read_named
    end subroutine read_table
 
    !> Rows skipped, columns chosen and positions compared, of a file that was read.
-   subroutine tell_file(stations, units, notes)
+   subroutine note_file(stations, units, notes)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -122,7 +121,7 @@ contains
       if (stations%skipped /= '') call append_text(notes, 'survey '//stations%file//': '//stations%skipped)
       if (stations%columns /= '') call append_text(notes, 'survey '//stations%file//': '//stations%columns)
       if (positions /= '') call append_text(notes, 'survey '//stations%file//': '//positions)
-   end subroutine tell_file
+   end subroutine note_file
 
    !> Puts the stations of the parent above those of the survey.
    subroutine take_parent(group, units, stations, sound, notes, faults)
@@ -131,13 +130,13 @@ contains
       type(station_list_type), intent(inout) :: stations
       logical, intent(inout) :: sound
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(station_list_type) :: parent
       character(:), allocatable :: failure, words
       call read_table(group, 'parent_file', units, parent, sound, faults)
       if (sound) call check_stations(group, units, parent, sound, faults)
       if (.not. sound) return
-      call tell_file(parent, units, notes)
+      call note_file(parent, units, notes)
       call join_parent(parent, units, stations, words, failure)
       sound = failure == ''
       if (.not. sound) call group_fault(group, 'parent_file', failure, faults)
@@ -150,7 +149,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(in) :: stations
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(:), allocatable :: message
       if (.not. begins_below(stations%md(1)) .or. begins_vertical(stations%inclination(1))) return
       if (text_of(group, 'tie_on', 'none') /= 'none') return
@@ -180,7 +179,7 @@ contains
       integer, intent(in) :: place
       character(*), intent(in) :: message
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(:), allocatable :: head
       head = 'group &trajectory: '
       if (of_file(group, stations)) head = 'survey: '
@@ -193,7 +192,7 @@ contains
       type(checked_group_type), intent(in) :: group
       type(station_list_type), intent(inout) :: stations
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       stations%file = group%path
       stations%md = reals_of(group, 'md')
       stations%inclination = reals_of(group, 'inc')
@@ -233,8 +232,8 @@ contains
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(in) :: stations
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: faults
+      type(error_list_type) :: found
       integer :: i, n
       n = size(stations%md)
       sound = n >= 2
@@ -246,7 +245,7 @@ contains
       if (.not. sound) return
       call check_station_order(stations%md, units, found)
       do i = 1, found%count
-         call station_fault(group, stations, found%items(i)%place, found%items(i)%message, sound, faults)
+         call station_fault(group, stations, place_of(found%items(i)), found%items(i)%message, sound, faults)
       end do
       if (of_file(group, stations)) then         ! the table of keys has checked the deck's own numbers
          call check_range('md', stations%md)

@@ -5,8 +5,8 @@ module dg_deck_tie_on
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
-   use dg_fault_list, only: fault_list_type
-   use dg_model_fault, only: depth_words
+   use dg_error, only: error_list_type
+   use dg_shown_size, only: depth_words
    use dg_survey_check, only: at_surface, begins_below, begins_vertical, sharpest_tie
    use dg_text, only: append_text, to_text
    use dg_unit_kind, only: in_units, unit_curvature
@@ -25,7 +25,7 @@ contains
    subroutine tie_on(group, draft, faults)
       type(checked_group_type), intent(in) :: group      !< &trajectory
       type(draft_type), intent(inout) :: draft           !< with stations that are without fault
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp), allocatable :: added(:)
       real(wp) :: kick_off, inclination
       integer :: i

@@ -4,8 +4,7 @@ module dg_deck_tortuosity
    use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_whole, real_of, text_of
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_text, only: append_text, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
@@ -27,7 +26,7 @@ contains
    subroutine take_tortuosity(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(tortuosity_type), allocatable :: sections(:)
       integer, allocatable :: lines(:)
       integer :: i, k, before

@@ -22,11 +22,10 @@ module dg_open_deck
    use dg_deck_tortuosity, only: take_tortuosity
    use dg_deck_values, only: check_group
    use dg_drillstring, only: drillstring_type
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, error_list_type, error_type
    use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given
+   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
@@ -47,7 +46,7 @@ contains
       type(deck_type), intent(out) :: deck
       type(job_type), intent(inout) :: job
       logical, intent(out) :: known
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(token_type), allocatable :: tokens(:)
       type(group_type), allocatable :: groups(:)
       character(:), allocatable :: catalogue
@@ -88,7 +87,7 @@ contains
       type(job_type), intent(inout) :: job
       type(model_type), intent(out) :: model
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       logical :: fitted
       job%inputs = deck%inputs
       if (faults%count == 0) call build_model(deck%draft, model, faults)
@@ -107,7 +106,7 @@ contains
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
       type(group_keys_type), intent(in) :: rules(:)      !< groups that a deck may have
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(name_length) :: names(size(rules))
       integer :: i, j, k, slips, found(size(rules))
       do k = 1, size(rules)
@@ -173,9 +172,9 @@ contains
       type(group_keys_type), intent(in) :: rules(:)
       type(unit_system_type), intent(out) :: units
       logical, intent(out) :: known
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(checked_group_type) :: checked
-      type(fault_list_type) :: found
+      type(error_list_type) :: found
       integer :: i
       units = si_units()
       known = .true.
@@ -230,7 +229,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(job_type), intent(inout) :: job
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
          do i = 1, size(groups)
@@ -264,7 +263,7 @@ contains
    subroutine take_draft(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, holes, fluids, components, cases
       allocate (draft%holes(count_of('hole')), draft%components(count_of('component')), draft%cases(count_of('load_case')))
       allocate (draft%fluids(count_of('fluid')))
@@ -321,7 +320,7 @@ contains
    subroutine build_model(draft, model, faults)
       type(draft_type), intent(in) :: draft
       type(model_type), intent(out) :: model
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(error_type), allocatable :: error
       integer :: i
 

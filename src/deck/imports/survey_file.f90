@@ -1,7 +1,7 @@
 !> Reads stations from a table as other programs export it: CSV (comma or semicolon), tabs or blanks, decimal comma, headings in
 !> any order with or without units, lines above the header, rows of units above or below it; or a LAS file, or a WITSML document.
 module dg_survey_file
-   use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
+   use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_kind, only: foreign_kind, is_xml
    use dg_file_lines, only: read_lines
    use dg_survey_columns, only: column_names_type, layout_type, missing_columns
@@ -26,9 +26,9 @@ contains
       type(unit_system_type), intent(in) :: units     !< of numbers whose heading names no unit
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       logical, intent(in), optional :: units_told     !< the deck gives `units` for this very table, whatever its titles say
-      type(fault_type), intent(in), optional :: asked !< where the deck names the file, for one that cannot be read
+      type(error_type), intent(in), optional :: asked !< where the deck names the file, for one that cannot be read
       type(column_names_type), intent(in), optional :: named !< headings that the deck names for md, inc, azi
       type(text_type), allocatable :: lines(:)
       type(layout_type) :: layout
@@ -107,7 +107,7 @@ contains
       type(skipped_rows_type), intent(in) :: skipped(:)      !< of the kinds in `kind_names`
       type(station_list_type), intent(inout) :: stations
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(skipped_rows_type) :: again
       character(:), allocatable :: problem
       logical :: turned

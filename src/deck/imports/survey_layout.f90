@@ -1,7 +1,7 @@
 !> How a survey table is laid out: its header, its columns and their units, and what rows above and below the header say of them.
 module dg_survey_layout
    use dg_kinds, only: wp
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, error_list_type
    use dg_las_file, only: is_las, las_table
    use dg_deck_number, only: is_number, read_real
    use dg_survey_cells, only: split_cells
@@ -36,7 +36,7 @@ contains
       logical, intent(in) :: units_told               !< the deck says that they are those of this table
       type(layout_type), intent(out) :: layout
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: line, header, first_station
       logical :: found
       sound = .true.
@@ -166,7 +166,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(layout_type), intent(inout) :: layout
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: curves(:), las_units(:)
       type(heading_type), allocatable :: headings(:)
       character(:), allocatable :: null, failure

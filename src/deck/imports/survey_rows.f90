@@ -2,7 +2,7 @@
 module dg_survey_rows
    use dg_constants, only: degree
    use dg_deck_number, only: is_number
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
    use dg_survey_cells, only: split_cells
@@ -43,7 +43,7 @@ contains
       type(marks_type), intent(inout) :: marks
       type(skipped_rows_type), intent(out) :: skipped(kinds)
       logical, intent(inout) :: sound
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: row(:)
       real(wp) :: numbers(3)
       integer :: line, length, column

@@ -2,7 +2,7 @@
 module dg_survey_stations
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, missing
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_azi, column_md, column_name, loose_rank
    use dg_text, only: quoted, to_text
@@ -130,7 +130,7 @@ contains
             end associate
          end if
          if (layout%rival(column) == 0 .or. layout%place(column) == 0) cycle
-         largest = -1.0_wp        ! no station compared
+         largest = missing        ! no station compared
          do i = 1, size(stations%md)
             if (is_missing(stations%rival(column, i))) cycle
             select case (column)
@@ -152,7 +152,7 @@ contains
                doubt = doubt//'two columns may be '//trim(column_name(column))//', '//quoted(taken%text)//' and '// &
                        quoted(other%text)//'. They differ by up to '//amount()//'. Name one in &trajectory: '// &
                        trim(column_name(column))//'_column = '//quoted(taken%text)
-            else if (differ .or. (column == column_azi .and. largest >= 0.0_wp)) then
+            else if (differ .or. (column == column_azi .and. .not. is_missing(largest))) then
                if (words /= '') words = words//'. '
                words = words//trim(column_name(column))//' is column '//quoted(taken%text)//', not '//quoted(other%text)// &
                        '. They differ by up to '//amount()//'. To take another: '//trim(column_name(column))//'_column'

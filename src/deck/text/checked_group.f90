@@ -2,7 +2,7 @@
 module dg_checked_group
    use dg_kinds, only: wp
    use dg_deck_schema, only: name_length
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_text, only: text_type
    implicit none
    private
@@ -76,7 +76,7 @@ contains
    pure subroutine group_fault(group, key, message, faults)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key, message
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: line
       line = group%line
       if (key /= '') line = line_of(group, key)

@@ -1,7 +1,7 @@
 !> The groups of a deck as they stand in its text: keys with their values, still as text, with line numbers.
 module dg_deck_text
    use dg_deck_token, only: token_type, token_group, token_end, token_word, token_open_text, token_equals, token_comma
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, error_list_type
    use dg_text, only: lower_case, quoted, to_text
    implicit none
    private
@@ -36,7 +36,7 @@ contains
       character(*), intent(in) :: path
       type(token_type), intent(in) :: tokens(:)
       type(group_type), allocatable, intent(out) :: groups(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: at, n, stray_line
       allocate (groups(count(tokens%kind == token_group)))
       n = 0
@@ -67,7 +67,7 @@ contains
       type(token_type), intent(in) :: tokens(:)
       integer, intent(inout) :: at
       type(group_type), intent(inout) :: group
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: last, k, n
       logical :: lost          ! after a fault: nothing more is said until the next key
       group%name = lower_case(tokens(at)%text)
@@ -121,7 +121,7 @@ contains
       type(token_type), intent(in) :: tokens(:)    !< up to the last one of the group
       integer, intent(inout) :: at
       type(entry_type), intent(out) :: entry
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: first, behind, i, k, n
       logical :: legal
       entry%line = tokens(at)%line

@@ -10,7 +10,7 @@ module dg_deck_values
    use dg_deck_keys, only: operation_words
    use dg_deck_text, only: group_type, entry_type
    use dg_deck_token, only: token_type, token_word
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, error_list_type
    use dg_load_case, only: operation_from_name, operation_name
    use dg_text, only: append_text, lower_case, quoted, suggestion, to_text, joined
    use dg_text_fault, only: find_text_fault
@@ -37,7 +37,7 @@ contains
       type(key_rule_type), intent(in) :: rules(:)
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(out) :: checked
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, k, n
       integer, allocatable :: count_of(:)
       character(name_length), allocatable :: keys(:)   ! a copy: plain arrays pass without a temporary
@@ -100,7 +100,7 @@ contains
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: times
       type(value_type), intent(inout) :: value
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, held
       character(:), allocatable :: message, name, shown, whole
 

@@ -22,7 +22,7 @@ module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_coiling, only: coiling_load
+   use dg_helical_load, only: helical_load
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
    use dg_scatter, only: element_type, part_energy, part_of, part_rest
@@ -33,7 +33,7 @@ module dg_whirling
    private
    public :: find_climb, turning_type, add_turning, turning_moment, add_end_torque, end_moment
 
-   !> Compression over the coiling load from which a rotating string's friction climbs less, and from which not at all [-]: a string
+   !> Compression over the helical load from which a rotating string's friction climbs less, and from which not at all [-]: a string
    !> snakes from 0.71 = 1/sqrt(2) on, in bends and next to stabilisers sooner.
    real(wp), parameter :: whirls_from = 0.4_wp, whirls_all = 0.72_wp
 
@@ -61,7 +61,7 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: compressed        !< largest compression of the soft string over its coiling load [-]
+      real(wp), intent(in) :: compressed        !< largest compression of the soft string over its helical load [-]
       real(wp), intent(out) :: climb(:)
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
       logical :: vertical(mesh%nodes), straight_down
@@ -74,7 +74,7 @@ contains
       do e = 1, mesh%elements
          if (.not. (mesh%rotary(e) > 0.0_wp .or. abs(mesh%axial(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/coiling_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
+         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
          if (straight_down .and. ratio > 0.0_wp) climb(e) = 0.0_wp
       end do

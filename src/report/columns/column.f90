@@ -3,9 +3,8 @@
 module dg_column
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_number_text, only: csv_text, put_csv_number
-   use dg_load_case, only: optional_real
    use dg_ten_digits, only: longest_number
    use dg_quantity, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
       quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, quantity_time, &

@@ -1,11 +1,10 @@
 !> Calculated against measured and reference values.
 module dg_comparison
    use dg_kinds, only: wp
-   use dg_load_case, only: given, optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: given, is_missing, missing, optional_real
    implicit none
    private
-   public :: percent_error, in_percent, percent_of, known, difference, as_measured
+   public :: percent_error, in_percent, percent_of, difference, as_measured
 
 contains
 
@@ -34,13 +33,6 @@ contains
       percent = missing
       if (.not. is_missing(share)) percent = 100.0_wp*share
    end function percent_of
-
-   !> A number that may be missing as one that may be absent.
-   elemental function known(value) result(number)
-      real(wp), intent(in) :: value
-      type(optional_real) :: number
-      if (.not. is_missing(value)) number = given(value)
-   end function known
 
    !> The hook load that a gauge of the rig is compared with: what its indicator shows, or where no rig is given the string's own.
    elemental function as_measured(hookload, weight_indicator) result(load)

@@ -1,8 +1,7 @@
 !> Numbers and texts as cells of tables and of CSV files.
 module dg_number_text
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: is_shown
+   use dg_missing, only: is_shown, optional_real
    use dg_printable, only: printable
    use dg_ten_digits, only: put_ten_digits
    use dg_text, only: put_piece, append_text, text_type

@@ -3,7 +3,7 @@
 module dg_series
    use dg_kinds, only: wp
    use dg_column, only: column_type, put, put_filled, row_type, unknown_column
-   use dg_missing, only: missing
+   use dg_missing, only: is_missing, missing
    use dg_text, only: text_type
    implicit none
    private
@@ -107,10 +107,10 @@ contains
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
-      integer, intent(in) :: values(:)       !< negative where there is none
+      integer, intent(in) :: values(:)       !< missing_count where there is none
       call add_column(list, name, quantity, meaning)
       list%items(list%count)%is_whole = .true.
-      list%items(list%count)%numbers = merge(real(values, wp), missing, values >= 0)
+      list%items(list%count)%numbers = merge(missing, real(values, wp), is_missing(values))
    end subroutine put_counts
 
    pure subroutine put_states(list, name, quantity, meaning, values, words)

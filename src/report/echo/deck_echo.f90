@@ -7,9 +7,9 @@ module dg_deck_echo
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type, take_lines
-   use dg_load_case, only: operation_name, optional_real
+   use dg_load_case, only: operation_name
    use dg_centralizer, only: centralizer_type
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: hold_free, model_type, packer_hold_name
    use dg_numerics, only: numerics_type, gap_at_nodes
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &

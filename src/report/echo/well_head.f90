@@ -6,9 +6,8 @@ module dg_well_head
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_friction_estimate, only: upper_friction_type
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: given, optional_real
    use dg_minimum_curvature, only: dogleg_between
-   use dg_missing, only: is_missing
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, text_type, to_text

@@ -10,8 +10,7 @@ module dg_limits_file
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_length_change, only: total_change
-   use dg_load_case, only: given, optional_real
-   use dg_missing, only: is_missing
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, &
                              limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises

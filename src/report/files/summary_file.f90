@@ -8,7 +8,8 @@ module dg_summary_file
    use dg_error, only: error_type
    use dg_job, only: job_type, model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_name, optional_real
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_named_states, only: state_elastic, state_free, state_rigid
    use dg_text, only: text_or_nothing

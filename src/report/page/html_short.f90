@@ -6,7 +6,7 @@ module dg_html_short
    use dg_html_text, only: html_safe
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
    use dg_line_list, only: add_line, line_list_type
-   use dg_load_case, only: optional_real
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type

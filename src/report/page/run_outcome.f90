@@ -4,7 +4,8 @@ module dg_run_outcome
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
    use dg_column, only: put, quantity_length, quantity_none, quantity_text, row_type
    use dg_job, only: model_name
-   use dg_load_case, only: given, load_case_type, operation_name, optional_real
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_text, only: text_or_nothing, text_type
    implicit none

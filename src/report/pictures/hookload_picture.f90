@@ -8,8 +8,8 @@ module dg_hookload_picture
    use dg_comparison, only: as_measured, percent_error
    use dg_curve_look, only: colour_black, letter_width, mark_style
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: load_case_type, optional_real, rotates
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: load_case_type, rotates
+   use dg_missing, only: is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_rig, only: indicated_load
    use dg_text, only: text_type

@@ -11,8 +11,7 @@ module dg_limits_table
    use dg_fatigue, only: fatigue_type
    use dg_job, only: job_type, model_name
    use dg_length_change, only: total_change
-   use dg_load_case, only: given, optional_real
-   use dg_missing, only: is_missing
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, lower_case, text_type, to_text

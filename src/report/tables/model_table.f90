@@ -4,7 +4,7 @@ module dg_model_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given, optional_real
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type

@@ -5,8 +5,8 @@ module dg_table_1
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: field_real, fields_of, row_type
    use dg_comparison, only: as_measured, percent_error
-   use dg_load_case, only: load_case_type, moves_axially, operation_label, optional_real, rotates
-   use dg_missing, only: is_missing
+   use dg_load_case, only: load_case_type, moves_axially, operation_label, rotates
+   use dg_missing, only: is_missing, optional_real
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned, append_wrapped, page_width
    use dg_summary_file, only: summary_row
    use dg_text, only: append_text, text_type, to_text

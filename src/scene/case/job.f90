@@ -1,7 +1,7 @@
 !> What to run and where results go: the part of a deck that is no mechanics.
 module dg_job
    use dg_design_factors, only: design_factors_type
-   use dg_load_case, only: optional_real
+   use dg_missing, only: optional_real
    use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none

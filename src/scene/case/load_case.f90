@@ -1,10 +1,11 @@
 !> A load case: what is done to the string, at which bit depth, with which loads.
 module dg_load_case
    use dg_kinds, only: wp
+   use dg_missing, only: optional_real
    use dg_text, only: lower_case
    implicit none
    private
-   public :: load_case_type, optional_real, given
+   public :: load_case_type
    public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
    public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
    public :: operation_count, operation_name, operation_label, operation_from_name, friction_split, alike, operation_aliases
@@ -71,12 +72,6 @@ module dg_load_case
    !> Way of the block, in the order of the numbers above: 1 it is raised, -1 lowered, 0 it stands.
    integer, parameter, public :: block_way(operation_count) = [1, -1, 0, -1, -1, -1, 1, 0]
 
-   !> A number that may be absent.
-   type :: optional_real
-      logical :: present = .false.
-      real(wp) :: value = 0.0_wp
-   end type optional_real
-
    type :: load_case_type
       character(:), allocatable :: name     !< unique, safe as part of a file name
       character(:), allocatable :: section  !< label of the hole section in tables
@@ -102,13 +97,6 @@ module dg_load_case
    end type load_case_type
 
 contains
-
-   !> An optional number that is present.
-   elemental function given(value) result(number)
-      real(wp), intent(in) :: value
-      type(optional_real) :: number
-      number = optional_real(.true., value)
-   end function given
 
    !> Number of an operation from its name or an alias; 0 where there is none of that name.
    pure function operation_from_name(name) result(operation)

@@ -7,7 +7,8 @@
 !> determination of true hook-and-line tension under dynamic conditions: inactive and active dead-line sheave).
 module dg_rig
    use dg_kinds, only: wp
-   use dg_load_case, only: block_way, optional_real
+   use dg_load_case, only: block_way
+   use dg_missing, only: optional_real
    implicit none
    private
    public :: rig_type, indicated_load, string_load, indicator_factor

@@ -45,7 +45,7 @@ module dg_tuning
       integer :: most_meshes = 4
       !> Times that elements are cut where the string stands outside its hole.
       integer :: most_cuts = 3
-      !> Part of the coiling load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
+      !> Part of the helical load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
       !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long.
       real(wp) :: watch_share = 0.25_wp
 

@@ -5,7 +5,8 @@ module dg_case_check
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, moves_axially, operation_name, rotates
-   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
+   use dg_error, only: add_part_fault, error_list_type
+   use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_opening_check, only: check_open_passage, opening_advice
    use dg_text, only: quoted, suggestion
    use dg_units, only: unit_system_type
@@ -19,10 +20,10 @@ contains
    subroutine check_operation(load_case, place, found, speed)
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       character(*), intent(in), optional :: speed  !< what the caller calls the speed of rotation; absent: rpm, as decks do
       if (load_case%hours > 0.0_wp .and. .not. load_case%angular_speed > 0.0_wp) &
-         call note_fault(found, 'load_case', place, 'rpm', 'hours needs rpm > 0')
+         call add_part_fault(found, 'load_case', place, 'rpm', 'hours needs rpm > 0')
       if (.not. (rotates(load_case%operation) .and. moves_axially(load_case%operation))) return
       if (.not. load_case%angular_speed > 0.0_wp) then
          if (present(speed)) then
@@ -35,8 +36,8 @@ contains
    contains
       subroutine need(key, called)
          character(*), intent(in) :: key, called
-         call note_fault(found, 'load_case', place, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
-                         called//' > 0')
+         call add_part_fault(found, 'load_case', place, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
+                             called//' > 0')
       end subroutine need
    end subroutine check_operation
 
@@ -48,11 +49,11 @@ contains
       character(*), intent(in) :: what             !< 'survey' or the like
       real(wp), intent(in) :: bottom               !< its end [m]
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       if (depth > bottom*(1.0_wp + depth_round_off)) then
-         call note_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
-                         what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
-                         depth_words(units, bottom))
+         call add_part_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
+                             what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
+                             depth_words(units, bottom))
       else
          depth = min(depth, bottom)
       end if
@@ -63,10 +64,10 @@ contains
       character(*), intent(in) :: string
       integer, intent(in) :: place                 !< of the load case
       character(*), intent(in) :: names(:)         !< of strings, each once
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       if (any(names == string)) return
-      call note_fault(found, 'load_case', place, 'string', 'no component belongs to string '//quoted(string)//'; '// &
-                      suggestion(string, names))
+      call add_part_fault(found, 'load_case', place, 'string', 'no component belongs to string '//quoted(string)//'; '// &
+                          suggestion(string, names))
    end subroutine check_string_name
 
    !> A string whose uppermost component has a length reaches from the bit to surface. Pipe may be longer, a tool may not.
@@ -77,7 +78,7 @@ contains
       integer, intent(in) :: place
       character(*), intent(in) :: key                     !< of the depth of the bit
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       character(:), allocatable :: words
       real(wp) :: length
       logical :: goes_up
@@ -96,12 +97,13 @@ contains
          if (goes_up .and. allocated(last%kind)) goes_up = last%kind /= 'hwdp'      ! heavy weight pipe stays below
       end associate
       if (goes_up) then
-         call note_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
-                         'component', uppermost, ')')
+         call add_part_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
+                             'component', uppermost, ')')
       else
-         call note_fault(found, 'load_case', place, 'bit_depth', words// &
-                         'add drill pipe without a length as last component, after '//quoted(components(size(components))%name)// &
-                         ' (', 'component', uppermost, '); catalogue names have its sizes')
+         call add_part_fault(found, 'load_case', place, 'bit_depth', words// &
+                             'add drill pipe without a length as last component, after '// &
+                             quoted(components(size(components))%name)//' (', 'component', uppermost, &
+                             '); catalogue names have its sizes')
       end if
    end subroutine check_string_length
 
@@ -114,7 +116,7 @@ contains
       real(wp), intent(in) :: bit_depth                   !< [m]
       character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       character(:), allocatable :: part
       real(wp) :: narrowest(size(holes))                  ! diameter of a section and all above it [m]
       integer :: k, h, lowest
@@ -145,9 +147,10 @@ contains
             if (diameter < narrowest(lowest)) exit
             if (diameter < holes(h)%diameter) cycle
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
-            call note_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
-                            ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
-                            '; needs a diameter < '//wide(holes(h)%diameter)//opening_advice(components(k), holes, lowest, units))
+            call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
+                                ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
+                                '; needs a diameter < '//wide(holes(h)%diameter)// &
+                                opening_advice(components(k), holes, lowest, units))
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end

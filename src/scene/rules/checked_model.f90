@@ -3,7 +3,8 @@
 module dg_checked_model
    use dg_case_check, only: check_operation, check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
-   use dg_error, only: error_type, raise, status_bad_input
+   use dg_error, only: add_fault, add_part_fault, clear_errors, error_list_type, error_type, first_errors, &
+      other_of, other_place_of, place_of, raise, status_bad_input, whole_message
    use dg_fluid, only: fluid_type, standing_mud
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_hole_check, only: check_section, join_sections
@@ -11,10 +12,9 @@ module dg_checked_model
    use dg_load_case, only: load_case_type
    use dg_missing, only: is_shown
    use dg_model, only: model_type, string_index
-   use dg_model_fault, only: fault_words, model_fault_type, model_faults_type, note_fault
    use dg_model_parts, only: model_parts_type, survey_type
    use dg_numerics, only: settings_of
-   use dg_opening_check, only: settle_opening
+   use dg_opening_check, only: set_opened_depth
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
       check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
    use dg_settings_check, only: check_numerics
@@ -33,12 +33,6 @@ module dg_checked_model
    !> Stands for the length of a section whose end is not known [m].
    real(wp), parameter :: some_depth = 1.0_wp
 
-   !> What a program is told.
-   type :: report_type
-      character(:), allocatable :: text    !< one line a fault
-      integer :: count = 0
-   end type report_type
-
 contains
 
    !> Makes the model, without load cases. Every part is checked; `error` tells all that is wrong, and then the model is none.
@@ -46,7 +40,7 @@ contains
       type(model_parts_type), intent(in) :: parts
       type(model_type), intent(out) :: model
       type(error_type), allocatable, intent(out) :: error
-      type(report_type) :: report
+      type(error_list_type) :: report
       logical :: sound_survey, sound_holes, sound_fluids
       model%units = base_units()
       model%boundary = parts%boundary
@@ -58,7 +52,7 @@ contains
       call take_holes(parts, sound_survey, model, report, sound_holes)
       call take_fluids(parts, sound_survey, model, report, sound_fluids)
       call take_strings(parts, sound_fluids, model, report)
-      if (report%count == 0) call settle_openings(model, report)
+      if (report%count == 0) call set_openings(model, report)
       call check_settings(model, report)
       allocate (model%cases(0))
       call report_error(report, error)
@@ -70,8 +64,7 @@ contains
       type(model_type), intent(in) :: model            !< from build_checked_model or from a deck
       type(load_case_type), intent(inout) :: load_case
       type(error_type), allocatable, intent(out) :: error
-      type(report_type) :: report
-      type(model_faults_type) :: found
+      type(error_list_type) :: report, found
       character(name_shown) :: names(size(model%strings))
       character(:), allocatable :: whose
       integer :: i, k, string
@@ -90,7 +83,7 @@ contains
          call check_reach(load_case%bit_depth, 0, 'bit_depth', 'survey', bottom_md(model%trajectory), base_units(), found)
          call check_reach(load_case%bit_depth, 0, 'bit_depth', 'lowest hole section', model%holes(size(model%holes))%md_bottom, &
                           base_units(), found)
-         if (load_case%bit_depth <= top_md(model%trajectory)) call note_fault(found, 'load_case', 0, 'bit_depth', &
+         if (load_case%bit_depth <= top_md(model%trajectory)) call add_part_fault(found, 'load_case', 0, 'bit_depth', &
             'bit_depth must lie below the first station')
       end if
       string = string_index(model%strings, load_case%string)
@@ -102,7 +95,7 @@ contains
                                'case '//quoted(load_case%name), base_units(), found)
          end associate
       end if
-      call tell(found, whose, string, report)
+      call report_all(found, whose, string, report)
       call report_error(report, error)
    end subroutine check_load_case
 
@@ -110,19 +103,19 @@ contains
    subroutine take_survey(survey, model, report, sound)
       type(survey_type), intent(in) :: survey
       type(model_type), intent(inout) :: model
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       logical, intent(out) :: sound
-      type(model_faults_type) :: found
+      type(error_list_type) :: found
       type(error_type), allocatable :: error
       real(wp), allocatable :: md(:), inclination(:), azimuth(:)
       integer :: i, before
       before = report%count
       sound = .false.
-      if (.not. allocated(survey%md)) call tell_of(report, 'survey', 'md is not allocated; give depths of stations')
-      if (.not. allocated(survey%inclination)) call tell_of(report, 'survey', &
+      if (.not. allocated(survey%md)) call add_fault(report, 'survey', 0, 'md is not allocated; give depths of stations')
+      if (.not. allocated(survey%inclination)) call add_fault(report, 'survey', 0, &
          'inclination is not allocated; give that of each station')
       if (.not. any(survey%interpolation == [interpolation_minimum_curvature, interpolation_spline])) &
-         call tell_of(report, 'survey', 'interpolation = '//to_text(survey%interpolation)//' is none')
+         call add_fault(report, 'survey', 0, 'interpolation = '//to_text(survey%interpolation)//' is none')
       if (report%count > before) return
       md = survey%md
       inclination = survey%inclination
@@ -134,11 +127,11 @@ contains
       call check_station_numbers(md, inclination, azimuth, base_units(), found)
       if (found%count == 0) call check_station_order(md, base_units(), found)
       if (found%count == 0) then
-         if (begins_below(md(1)) .and. .not. begins_vertical(inclination(1))) call note_fault(found, 'trajectory', 0, 'md', &
+         if (begins_below(md(1)) .and. .not. begins_vertical(inclination(1))) call add_part_fault(found, 'trajectory', 0, 'md', &
             'the first station is at '//to_text(md(1))//' m and inclined; the survey must begin at surface, md = 0, or where '// &
             'the hole is still vertical')
       end if
-      call tell(found, 'survey', 0, report)
+      call report_all(found, 'survey', 0, report)
       if (report%count > before) return
       if (begins_below(md(1))) then
          md = [0.0_wp, md]
@@ -147,21 +140,21 @@ contains
       end if
       call new_trajectory(model%trajectory, md, inclination, azimuth, survey%interpolation, error)
       sound = .not. allocated(error)
-      if (.not. sound) call tell_of(report, 'survey', error%message)
+      if (.not. sound) call add_fault(report, 'survey', 0, error%message)
    end subroutine take_survey
 
    subroutine take_holes(parts, sound_survey, model, report, sound)
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_survey
       type(model_type), intent(inout) :: model
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       logical, intent(out) :: sound
-      type(model_faults_type) :: found
+      type(error_list_type) :: found
       integer :: i, n, before
       before = report%count
       n = 0
       if (allocated(parts%holes)) n = size(parts%holes)
-      if (n == 0) call tell_of(report, 'holes', 'there is none; give sections from surface down')
+      if (n == 0) call add_fault(report, 'holes', 0, 'there is none; give sections from surface down')
       allocate (model%holes(n))
       do i = 1, n
          model%holes(i) = parts%holes(i)
@@ -169,12 +162,12 @@ contains
             if (.not. allocated(hole%name)) hole%name = 'hole '//to_text(i)
             call check_section_ranges_of(i == n)
             if (found%count == 0) call check_section(hole, i, base_units(), found)
-            call tell(found, 'holes('//to_text(i)//')', 0, report)
+            call report_all(found, 'holes('//to_text(i)//')', 0, report)
             call check_text(hole%name, 'name', 'holes('//to_text(i)//')', report)
          end associate
       end do
       if (report%count == before .and. n > 0) call join_sections(model%holes, base_units(), found)
-      call tell_each(found, 'holes', report)
+      call report_each(found, 'holes', report)
       sound = report%count == before
    contains
       !> The last section may leave its end open. Without a survey the end is not known, and only its other numbers are checked.
@@ -194,9 +187,9 @@ contains
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_survey
       type(model_type), intent(inout) :: model
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       logical, intent(out) :: sound
-      type(model_faults_type) :: found
+      type(error_list_type) :: found
       integer :: i, before
       before = report%count
       sound = .true.
@@ -207,24 +200,24 @@ contains
       do i = 1, size(parts%fluids)
          call check_fluid_ranges(parts%fluids(i), i, base_units(), found)
          if (found%count == 0) call check_fluid(parts%fluids(i), i, found)
-         call tell(found, 'fluids('//to_text(i)//')', 0, report)
+         call report_all(found, 'fluids('//to_text(i)//')', 0, report)
       end do
       sound = report%count == before
       if (.not. (sound .and. sound_survey)) return
       call check_fluid_order(model%mud%fluids, bottom_md(model%trajectory), found)
-      call tell_each(found, 'fluids', report)
+      call report_each(found, 'fluids', report)
    end subroutine take_fluids
 
    subroutine take_strings(parts, sound_fluids, model, report)
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_fluids
       type(model_type), intent(inout) :: model
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       character(:), allocatable :: where
       integer :: i, j, n
       n = 0
       if (allocated(parts%strings)) n = size(parts%strings)
-      if (n == 0) call tell_of(report, 'strings', 'there is none; give one, its components from the bit upwards')
+      if (n == 0) call add_fault(report, 'strings', 0, 'there is none; give one, its components from the bit upwards')
       allocate (model%strings(n))
       do i = 1, n
          where = 'strings('//to_text(i)//')'
@@ -233,11 +226,12 @@ contains
             if (.not. allocated(string%name)) string%name = 'main'
             call check_text(string%name, 'name', where, report)
             do j = 1, i - 1
-               if (model%strings(j)%name == string%name) call tell_of(report, where, 'name '//quoted(string%name)// &
+               if (model%strings(j)%name == string%name) call add_fault(report, where, 0, 'name '//quoted(string%name)// &
                   ' is taken by strings('//to_text(j)//')')
             end do
             if (.not. allocated(string%components)) allocate (string%components(0))
-            if (size(string%components) == 0) call tell_of(report, where, 'it has no components; give them from the bit upwards')
+            if (size(string%components) == 0) call add_fault(report, where, 0, &
+               'it has no components; give them from the bit upwards')
             do j = 1, size(string%components)
                call take_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
             end do
@@ -252,8 +246,8 @@ contains
       character(*), intent(in) :: name                    !< of the string
       integer, intent(in) :: string, place
       type(component_type), intent(inout) :: components(:)
-      type(report_type), intent(inout) :: report
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: report
+      type(error_list_type) :: found
       character(:), allocatable :: where
       real(wp) :: heaviest
       logical :: weighs
@@ -264,7 +258,7 @@ contains
          if (.not. allocated(part%name)) part%name = part%kind
          call check_text(part%kind, 'kind', where, report)
          call check_component_ranges(part, place, base_units(), found)
-         if (is_zero(part%mass)) call note_fault(found, 'component', place, 'mass', &
+         if (is_zero(part%mass)) call add_part_fault(found, 'component', place, 'mass', &
             'mass = 0; give it per length, as add_component does by od, id and density')
          if (found%count == 0) then
             call check_component(part, place, base_units(), found)
@@ -276,119 +270,102 @@ contains
             else
                call check_in_string(part, place, name, place == size(components), base_units(), found)
             end if
-            call tell(found, where, string, report)
+            call report_all(found, where, string, report)
             if (.not. part%centralizer%present) return
             call check_centralizer_ranges(part%centralizer, place, base_units(), found)
             if (found%count == 0) call check_centralizer(part%centralizer, part, place, base_units(), found)
             where = where//'%centralizer'
          end if
-         call tell(found, where, string, report)
+         call report_all(found, where, string, report)
       end associate
    end subroutine take_component
 
    !> Gives tools that open their depth. Everything else of holes and strings is right.
-   subroutine settle_openings(model, report)
+   subroutine set_openings(model, report)
       type(model_type), intent(inout) :: model
-      type(report_type), intent(inout) :: report
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: report
+      type(error_list_type) :: found
       integer :: i, j
       do i = 1, size(model%strings)
          do j = 1, size(model%strings(i)%components)
-            call settle_opening(model%strings(i)%components(j), j, model%holes, found)
-            call tell(found, 'strings('//to_text(i)//')%components('//to_text(j)//')', i, report)
+            call set_opened_depth(model%strings(i)%components(j), j, model%holes, found)
+            call report_all(found, 'strings('//to_text(i)//')%components('//to_text(j)//')', i, report)
          end do
       end do
-   end subroutine settle_openings
+   end subroutine set_openings
 
    subroutine check_settings(model, report)
       type(model_type), intent(in) :: model
-      type(report_type), intent(inout) :: report
-      type(model_faults_type) :: found
+      type(error_list_type), intent(inout) :: report
+      type(error_list_type) :: found
       type(ranges_type) :: ranges
       call check_numerics_ranges(model%numerics, base_units(), found)
       if (found%count == 0) call check_numerics(model%numerics, found)
-      call tell(found, 'numerics', 0, report)
+      call report_all(found, 'numerics', 0, report)
       call check_rig_ranges(model%rig, base_units(), found)
-      call tell(found, 'rig', 0, report)
+      call report_all(found, 'rig', 0, report)
       call take_ranges('boundary', 0, base_units(), ranges)
       call check_range(ranges, 'packer_bore', model%boundary%packer_bore, found)
-      call tell(found, 'boundary', 0, report)
+      call report_all(found, 'boundary', 0, report)
       call take_ranges('job', 0, base_units(), ranges)
       call check_range(ranges, 'gravity', model%gravity, found)
-      call tell(found, 'model', 0, report)
+      call report_all(found, 'model', 0, report)
    end subroutine check_settings
 
    !> Tells what was found of the part `where`, and empties the list.
-   subroutine tell(found, where, string, report)
-      type(model_faults_type), intent(inout) :: found
+   subroutine report_all(found, where, string, report)
+      type(error_list_type), intent(inout) :: found
       character(*), intent(in) :: where
       integer, intent(in) :: string           !< whose components are meant; 0: none
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       integer :: i
       do i = 1, found%count
-         call tell_one(found%items(i), where, string, report)
+         call report_one(found%items(i), where, string, report)
       end do
-      found%count = 0
-   end subroutine tell
+      call clear_errors(found)
+   end subroutine report_all
 
    !> Tells faults each of which names its own part.
-   subroutine tell_each(found, parts, report)
-      type(model_faults_type), intent(in) :: found
+   subroutine report_each(found, parts, report)
+      type(error_list_type), intent(in) :: found
       character(*), intent(in) :: parts       !< component of model_parts_type: 'holes'
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       integer :: i
       do i = 1, found%count
-         call tell_one(found%items(i), parts//'('//to_text(found%items(i)%place)//')', 0, report)
+         call report_one(found%items(i), parts//'('//to_text(place_of(found%items(i)))//')', 0, report)
       end do
-   end subroutine tell_each
+   end subroutine report_each
 
-   subroutine tell_one(fault, where, string, report)
-      type(model_fault_type), intent(in) :: fault
+   subroutine report_one(fault, where, string, report)
+      type(error_type), intent(in) :: fault
       character(*), intent(in) :: where
       integer, intent(in) :: string
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       character(:), allocatable :: words, mention
-      select case (fault%other)
+      select case (other_of(fault))
       case ('hole')
-         mention = 'holes('//to_text(fault%other_place)//')'
+         mention = 'holes('//to_text(other_place_of(fault))//')'
       case ('fluid')
-         mention = 'fluids('//to_text(fault%other_place)//')'
+         mention = 'fluids('//to_text(other_place_of(fault))//')'
       case default
-         mention = 'strings('//to_text(string)//')%components('//to_text(fault%other_place)//')'
+         mention = 'strings('//to_text(string)//')%components('//to_text(other_place_of(fault))//')'
       end select
-      call fault_words(fault, mention, words)
-      call tell_of(report, where, words)
-   end subroutine tell_one
+      call whole_message(fault, mention, words)
+      call add_fault(report, where, 0, words)
+   end subroutine report_one
 
    !> Tells of a name that a file could not hold as a cell.
    subroutine check_text(text, called, where, report)
       character(*), intent(in) :: text, called, where
-      type(report_type), intent(inout) :: report
+      type(error_list_type), intent(inout) :: report
       character(:), allocatable :: fault
       call find_text_fault(text, .true., fault)
-      if (fault /= '') call tell_of(report, where, called//' = '//quoted(text)//' '//fault)
+      if (fault /= '') call add_fault(report, where, 0, called//' = '//quoted(text)//' '//fault)
    end subroutine check_text
 
-   subroutine tell_of(report, where, words)
-      type(report_type), intent(inout) :: report
-      character(*), intent(in) :: where, words
-      report%count = report%count + 1
-      if (report%count > most_told) return
-      if (allocated(report%text)) then
-         report%text = report%text//new_line('a')//where//': '//words
-      else
-         report%text = where//': '//words
-      end if
-   end subroutine tell_of
-
    subroutine report_error(report, error)
-      type(report_type), intent(in) :: report
+      type(error_list_type), intent(in) :: report
       type(error_type), allocatable, intent(out) :: error
-      if (report%count == 0) return
-      if (report%count > most_told) then
-         call raise(error, status_bad_input, report%text//new_line('a')//'and '//to_text(report%count - most_told)//' more')
-      else
-         call raise(error, status_bad_input, report%text)
-      end if
+      if (report%count > 0) call raise(error, status_bad_input, first_errors(report, most_told, ''))
    end subroutine report_error
 end module dg_checked_model

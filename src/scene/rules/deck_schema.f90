@@ -2,6 +2,7 @@
 !> dg_deck_keys; checking, conversion of units and documentation all read the same tables.
 module dg_deck_schema
    use dg_kinds, only: wp
+   use dg_missing, only: is_missing, missing
    use dg_unit_kind, only: unit_factor, unit_label, unit_none
    use dg_units, only: si_units, unit_system_type
    use dg_text, only: to_text, joined
@@ -40,8 +41,8 @@ module dg_deck_schema
       logical :: array = .false.
       logical :: required = .false.
       character(24) :: default = ''          !< as in a deck with SI units; '': none
-      real(wp) :: low = -huge(1.0_wp)        !< least legal value, in deck units of SI
-      real(wp) :: high = huge(1.0_wp)        !< greatest legal value, in deck units of SI
+      real(wp) :: low = missing              !< least legal value, in deck units of SI
+      real(wp) :: high = missing             !< greatest legal value, in deck units of SI
       logical :: open = .false.              !< the least value itself is not legal
       character(words_length) :: choices = ''!< legal names, blanks between them; '': any text
       character(words_length) :: meaning = ''
@@ -103,8 +104,8 @@ contains
       real(wp) :: scale
       logical :: has_low, has_high
       scale = unit_factor(si_units(), rule%unit)/unit_factor(units, rule%unit)
-      has_low = rule%low > -huge(1.0_wp)
-      has_high = rule%high < huge(1.0_wp)
+      has_low = .not. is_missing(rule%low)
+      has_high = .not. is_missing(rule%high)
       text = ''
       if (has_low .and. has_high .and. .not. rule%open) then
          text = to_text(rule%low*scale, bound_digits)//' to '//to_text(rule%high*scale, bound_digits)
@@ -125,12 +126,17 @@ contains
       real(wp) :: scale
       scale = unit_factor(si_units(), rule%unit)
       holds = .true.
-      if (rule%open) holds = number/scale > rule%low
-      if (.not. holds) return
-      if (number/scale < rule%low) then
-         holds = rule%low - number/scale <= range_round_off*abs(rule%low)
-         if (holds) number = rule%low*scale
-      else if (number/scale > rule%high) then
+      if (.not. is_missing(rule%low)) then
+         if (rule%open) holds = number/scale > rule%low
+         if (.not. holds) return
+         if (number/scale < rule%low) then
+            holds = rule%low - number/scale <= range_round_off*abs(rule%low)
+            if (holds) number = rule%low*scale
+            return
+         end if
+      end if
+      if (is_missing(rule%high)) return
+      if (number/scale > rule%high) then
          holds = number/scale - rule%high <= range_round_off*abs(rule%high)
          if (holds) number = rule%high*scale
       end if

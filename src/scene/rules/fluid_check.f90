@@ -2,7 +2,7 @@
 module dg_fluid_check
    use dg_fluid, only: collar_none, fills, fluid_top, fluid_type, side_inside, side_outside
    use dg_kinds, only: wp
-   use dg_model_fault, only: model_faults_type, note_fault
+   use dg_error, only: add_part_fault, error_list_type
    implicit none
    private
    public :: check_fluid, check_fluid_order
@@ -15,12 +15,12 @@ contains
    subroutine check_fluid(fluid, place, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
-      type(model_faults_type), intent(inout) :: found
-      if (fluid%above_bit > 0.0_wp .and. fluid%outside) call note_fault(found, 'fluid', place, 'above_bit', &
+      type(error_list_type), intent(inout) :: found
+      if (fluid%above_bit > 0.0_wp .and. fluid%outside) call add_part_fault(found, 'fluid', place, 'above_bit', &
          'above_bit is a place of the string; it needs where = ''inside''')
-      if (fluid%collar /= collar_none .and. .not. fluid%above_bit > 0.0_wp) call note_fault(found, 'fluid', place, &
+      if (fluid%collar /= collar_none .and. .not. fluid%above_bit > 0.0_wp) call add_part_fault(found, 'fluid', place, &
          'float_collar', 'a float_collar is a part of the string; it needs above_bit, its distance from the bit')
-      if (fluid%surface_pressure > 0.0_wp .and. (fluid%md_top > 0.0_wp .or. .not. fluid%outside)) call note_fault(found, &
+      if (fluid%surface_pressure > 0.0_wp .and. (fluid%md_top > 0.0_wp .or. .not. fluid%outside)) call add_part_fault(found, &
          'fluid', place, 'surface_pressure', 'surface_pressure is the pressure of the annulus; give it in the uppermost fluid '// &
          'outside, which begins at surface')
    end subroutine check_fluid
@@ -29,13 +29,13 @@ contains
    subroutine check_fluid_order(fluids, bottom, found)
       type(fluid_type), intent(in) :: fluids(:)
       real(wp), intent(in) :: bottom               !< of the hole: the lowest place of the bit [m]
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       integer :: i, hider
       do i = 1, size(fluids)
          hider = hidden_by(i)
          if (hider == 0) cycle
-         call note_fault(found, 'fluid', i, '', 'the fluid in ', 'fluid', hider, ' takes all of its place; list fluids of a '// &
-                         'side from the top down, each with the md_top, tvd_top or above_bit where it begins')
+         call add_part_fault(found, 'fluid', i, '', 'the fluid in ', 'fluid', hider, ' takes all of its place; list fluids '// &
+                             'of a side from the top down, each with the md_top, tvd_top or above_bit where it begins')
       end do
    contains
       !> The last of those fluids listed later, none of them beginning deeper, that fill every side that a fluid fills; 0 where a

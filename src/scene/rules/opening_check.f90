@@ -4,27 +4,28 @@ module dg_opening_check
    use dg_hole_section, only: hole_section_type, last_shoe
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, model_faults_type, note_fault
+   use dg_error, only: add_part_fault, error_list_type
+   use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_text, only: quoted
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: settle_opening, check_open_passage, opening_advice
+   public :: set_opened_depth, check_open_passage, opening_advice
 
 contains
 
    !> Gives a tool that opens its default depth: the lower end of the last cased section.
-   subroutine settle_opening(component, place, holes, found)
+   subroutine set_opened_depth(component, place, holes, found)
       type(component_type), intent(inout) :: component
       integer, intent(in) :: place                     !< of the component
       type(hole_section_type), intent(in) :: holes(:)  !< from the top down
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       if (.not. opens(component)) return
       if (is_missing(component%opened_below)) component%opened_below = last_shoe(holes)
-      if (is_missing(component%opened_below)) call note_fault(found, 'component', place, 'opened_od', quoted(component%name)// &
+      if (is_missing(component%opened_below)) call add_part_fault(found, 'component', place, 'opened_od', quoted(component%name)// &
          ' has opened_od and no depth from which on it is open; give opened_below, or cased = .true. in the hole sections that '// &
          'are cased')
-   end subroutine settle_opening
+   end subroutine set_opened_depth
 
    !> A tool that is open is no wider than each hole section between the depth where it opened and where it stands. It may be as
    !> wide: under-reamers cut their hole, packers fill it.
@@ -35,7 +36,7 @@ contains
       real(wp), intent(in) :: lower_end                   !< measured depth of the component's lower end [m]
       character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       character(:), allocatable :: other
       integer :: h
       do h = size(holes), 1, -1
@@ -43,10 +44,10 @@ contains
          if (holes(h)%md_bottom <= component%opened_below) return
          other = ''
          if (holes(h)%md_bottom < lower_end) other = ' or opened_below >= '//depth_words(units, holes(h)%md_bottom)
-         call note_fault(found, 'component', place, 'opened_od', quoted(component%name)//' opened to '// &
-                         diameter_words(units, component%opened_od, diameter_digits)//' does not pass the hole of '// &
-                         diameter_words(units, holes(h)%diameter, diameter_digits)//' (', 'hole', h, ') in '//whose// &
-                         '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)//other)
+         call add_part_fault(found, 'component', place, 'opened_od', quoted(component%name)//' opened to '// &
+                             diameter_words(units, component%opened_od, diameter_digits)//' does not pass the hole of '// &
+                             diameter_words(units, holes(h)%diameter, diameter_digits)//' (', 'hole', h, ') in '//whose// &
+                             '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)//other)
          return
       end do
    end subroutine check_open_passage

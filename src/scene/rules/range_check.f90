@@ -10,9 +10,9 @@ module dg_range_check
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
    use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_count, optional_real
-   use dg_missing, only: is_shown, missing
-   use dg_model_fault, only: model_faults_type, note_fault
+   use dg_load_case, only: load_case_type, operation_count
+   use dg_missing, only: is_shown, missing, optional_real
+   use dg_error, only: add_part_fault, error_list_type
    use dg_numerics, only: fidelity_name, gap_location_count, numerics_type, solver_name
    use dg_rig, only: rig_type
    use dg_text, only: joined, to_text
@@ -56,7 +56,7 @@ contains
       type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
       real(wp), intent(in) :: number                !< [SI]
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       character(*), intent(in), optional :: called  !< name of the number in its type, where that is not the key
       real(wp) :: held
       integer :: k
@@ -68,7 +68,7 @@ contains
          if (ranges%rules(k)%key == key) exit
       end do
       if (k > size(ranges%rules)) then
-         call note_fault(found, ranges%part, ranges%place, key, name//' has no rule among the keys of &'//trim(ranges%part))
+         call add_part_fault(found, ranges%part, ranges%place, key, name//' has no rule among the keys of &'//trim(ranges%part))
          return
       end if
       associate (rule => ranges%rules(k), units => ranges%units)
@@ -90,7 +90,7 @@ contains
             fault = ' = '//trim(in_units(units, rule%unit, number, digits))//' is out of range'
          end if
       end associate
-      call note_fault(found, ranges%part, ranges%place, key, name//fault//needed)
+      call add_part_fault(found, ranges%part, ranges%place, key, name//fault//needed)
    end subroutine check_range
 
    !> A number that may be missing.
@@ -98,7 +98,7 @@ contains
       type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
       real(wp), intent(in) :: number
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       if (.not. is_absent(number)) call check_range(ranges, key, number, found)
    end subroutine check_where_there
 
@@ -106,7 +106,7 @@ contains
       type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
       type(optional_real), intent(in) :: number
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       if (number%present) call check_range(ranges, key, number%value, found)
    end subroutine check_optional
 
@@ -115,7 +115,7 @@ contains
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       type(hole_section_type) :: unsaid      ! as a deck has it that gives no number
       real(wp), dimension(size(hole_keys)) :: numbers, defaults
@@ -137,7 +137,7 @@ contains
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       call take_ranges('component', place, units, ranges)
       call check_range(ranges, 'length', component%length, found)
@@ -170,16 +170,16 @@ contains
       if (is_shown(component%wall_left)) then
          if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
       end if
-      call note_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; needs a '// &
-                      'number, '//to_text(thinnest)//' to 1')
+      call add_part_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; '// &
+                          'needs a number, '//to_text(thinnest)//' to 1')
    end subroutine check_component_ranges
 
    !> The same for the fatigue curve of a component.
    subroutine check_fatigue_ranges(ranges, fatigue, found)
       type(ranges_type), intent(in) :: ranges
       type(fatigue_curve_type), intent(in) :: fatigue
-      type(model_faults_type), intent(inout) :: found
-      if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call note_fault(found, ranges%part, ranges%place, &
+      type(error_list_type), intent(inout) :: found
+      if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call add_part_fault(found, ranges%part, ranges%place, &
          'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
       if (fatigue%curve == fatigue_own) call check_range(ranges, 'fatigue_limit', fatigue%limit, found)
       call check_range(ranges, 'tensile_strength', fatigue%tensile, found)
@@ -193,7 +193,7 @@ contains
       type(centralizer_type), intent(in) :: centralizer    !< that is present
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       call take_ranges('centralizer', place, units, ranges)
       call check_range(ranges, 'od', centralizer%od, found)
@@ -213,7 +213,7 @@ contains
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       call take_ranges('fluid', place, units, ranges)
       call check_range(ranges, 'density', fluid%density, found)
@@ -221,7 +221,7 @@ contains
       if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
       call check_range(ranges, 'surface_pressure', fluid%surface_pressure, found)
       if (.not. any(fluid%collar == [collar_none, collar_closed, collar_open_below])) &
-         call note_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
+         call add_part_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
    end subroutine check_fluid_ranges
 
    !> The same for a load case.
@@ -229,10 +229,10 @@ contains
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       call take_ranges('load_case', place, units, ranges)
-      if (load_case%operation < 1 .or. load_case%operation > operation_count) call note_fault(found, 'load_case', place, &
+      if (load_case%operation < 1 .or. load_case%operation > operation_count) call add_part_fault(found, 'load_case', place, &
          'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
          to_text(operation_count))
       call check_range(ranges, 'bit_depth', load_case%bit_depth, found)
@@ -256,9 +256,9 @@ contains
    subroutine check_numerics_ranges(numerics, units, found)
       type(numerics_type), intent(in) :: numerics
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
-      if (numerics%unknown_fidelity /= '') call note_fault(found, 'solver', 0, 'fidelity', 'settings_of('// &
+      if (numerics%unknown_fidelity /= '') call add_part_fault(found, 'solver', 0, 'fidelity', 'settings_of('// &
          trim(numerics%unknown_fidelity)//') is unknown; legal: '//joined(fidelity_name, ', '))
       call take_ranges('solver', 0, units, ranges)
       call check_range(ranges, 'element_length', numerics%element_length, found)
@@ -281,8 +281,8 @@ contains
          character(*), intent(in) :: key
          integer, intent(in) :: number, highest
          if (number >= 1 .and. number <= highest) return
-         call note_fault(found, 'solver', 0, key, key//' = '//to_text(number)//' is none of its numbers; needs one from 1 to '// &
-                         to_text(highest))
+         call add_part_fault(found, 'solver', 0, key, key//' = '//to_text(number)//' is none of its numbers; '// &
+                             'needs one from 1 to '//to_text(highest))
       end subroutine check_choice
    end subroutine check_numerics_ranges
 
@@ -290,7 +290,7 @@ contains
    subroutine check_rig_ranges(rig, units, found)
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       call take_ranges('rig', 0, units, ranges)
       call check_range(ranges, 'block_weight', rig%block_weight, found)

@@ -4,7 +4,8 @@ module dg_string_check
    use dg_component, only: closed_diameter, component_type, opens, shortest_contact
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_model_fault, only: depth_words, diameter_digits, diameter_words, length_digits, model_faults_type, note_fault
+   use dg_error, only: add_part_fault, error_list_type
+   use dg_shown_size, only: depth_words, diameter_digits, diameter_words, length_digits
    use dg_text, only: quoted, to_text
    use dg_unit_kind, only: in_units, smaller_unit, unit_density, unit_length
    use dg_units, only: unit_system_type
@@ -24,7 +25,7 @@ contains
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       associate (part => component)
          call check_shortest('length', part%length)
          call check_shortest('joint_length', part%joint_length)
@@ -45,7 +46,7 @@ contains
    contains
       subroutine fault(key, message)
          character(*), intent(in) :: key, message
-         call note_fault(found, 'component', place, key, message)
+         call add_part_fault(found, 'component', place, key, message)
       end subroutine fault
 
       !> A place above the lower end of the component lies within it.
@@ -88,13 +89,13 @@ contains
       character(*), intent(in) :: string           !< its name
       logical, intent(in) :: uppermost
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       real(wp), intent(in), optional :: heaviest   !< density of the heaviest fluid [kg/m3]; absent: there is none
-      if (component%length <= 0.0_wp .and. .not. uppermost) call note_fault(found, 'component', place, 'length', 'length of '// &
-         quoted(component%name)//' is missing or 0; only the last component of string '//quoted(string)// &
+      if (component%length <= 0.0_wp .and. .not. uppermost) call add_part_fault(found, 'component', place, 'length', &
+         'length of '//quoted(component%name)//' is missing or 0; only the last component of string '//quoted(string)// &
          ' may reach to surface')
       if (.not. present(heaviest)) return
-      if (heaviest >= component%density) call note_fault(found, 'component', place, 'density', quoted(component%name)// &
+      if (heaviest >= component%density) call add_part_fault(found, 'component', place, 'density', quoted(component%name)// &
          ' floats: the mud, '//dense(heaviest)//', is not lighter than the material, '//dense(component%density)//advice())
    contains
       function dense(density) result(text)
@@ -122,14 +123,14 @@ contains
       type(component_type), intent(in) :: component
       integer, intent(in) :: place                 !< of the component
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       real(wp) :: narrowest     ! diameter that the centralizers must exceed [m]
       associate (part => component)
          if (part%length > 0.0_wp .and. centralizer%first >= part%length) call fault('first', 'the lowest stands '// &
             far(centralizer%first)//' above the lower end of '//quoted(part%name)//', which is '//far(part%length)//' long')
          if (opens(part)) call fault('component', quoted(part%name)//' has opened_od; a tool that opens carries no centralizers')
          narrowest = merge(closed_diameter(part), part%od, centralizer%bow)
-         if (centralizer%od <= narrowest) call note_fault(found, 'centralizer', place, 'od', 'od = '// &
+         if (centralizer%od <= narrowest) call add_part_fault(found, 'centralizer', place, 'od', 'od = '// &
             wide(centralizer%od)//' is not greater than that of '//quoted(part%name)//' (', 'component', place, '), '// &
             wide(narrowest))
          if (.not. centralizer%bow) return
@@ -140,7 +141,7 @@ contains
    contains
       subroutine fault(key, message)
          character(*), intent(in) :: key, message
-         call note_fault(found, 'centralizer', place, key, message)
+         call add_part_fault(found, 'centralizer', place, key, message)
       end subroutine fault
 
       function wide(diameter) result(text)

@@ -2,7 +2,8 @@
 module dg_survey_check
    use dg_constants, only: degree
    use dg_kinds, only: wp
-   use dg_model_fault, only: depth_words, model_faults_type, note_fault
+   use dg_error, only: add_part_fault, error_list_type
+   use dg_shown_size, only: depth_words
    use dg_range_check, only: check_range, ranges_type, take_ranges
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
@@ -24,10 +25,10 @@ contains
       real(wp), intent(in) :: md(:)                          !< [m]
       real(wp), intent(in) :: inclination(:), azimuth(:)     !< [rad]
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       integer :: i
-      if (size(md) < 2) call note_fault(found, 'trajectory', 0, 'md', 'md holds '//to_text(size(md))// &
+      if (size(md) < 2) call add_part_fault(found, 'trajectory', 0, 'md', 'md holds '//to_text(size(md))// &
          ' station(s); at least two are needed')
       if (found%count > 0) return
       call count_of('inclination', size(inclination))
@@ -45,8 +46,8 @@ contains
       subroutine count_of(key, number)
          character(*), intent(in) :: key
          integer, intent(in) :: number
-         if (number /= size(md)) call note_fault(found, 'trajectory', 0, key, key//' has '//to_text(number)//' values, md has '// &
-                                                 to_text(size(md))//'; give one for each station')
+         if (number /= size(md)) call add_part_fault(found, 'trajectory', 0, key, key//' has '//to_text(number)//' values, '// &
+                                                     'md has '//to_text(size(md))//'; give one for each station')
       end subroutine count_of
    end subroutine check_station_numbers
 
@@ -54,13 +55,13 @@ contains
    subroutine check_station_order(md, units, found)
       real(wp), intent(in) :: md(:)          !< [m]
       type(unit_system_type), intent(in) :: units
-      type(model_faults_type), intent(inout) :: found
+      type(error_list_type), intent(inout) :: found
       integer :: i
       do i = 2, size(md)
          if (md(i) > md(i - 1)) cycle
-         call note_fault(found, 'trajectory', i, 'md', 'station '//to_text(i)//' at '//depth_words(units, md(i))// &
-                         ' is not below station '//to_text(i - 1)//' at '//depth_words(units, md(i - 1))// &
-                         '; measured depth must increase')
+         call add_part_fault(found, 'trajectory', i, 'md', 'station '//to_text(i)//' at '//depth_words(units, md(i))// &
+                             ' is not below station '//to_text(i - 1)//' at '//depth_words(units, md(i - 1))// &
+                             '; measured depth must increase')
          return
       end do
    end subroutine check_station_order

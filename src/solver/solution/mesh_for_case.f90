@@ -7,7 +7,7 @@ module dg_mesh_for_case
    use dg_kinds, only: wp
    use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load, &
                              scale_neighbour
-   use dg_coiling, only: coil_force, coiling_load
+   use dg_helical_load, only: helical_contact, helical_load
    use dg_constants, only: pi
    use dg_load_case, only: load_case_type
    use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
@@ -22,9 +22,9 @@ module dg_mesh_for_case
    !> element buckles between its nodes, where no gap can hold it, and the iteration does not converge.
    real(wp), parameter :: quarter_wave_share = 0.9_wp
    !> The same where the string is expected to coil: eight elements a turn.
-   real(wp), parameter :: coil_share = 0.5_wp
-   !> Compression over the coiling load from which it snakes [-]: 1/sqrt(2) (Dawson & Paslay 1984) and a little.
-   real(wp), parameter :: snake_share = 0.72_wp
+   real(wp), parameter :: helical_share = 0.5_wp
+   !> Compression over the helical load from which it snakes [-]: 1/sqrt(2) (Dawson & Paslay 1984) and a little.
+   real(wp), parameter :: sinusoidal_share = 0.72_wp
    !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
    !> element may miss the hole's bend [-]. At one half some wells are lost; at a quarter contact in a dogleg of 9 deg in 20 m is
    !> 0.26 % too small, so 0.1 %.
@@ -70,7 +70,7 @@ contains
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
       type(soft_totals_type), intent(out) :: totals  !< of the coiled soft string: whether it is locked up
-      real(wp), intent(out) :: compressed      !< largest compression of the soft string over its coiling load [-]
+      real(wp), intent(out) :: compressed      !< largest compression of the soft string over its helical load [-]
       real(wp), intent(out) :: strained        !< largest axial strain of the soft string [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
@@ -95,7 +95,7 @@ contains
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing
-            pressing = max(pressing, max(across, side_load, coil_force(mesh%ei(e), compression, mesh%clearance(e))) &
+            pressing = max(pressing, max(across, side_load, helical_contact(mesh%ei(e), compression, mesh%clearance(e))) &
                                      *mesh%gathered(e)/mesh%clearance(e))
             scales = local_scales(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
             if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = min(body_share*mesh%spacing(e), &
@@ -113,7 +113,7 @@ contains
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             strained = max(strained, abs(axial(e))/mesh%ea(e), abs(axial(e + 1))/mesh%ea(e))
             if (.not. compression > 0.0_wp) cycle
-            share = compression/coiling_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
+            share = compression/helical_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
             compressed = max(compressed, share)
          end do
          depths = subdivided(mesh%md, longest)
@@ -279,7 +279,7 @@ contains
       lengths = huge(lengths)
       if (compression > 0.0_wp) then
          share = quarter_wave_share
-         if (compression > snake_share*coiling_load(ei, side_load, weight, clearance)) share = coil_share
+         if (compression > sinusoidal_share*helical_load(ei, side_load, weight, clearance)) share = helical_share
          lengths(scale_compression) = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
       end if
       if (curvature > 0.0_wp) lengths(scale_bend) = sqrt(8.0_wp*clearance_share*clearance/curvature)

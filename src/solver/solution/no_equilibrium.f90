@@ -11,7 +11,7 @@ module dg_no_equilibrium
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: add_place, tell_tried, list_tried
+   public :: add_place, add_tried, list_tried
 
    !> Digits of a length and of a depth in a message.
    integer, parameter :: shown = 2, shown_depth = 6
@@ -68,7 +68,7 @@ contains
    end subroutine list_tried
 
    !> Adds to the message of a case without equilibrium what was tried, and what ended the search.
-   pure subroutine tell_tried(model, tried, worked_out, result)
+   pure subroutine add_tried(model, tried, worked_out, result)
       type(model_type), intent(in) :: model
       character(*), intent(in) :: tried                 !< on all meshes
       logical, intent(in) :: worked_out                 !< a mesh had the work that it may have
@@ -83,5 +83,5 @@ contains
          result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
             ', its default, which leaves room for all attempts'
       end if
-   end subroutine tell_tried
+   end subroutine add_tried
 end module dg_no_equilibrium

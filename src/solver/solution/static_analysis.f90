@@ -28,7 +28,7 @@ module dg_static_analysis
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type, other_location, patience
-   use dg_no_equilibrium, only: list_tried, tell_tried
+   use dg_no_equilibrium, only: list_tried, add_tried
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
@@ -36,8 +36,8 @@ module dg_static_analysis
    use dg_refinement, only: take_over
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, tell_range, &
-                              tell_steep, tell_unlike_contact
+   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, warn_of_range, &
+                              warn_of_slope, warn_of_contact
    use dg_stiff_drag, only: find_stiff_drag
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
@@ -50,7 +50,7 @@ module dg_static_analysis
    private
    public :: solve_static_analysis
 
-   !> Part of the coiling load from which a string may buckle: the margin of stability is told [-].
+   !> Part of the helical load from which a string may buckle: the margin of stability is told [-].
    real(wp), parameter :: buckling_share = 0.4_wp
    !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
@@ -62,7 +62,7 @@ module dg_static_analysis
    real(wp), parameter :: most_work = 1.0e7_wp
    !> The result says how far moments may be off when that is more than this part of the largest moment [-].
    real(wp), parameter :: doubtful = 0.05_wp
-   !> Compression over the coiling load from which a string is taken for coiled [-].
+   !> Compression over the helical load from which a string is taken for coiled [-].
    real(wp), parameter :: coiled = 1.0_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
@@ -75,7 +75,7 @@ module dg_static_analysis
       type(load_type) :: loads
       type(equations_type) :: equations
       real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, -]
-      real(wp) :: compressed = 0.0_wp            !< largest compression over the coiling load [-]
+      real(wp) :: compressed = 0.0_wp            !< largest compression over the helical load [-]
       real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
       integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
       type(stop_type) :: stop
@@ -124,7 +124,7 @@ contains
          end associate
       end do
       if (result%status == result_not_converged) then
-         call tell_tried(model, tried, work_is_done(model%numerics, result), result)
+         call add_tried(model, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
          call add_message(result, 'Converged with elements of at most '// &
                           trim(in_units(model%units, unit_length, length, shown))//'. Others found no equilibrium in '// &
@@ -159,7 +159,7 @@ contains
                             [iteration_type ::], stop, other)
          if (other%status == result_converged .or. is_stopped(stop)) exit
       end do
-      call tell_range(model%units, other, i == 2, result)
+      call warn_of_range(model%units, other, i == 2, result)
    end subroutine find_range
 
    !> Whether a mesh has had the work that it may have, but for its last iteration.
@@ -255,8 +255,8 @@ contains
          if (.not. model%numerics%halve_moments) call add_message(result, "Set fidelity = 'reference' to halve elements")
       end if
       if (is_missing(result%moment_error)) return
-      if (steep(2) > steep(1)) call tell_steep(model%units, steep, maxval(mesh%length), result)
-      call tell_unlike_contact(model%units, result)
+      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(mesh%length), result)
+      call warn_of_contact(model%units, result)
    end subroutine find_moments
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its

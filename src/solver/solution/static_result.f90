@@ -25,8 +25,8 @@ module dg_static_result
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, tell_range, &
-             tell_steep, tell_unlike_contact
+   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, warn_of_range, &
+             warn_of_slope, warn_of_contact
 
    !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
    !> of 5 m elements lie by up to 12 % off those of 0.5 m.
@@ -75,7 +75,7 @@ contains
       select case (outcome)
       case (outcome_converged)
          result%status = result_converged
-         if (whirls) call tell_whirling(model%units, mesh, work, result)
+         if (whirls) call warn_of_whirling(model%units, mesh, work, result)
       case (outcome_outside)
          call look_outside(model, mesh, work, worst, place)
          result%status = result_not_converged
@@ -130,7 +130,7 @@ contains
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.
-   pure subroutine tell_whirling(units, mesh, work, result)
+   pure subroutine warn_of_whirling(units, mesh, work, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -142,7 +142,7 @@ contains
                        ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
                        'contact force and friction torque there may be up to '// &
                        to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown_clearances)//' % low')
-   end subroutine tell_whirling
+   end subroutine warn_of_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
    !> be: what is left out there is told.
@@ -177,7 +177,7 @@ contains
    end subroutine add_message
 
    !> Says how another equilibrium of a coiled string differs, and lets the error of the moments cover it.
-   pure subroutine tell_range(units, other, mirrored, result)
+   pure subroutine warn_of_range(units, other, mirrored, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(in) :: other
       logical, intent(in) :: mirrored                   !< its start was the mirror image; else it lay on the low side of the hole
@@ -206,10 +206,10 @@ contains
       if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
                                        trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
                                                   mirrored))//text)
-   end subroutine tell_range
+   end subroutine warn_of_range
 
    !> Says where a string slopes too much against its hole for the beam that gives the moments.
-   pure subroutine tell_steep(units, md, longest, result)
+   pure subroutine warn_of_slope(units, md, longest, result)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: md(2)                     !< where such elements begin and end [m]
       real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
@@ -219,10 +219,10 @@ contains
                        trim(in_units(units, unit_length, md(2), shown_depth))//'. The string slopes by more than a tenth '// &
                        'against its hole there, and they are those of elements of up to '// &
                        trim(in_units(units, unit_length, longest, shown))//'. A smaller element_length makes them better')
-   end subroutine tell_steep
+   end subroutine warn_of_slope
 
    !> Says where the beam that gives the moments has another contact force than the analysis.
-   pure subroutine tell_unlike_contact(units, result)
+   pure subroutine warn_of_contact(units, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
       real(wp) :: share
@@ -239,7 +239,7 @@ contains
                           'torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' by the shorter ones of '// &
                           'moments and side forces. Which is nearer is not known')
       end associate
-   end subroutine tell_unlike_contact
+   end subroutine warn_of_contact
 
    !> What a result tells of how it was found. Shorter elements are advised but for helically buckled strings, which most often keep
    !> such contact points on them.

@@ -1,25 +1,25 @@
-!> The start of a compressed string: snakes and coils laid as they will be, phase included.
+!> The start of a compressed string: sinusoids and helices as they will be, phase included.
 !>
 !> From the straight state the iteration would have to grow every turn out of nothing, left- and right-handed by chance, and then
 !> work the reversals out of the string. Amplitude and pitch are known from theory; so is where along the hole the waves lie,
-!> which depends on what ends them: to shift a whole snake by a quarter wave takes Newton ten to twenty iterations, since the way
+!> which depends on what ends them: to shift a whole sinusoid by a quarter wave takes Newton ten to twenty iterations, since the way
 !> there is curved.
 module dg_buckled_start
    use dg_buckling_limits, only: sinusoidal_limit
-   use dg_coiling, only: coil_force, coiling_load
+   use dg_helical_load, only: helical_contact, helical_load
    use dg_constants, only: pi
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
-   use dg_snake, only: snake_swing, snake_wave
+   use dg_sinusoidal_shape, only: sinusoidal_swing, sinusoidal_wave
    use dg_trajectory, only: high_side
    implicit none
    private
    public :: lay_buckled
 
    !> What a place of the string does.
-   integer, parameter :: stretched = 0, lying = 1, snaking = 2, coiling = 3
-   !> What ends a snake: nothing, its load fades; an end in the middle of the hole; a stiffer part that lies still; a coil.
+   integer, parameter :: stretched = 0, on_low_side = 1, sinusoidal = 2, helical = 3
+   !> What ends a sinusoid: nothing, its load fades; an end in the middle of the hole; a stiffer part that lies still; a coil.
    integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
    !> Distance of the first zero of the sine from the end of the buckled part [half waves], and extra phase of its envelope there
    !> [rad]. For an end in the middle of the hole they follow from linear theory at the load of onset: the sinusoidal shape
@@ -36,14 +36,14 @@ module dg_buckled_start
    real(wp), parameter :: lag_at_end = 0.92_wp
    !> Waves are stretched or pressed together by no more than this to suit both ends of a zone [-].
    real(wp), parameter :: largest_stretch = 0.25_wp
-   !> Change of bending stiffness that ends a snake [-].
+   !> Change of bending stiffness that ends a sinusoid [-].
    real(wp), parameter :: much_stiffer = 1.5_wp
 
    !> What ends a zone.
    type :: end_type
       integer :: kind = fades
-      real(wp) :: zero = 0.0_wp   !< way of a snake's first zero from there [half waves]
-      real(wp) :: lead = 0.0_wp   !< of a snake's envelope [rad]
+      real(wp) :: zero = 0.0_wp   !< way of a sinusoid's first zero from there [half waves]
+      real(wp) :: lead = 0.0_wp   !< of a sinusoid's envelope [rad]
    end type end_type
 
    !> A run of nodes that do the same.
@@ -55,8 +55,8 @@ module dg_buckled_start
 contains
 
    !> Lays a string that the soft string finds compressed by F as it will buckle.
-   !>   beyond the coiling load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
-   !>   beyond Dawson & Paslay's   a snake about the side that it lies on (dg_snake)
+   !>   beyond the helical load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
+   !>   beyond Dawson & Paslay's   a sinusoid about the side that it lies on (dg_sinusoidal_shape)
    !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
    !>                              could not leave that state
    pure subroutine lay_buckled(model, mesh, axial, wall, load, offset, slope)
@@ -70,7 +70,7 @@ contains
       real(wp) :: rate(mesh%nodes), phase(mesh%nodes), angle
       type(zone_type) :: zone
       call classify_nodes(mesh, axial, load, regime, rate)
-      if (.not. model%numerics%tuning%start_buckled) where (regime /= stretched) regime = lying
+      if (.not. model%numerics%tuning%start_buckled) where (regime /= stretched) regime = on_low_side
       phase = 0.0_wp
       do i = 2, mesh%nodes
          phase(i) = phase(i - 1) + rate(i)*(mesh%md(i) - mesh%md(i - 1))
@@ -81,12 +81,12 @@ contains
          zone%above = what_ends(mesh, regime, zone%first, -1, model%boundary%top_centred)
          zone%below = what_ends(mesh, regime, zone%last, 1, model%boundary%bit_centred)
          select case (regime(zone%first))
-         case (coiling)
+         case (helical)
             angle = atan2(offset(2, zone%first), offset(1, zone%first)) - lag(zone%above)
-            call coil(mesh, zone, axial, rate, wall, phase, angle, load, offset, slope)
-         case (snaking)
-            call snake(mesh, zone, axial, load, rate, phase, offset, slope)
-         case (lying)
+            call set_helix(mesh, zone, axial, rate, wall, phase, angle, load, offset, slope)
+         case (sinusoidal)
+            call set_sinusoid(mesh, zone, axial, load, rate, phase, offset, slope)
+         case (on_low_side)
             do i = max(zone%first, 2), zone%last
                e = min(i, mesh%elements)
                offset(:, i) = offset(:, i) + model%numerics%imperfection*mesh%clearance(e)*[cos(phase(i)), sin(phase(i))]
@@ -129,15 +129,15 @@ contains
          regime(i) = stretched
          rate(i) = 0.0_wp
          if (.not. axial(i) < 0.0_wp) cycle
-         regime(i) = lying
+         regime(i) = on_low_side
          rate(i) = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
-         if (-axial(i) > coiling_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
-            regime(i) = coiling
+         if (-axial(i) > helical_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+            regime(i) = helical
          else
-            swing = snake_swing(ratio_to_onset(mesh, e, -axial(i), load(i)))
+            swing = sinusoidal_swing(ratio_to_onset(mesh, e, -axial(i), load(i)))
             if (.not. swing > 0.0_wp) cycle
-            regime(i) = snaking
-            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp*snake_wave(swing)
+            regime(i) = sinusoidal
+            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp*sinusoidal_wave(swing)
          end if
       end do
       do i = 2, mesh%elements
@@ -152,8 +152,8 @@ contains
       call join_zones(mesh%md, rate, regime)
    end subroutine classify_nodes
 
-   !> Gives a snake or coil that is shorter than half a wave, next to the other, to that: where what presses the string on changes
-   !> from station to station they would else take turns.
+   !> Joins a sinusoid or helix that is shorter than half a wave to the other beside it. Where the load changes from station to
+   !> station they would else take turns.
    pure subroutine join_zones(md, rate, regime)
       real(wp), intent(in) :: md(:), rate(:)
       integer, intent(inout) :: regime(:)
@@ -161,10 +161,10 @@ contains
       first = 1
       do while (first <= size(md))
          last = last_like(regime, first)
-         if (regime(first) >= snaking .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
-            if (regime(max(first - 1, 1)) >= snaking .and. first > 1) then
+         if (regime(first) >= sinusoidal .and. sum(rate(first + 1:last)*(md(first + 1:last) - md(first:last - 1))) < pi) then
+            if (regime(max(first - 1, 1)) >= sinusoidal .and. first > 1) then
                regime(first:last) = regime(first - 1)
-            else if (regime(min(last + 1, size(md))) >= snaking) then
+            else if (regime(min(last + 1, size(md))) >= sinusoidal) then
                regime(first:last) = regime(min(last + 1, size(md)))
             end if
          end if
@@ -229,7 +229,7 @@ contains
       integer :: inside, beyond
       if (node + side < 1 .or. node + side > mesh%nodes) then
          if (centred) ends = end_type(centred_end, zero_at_end, lead_at_end)
-      else if (regime(node + side) == coiling .or. (regime(node) == coiling .and. regime(node + side) == snaking)) then
+      else if (regime(node + side) == helical .or. (regime(node) == helical .and. regime(node + side) == sinusoidal)) then
          ends%kind = coil_beyond
       else
          beyond = min(max(merge(node + side, node, side < 0), 1), mesh%elements)
@@ -241,7 +241,7 @@ contains
    end function what_ends
 
    !> Lays a helix from where the string lies above it on; where it lies below it, too, its turns are stretched to end there.
-   pure subroutine coil(mesh, zone, axial, rate, wall, phase, start, load, offset, slope)
+   pure subroutine set_helix(mesh, zone, axial, rate, wall, phase, start, load, offset, slope)
       type(mesh_type), intent(in) :: mesh
       type(zone_type), intent(in) :: zone
       real(wp), intent(in) :: axial(:), rate(:), wall(:), phase(:)
@@ -256,7 +256,7 @@ contains
       if (norm2(side) > 0.0_wp) stretch = stretched_by(turns, atan2(side(2), side(1)) + lag(zone%below) - start, 2.0_wp*pi)
       do i = zone%first, zone%last
          e = weaker(mesh, i)
-         force = coil_force(mesh%ei(e), -axial(i), mesh%clearance(e))
+         force = helical_contact(mesh%ei(e), -axial(i), mesh%clearance(e))
          call radius_of(mesh%clearance(e), offset(:, i), slope(:, i), radius, growth)
          radius = radius + max(force - load(i), 0.0_wp)/wall(e)
          away = phase(i) - phase(zone%first)
@@ -268,7 +268,7 @@ contains
                        + radius*stretch*rate(i)*turning(zone%above, away)*turning(zone%below, left)*[-sin(angle), cos(angle)]
          load(i) = max(load(i), force)
       end do
-   end subroutine coil
+   end subroutine set_helix
 
    !> Angle by which a coil's end lags behind the side that it lies on [rad].
    pure function lag(ends) result(angle)
@@ -299,8 +299,8 @@ contains
       if (ends%kind == fades .or. ends%kind == stiff_part) part = tanh(away)
    end function turning
 
-   !> Lays a snake to both sides of where the string lies, its waves where what ends them wants them.
-   pure subroutine snake(mesh, zone, axial, load, rate, phase, offset, slope)
+   !> Sets a sinusoid on both sides of where the string lies, its waves where what ends them wants them.
+   pure subroutine set_sinusoid(mesh, zone, axial, load, rate, phase, offset, slope)
       type(mesh_type), intent(in) :: mesh
       type(zone_type), intent(in) :: zone
       real(wp), intent(in) :: axial(:), load(:), rate(:), phase(:)
@@ -321,7 +321,7 @@ contains
          e = weaker(mesh, i)
          ratio = ratio_to_onset(mesh, e, -axial(i), load(i))
          rise = sqrt(max(ratio - 1.0_wp, 0.0_wp))
-         swing = sense*snake_swing(ratio)
+         swing = sense*sinusoidal_swing(ratio)
          swing = swing*envelope(zone%above, rise, phase(i) - phase(zone%first)) &
                  *envelope(zone%below, rise, phase(zone%last) - phase(i))
          wave = above + stretch*(phase(i) - phase(zone%first))
@@ -330,7 +330,7 @@ contains
          offset(:, i) = radius*[cos(side), sin(side)]
          slope(:, i) = growth*[cos(side), sin(side)] + radius*swing*stretch*rate(i)*cos(wave)*[-sin(side), cos(side)]
       end do
-   end subroutine snake
+   end subroutine set_sinusoid
 
    !> Factor on a phase so that it comes to `wanted` but for a whole number of `unit`, or 1 where that asks too much.
    pure function stretched_by(phase, wanted, unit) result(factor)
@@ -342,7 +342,7 @@ contains
       if (abs(factor - 1.0_wp) > largest_stretch) factor = 1.0_wp
    end function stretched_by
 
-   !> Part of its full swing that a snake has at some phase from its end: of the envelope A(x) of w = A exp(i x) next to the onset,
+   !> Part of its full swing that a sinusoid has at some phase from its end: of the envelope A(x) of w = A exp(i x) by the onset,
    !> 2 A'' + (b - 1) A = const A^3, which an end holds to nothing at -x_0.
    pure function envelope(ends, rise, away) result(part)
       type(end_type), intent(in) :: ends

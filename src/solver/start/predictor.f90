@@ -11,7 +11,7 @@ module dg_predictor
    use dg_bending_element, only: contact_places, contact_xi
    use dg_bent_start, only: bend_start, new_start_beam
    use dg_buckled_start, only: lay_buckled
-   use dg_coiling, only: wound_compression
+   use dg_helical_load, only: wound_compression
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value

@@ -8,9 +8,8 @@ module dg_accuracy_study
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_study, only: take_study
-   use dg_error, only: error_type
+   use dg_error, only: error_list_type, error_type
    use dg_exit_status, only: note_failure
-   use dg_fault_list, only: fault_list_type
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
@@ -79,7 +78,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       associate (not_needed => notes)
          call take_study(deck%draft, deck%groups, job%models, self%plan, faults)
       end associate

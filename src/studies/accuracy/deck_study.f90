@@ -3,7 +3,7 @@ module dg_deck_study
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, places_of, reals_of
    use dg_deck_draft, only: draft_type, take_cases
-   use dg_fault_list, only: fault_list_type, add_fault
+   use dg_error, only: add_fault, error_list_type
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_plan, only: most_solutions, most_variants, study_plan_type
@@ -21,7 +21,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       integer, intent(in) :: models(:)       !< of the job
       type(study_plan_type), allocatable, intent(out) :: plan
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       do i = 1, size(groups)
          if (groups(i)%name /= 'study') cycle
@@ -36,7 +36,7 @@ contains
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: models(:)
       type(study_plan_type), intent(out) :: plan
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp) :: solutions
       call take_cases(draft, group, plan%cases, faults)
       plan%models = places_of(group, 'models', model_name)

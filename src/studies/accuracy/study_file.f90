@@ -6,8 +6,7 @@ module dg_study_file
    use dg_comparison, only: percent_of
    use dg_job, only: model_mcge, model_name
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: is_missing, missing, optional_real
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_bending, error_bending_rms, error_hookload, error_normal_force, error_torque, &
                                   study_record_type

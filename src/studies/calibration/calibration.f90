@@ -7,7 +7,8 @@ module dg_calibration
    use dg_kinds, only: wp
    use dg_contact_friction, only: axial_friction, set_axial_friction
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: load_case_type, moves_axially, optional_real, rotates
+   use dg_load_case, only: load_case_type, moves_axially, rotates
+   use dg_missing, only: optional_real
    use dg_rig, only: rig_type
    implicit none
    private
@@ -275,15 +276,15 @@ contains
 
    !> Gives hole sections the friction found: factors of sections, or one of all. Coefficients that the data do not determine stay,
    !> and so does the friction of operations that no case has.
-   pure subroutine apply_factors(calibration, factors, felt, load_cases, holes)
+   pure subroutine apply_factors(calibration, factors, found, load_cases, holes)
       type(calibration_type), intent(in) :: calibration
       real(wp), intent(in) :: factors(:)         !< one an unknown
-      logical, intent(in) :: felt(:)             !< one an unknown
+      logical, intent(in) :: found(:)             !< one an unknown
       type(load_case_type), intent(in) :: load_cases(:)     !< all of the deck
       type(hole_section_type), intent(inout) :: holes(:)
       integer :: j, u
       do u = 1, size(calibration%unknowns)
-         if (calibration%unknowns(u)%is_offset .or. .not. felt(u)) cycle
+         if (calibration%unknowns(u)%is_offset .or. .not. found(u)) cycle
          do j = 1, size(calibration%holes)
             if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
             associate (hole => holes(calibration%holes(j)))
@@ -297,17 +298,17 @@ contains
 
    !> Gives the rig the one offset found as weight of its block. Without a rig, or where each depth has an offset of its own,
    !> there is nothing that it could belong to.
-   pure subroutine apply_offset(calibration, factors, felt, rig, applied)
+   pure subroutine apply_offset(calibration, factors, found, rig, applied)
       type(calibration_type), intent(in) :: calibration
       real(wp), intent(in) :: factors(:)         !< one an unknown
-      logical, intent(in) :: felt(:)             !< one an unknown
+      logical, intent(in) :: found(:)             !< one an unknown
       type(rig_type), intent(inout) :: rig
       logical, intent(out) :: applied
       integer :: u
       applied = .false.
       if (.not. rig%given .or. calibration%offset /= offset_one) return
       do u = 1, size(calibration%unknowns)
-         if (.not. (calibration%unknowns(u)%is_offset .and. felt(u))) cycle
+         if (.not. (calibration%unknowns(u)%is_offset .and. found(u))) cycle
          rig%block_weight = rig%block_weight + factors(u)
          applied = .true.
       end do

@@ -6,13 +6,13 @@ module dg_calibration_file
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
                         row_type, set
    use dg_csv_table, only: add_row, csv_table_type, is_begun, write_table
-   use dg_comparison, only: difference, known, percent_error
-   use dg_error, only: add_error, error_type
+   use dg_comparison, only: difference, percent_error
+   use dg_error, only: error_type, join_error
    use dg_factor_columns, only: factor_file, factor_row
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: given, operation_name, optional_real
+   use dg_load_case, only: operation_name
    use dg_least_squares, only: fit_done
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: given, is_missing, known, missing, optional_real
    use dg_model, only: model_type
    use dg_prediction_table, only: add_predictions
    implicit none
@@ -55,7 +55,7 @@ contains
          character(*), intent(in) :: name
          type(error_type), allocatable :: failure
          call write_table(table, job%output_dir//'/'//name, failure)
-         call add_error(error, failure)
+         call join_error(error, failure)
       end subroutine write_one
    end subroutine write_calibrations
 

@@ -10,8 +10,7 @@ module dg_calibration_picture
    use dg_curve_look, only: colour_grey, colour_of
    use dg_job, only: model_name
    use dg_least_squares, only: fit_done
-   use dg_load_case, only: given, optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_text, only: text_type
    use dg_units, only: unit_system_type

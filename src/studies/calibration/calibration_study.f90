@@ -13,11 +13,10 @@ module dg_calibration_study
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_csv_table, only: begin_table
    use dg_factor_columns, only: factor_file, factor_row
-   use dg_fault_list, only: fault_list_type
    use dg_fit_calibration, only: fit_calibration
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: interruption_name, is_interrupted
@@ -77,7 +76,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(friction_estimate_type), allocatable :: longer(:)
       integer :: i
       associate (not_needed => job, nor => notes)

@@ -11,8 +11,8 @@ module dg_calibration_table
    use dg_deck_echo, only: hole_friction_text
    use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done
-   use dg_load_case, only: given, operation_label, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: operation_label
+   use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_prediction_table, only: append_predictions, quantity_words

@@ -6,10 +6,11 @@ module dg_deck_calibrate
                              tells, unknown_type
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_hole_section, only: hole_section_type
    use dg_measured_cases, only: take_measured_cases, take_models
-   use dg_load_case, only: given, load_case_type, operation_name
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: given
    use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
@@ -29,7 +30,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(calibration_type), allocatable, intent(out) :: calibrations(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, j, n
       n = 0
       do i = 1, size(groups)
@@ -63,7 +64,7 @@ contains
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number            !< of the calibration in the deck
       type(calibration_type), intent(out) :: calibration
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: texts(:)
       integer :: i, before
       before = faults%count
@@ -112,7 +113,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: wanted(:), used(:)
       integer :: i, k, found
       allocate (cases(0))
@@ -139,7 +140,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: holes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: wanted(:)
       character(name_shown) :: names(size(draft%holes))
       integer :: i, k
@@ -165,7 +166,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(calibration_type), intent(inout) :: calibration
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(load_case_type) :: load_cases(size(draft%cases))
       type(hole_section_type) :: holes(size(draft%holes))
       logical, allocatable :: telling(:, :)
@@ -226,7 +227,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(calibration_type), intent(in) :: calibration
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       if (size(calibration%predicted) == 0) return
       if (calibration%by_depth .or. calibration%offset == offset_depths) &
@@ -251,7 +252,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(calibration_type), intent(in) :: calibrations(:)      !< up to that of the group
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, j
       associate (mine => calibrations(size(calibrations)))
          if (.not. (mine%apply .and. allocated(mine%holes))) return

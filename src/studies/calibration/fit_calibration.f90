@@ -11,8 +11,7 @@ module dg_fit_calibration
    use dg_fit_statistics, only: as_normal
    use dg_job, only: job_type, model_name
    use dg_least_squares, only: fit_done, fit_without_values, unknowns_type
-   use dg_load_case, only: optional_real
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_prediction, only: predict
    use dg_progress, only: progress_type, show_time, start_progress

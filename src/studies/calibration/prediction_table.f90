@@ -6,10 +6,10 @@ module dg_prediction_table
    use dg_calibration_result, only: calibration_result_type
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_percent, quantity_text, row_type
    use dg_csv_table, only: add_row, begin_table, csv_table_type
-   use dg_comparison, only: difference, known, percent_error
+   use dg_comparison, only: difference, percent_error
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name, optional_real
-   use dg_missing, only: is_missing, missing
+   use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name
+   use dg_missing, only: is_missing, known, missing, optional_real
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text

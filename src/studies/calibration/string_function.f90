@@ -7,8 +7,7 @@ module dg_string_function
    use dg_interruption, only: by_signals
    use dg_job, only: model_mcge
    use dg_least_squares, only: measured_function_type
-   use dg_load_case, only: optional_real
-   use dg_missing, only: missing
+   use dg_missing, only: missing, optional_real
    use dg_model, only: copy_without_cases, model_type
    use dg_rig, only: indicated_load
    use dg_solve_case, only: solve_case

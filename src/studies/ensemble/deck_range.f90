@@ -4,10 +4,11 @@ module dg_deck_range
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, places_of, real_of, reals_of, text_of, texts_of
    use dg_deck_check, only: check_case
    use dg_deck_draft, only: draft_case_type, draft_type
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_job, only: model_name
-   use dg_load_case, only: given, moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
+   use dg_load_case, only: moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
       operation_trip_out, rotates
+   use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
    use dg_text, only: is_separator_free, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -32,7 +33,7 @@ contains
       integer, intent(in) :: number                !< of the sweep in the deck
       integer, intent(in) :: models(:)
       type(sweep_type), intent(out) :: sweep
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(draft_case_type) :: probe
       type(text_type), allocatable :: texts(:)
       real(wp), allocatable :: numbers(:)
@@ -123,7 +124,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: o
       call take('wob', sweep%wob)
       call take('tob', sweep%tob)
@@ -163,7 +164,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp), allocatable :: cased(:), open(:)
       character(:), allocatable :: key
       integer :: i, j

@@ -196,8 +196,8 @@ contains
          resumed = count(is_solved(self%ensembles(number)%points))
          seconds = 0.0_wp
          if (job%merge == 0) call solve_rest(self, number, run, seconds)
-         if (any(self%ensembles(number)%points%status == result_not_converged)) call tell_lost(self, number, job%units)
-         if (.not. is_interrupted()) call tell_unless_empty(failed_text(self%ensembles(number), max(job%parts, job%merge)))
+         if (any(self%ensembles(number)%points%status == result_not_converged)) call report_lost(self, number, job%units)
+         if (.not. is_interrupted()) call report_text(failed_text(self%ensembles(number), max(job%parts, job%merge)))
          if (job%merge == 0 .and. (is_interrupted() .or. job%parts > 0)) then
             call keep_for_later(self%ensembles(number), self%texts, job, error)
             return
@@ -244,7 +244,7 @@ contains
       type(progress_type) :: progress
       integer(int64) :: start, finish
       integer :: i, left
-      call tell_unless_empty(taken_text(self%ensembles(number), run%job%again))
+      call report_text(taken_text(self%ensembles(number), run%job%again))
       call system_clock(start)
       associate (points => self%ensembles(number)%points)
          left = count(.not. is_solved(points) .and. in_part([(i, i=1, size(points))], run%job%part, max(run%job%parts, 1)))
@@ -272,7 +272,7 @@ contains
    end subroutine close_records
 
    !> Tells how many points have no solution, and of the first what it is and why it has none, so that it can be looked into.
-   subroutine tell_lost(self, number, units)
+   subroutine report_lost(self, number, units)
       class(ensemble_study_type), intent(in) :: self
       integer, intent(in) :: number
       type(unit_system_type), intent(in) :: units
@@ -288,7 +288,7 @@ contains
          if (allocated(points(first)%message)) text = text//': '//points(first)%message
       end associate
       call tell(text)
-   end subroutine tell_lost
+   end subroutine report_lost
 
    !> A file each.
    subroutine name_files(self, job, names)
@@ -344,10 +344,10 @@ contains
       end do
    end subroutine add_need
 
-   subroutine tell_unless_empty(text)
+   subroutine report_text(text)
       character(*), intent(in) :: text
       if (text /= '') call tell(text)
-   end subroutine tell_unless_empty
+   end subroutine report_text
 
    !> How many points have their result: 3 of 5.
    pure function solved_of_all(ensemble) result(text)

@@ -1,5 +1,6 @@
 !> Why the parts of a divided run cannot be joined: all sweeps and all parts of them in one message.
 module dg_part_faults
+   use dg_error, only: add_fault, error_list_type, first_errors
    use dg_part_list, only: part_list_text
    use dg_text, only: to_text
    implicit none
@@ -12,8 +13,7 @@ module dg_part_faults
    type :: part_faults_type
       private
       logical, allocatable :: seen(:, :)       !< of each state (row) and part: a record that is so
-      character(:), allocatable :: lines       !< one a record at fault
-      integer :: count = 0                     !< of these records
+      type(error_list_type) :: records         !< those at fault
    end type part_faults_type
 
    !> Records that the message tells one by one. The numbers of the parts are all there in any case.
@@ -26,7 +26,6 @@ contains
       type(part_faults_type), intent(out) :: faults
       integer, intent(in) :: parts
       allocate (faults%seen(part_unfinished, parts), source=.false.)
-      faults%lines = ''
    end subroutine start_faults
 
    !> Notes one record of a part.
@@ -39,13 +38,10 @@ contains
       character(:), allocatable :: remedy
       faults%seen(state, part) = .true.
       if (state == part_whole) return
-      faults%count = faults%count + 1
-      if (faults%count > most_lines) return
       remedy = 'run'
       if (state == part_broken) remedy = 'remove it and run'
       if (state == part_unfinished) remedy = 'go on with'
-      faults%lines = faults%lines//new_line('a')//'  '//path//': '//reason//'; '//remedy//' --part '//to_text(part)//'/'// &
-         to_text(size(faults%seen, 2))
+      call add_fault(faults%records, path, 0, reason//'; '//remedy//' --part '//to_text(part)//'/'//to_text(size(faults%seen, 2)))
    end subroutine note_part
 
    !> All that is wrong, by the numbers of the parts; '' where all are whole. A part with records of several sweeps is broken if one
@@ -56,7 +52,7 @@ contains
       logical, allocatable :: broken(:), missing(:), unfinished(:)
       integer :: parts
       text = ''
-      if (faults%count == 0) return
+      if (faults%records%count == 0) return
       parts = size(faults%seen, 2)
       allocate (broken(parts), missing(parts), unfinished(parts))
       broken = faults%seen(part_broken, :)
@@ -64,8 +60,7 @@ contains
                                                           faults%seen(part_whole, :))
       unfinished = (faults%seen(part_missing, :) .or. faults%seen(part_unfinished, :)) .and. .not. (broken .or. missing)
       text = 'the '//to_text(parts)//' parts do not make a whole'//named('missing', missing)//named('broken', broken)// &
-         named('not finished', unfinished)//faults%lines
-      if (faults%count > most_lines) text = text//new_line('a')//'  and '//to_text(faults%count - most_lines)//' more'
+         named('not finished', unfinished)//new_line('a')//first_errors(faults%records, most_lines, '  ')
       text = text//new_line('a')//'  --part '//part_list_text(places(broken .or. missing .or. unfinished))//'/'//to_text(parts)
       if (any(broken)) then
          text = text//' runs them again once the broken files are removed'

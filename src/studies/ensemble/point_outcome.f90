@@ -2,7 +2,8 @@
 module dg_point_outcome
    use dg_case_result, only: result_locked_up, result_not_converged
    use dg_job, only: model_name
-   use dg_load_case, only: given, operation_name, optional_real
+   use dg_load_case, only: operation_name
+   use dg_missing, only: given, optional_real
    use dg_run_outcome, only: add_lost, add_part, lost_type, outcome_type
    use dg_sweep, only: point_at, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type

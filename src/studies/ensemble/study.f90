@@ -6,8 +6,7 @@ module dg_study
    use dg_csv_table, only: csv_table_type
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: group_keys_type
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type
    use dg_line_list, only: line_list_type
@@ -62,13 +61,13 @@ module dg_study
    abstract interface
       !> Reads its groups of an open deck. Notes tell what is legal but hardly meant.
       subroutine read_interface(self, deck, job, notes, faults)
-         import :: study_type, deck_type, job_type, text_type, fault_list_type
+         import :: study_type, deck_type, job_type, text_type, error_list_type
          implicit none
          class(study_type), intent(inout) :: self
          type(deck_type), intent(inout) :: deck
          type(job_type), intent(in) :: job
          type(text_type), allocatable, intent(inout) :: notes(:)
-         type(fault_list_type), intent(inout) :: faults
+         type(error_list_type), intent(inout) :: faults
       end subroutine read_interface
 
       !> Whether the deck asks for it.

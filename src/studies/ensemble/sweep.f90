@@ -7,7 +7,8 @@ module dg_sweep
    use dg_kinds, only: wp
    use dg_contact_friction, only: set_axial_friction
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: load_case_type, operation_static, optional_real
+   use dg_load_case, only: load_case_type, operation_static
+   use dg_missing, only: optional_real
    implicit none
    private
    public :: sweep_type, measured_type, point_type

@@ -2,7 +2,7 @@
 module dg_measured_cases
    use dg_checked_group, only: checked_group_type, is_given, line_of, places_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_job, only: model_name, model_soft
    use dg_model, only: hold_free
    use dg_text, only: quoted, text_type, to_text
@@ -25,7 +25,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer, intent(in), optional :: left_out(:)
       type(text_type), allocatable :: wanted(:)
       logical :: measured(size(draft%cases)), held(size(draft%cases))

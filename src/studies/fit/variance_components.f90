@@ -97,7 +97,7 @@ contains
       real(wp), intent(out) :: freedom(:)          !< one an unknown, >= 1
       real(wp) :: normal(size(freedom), size(freedom), maxval(kinds)), added(size(freedom), size(freedom))
       real(wp) :: share(size(freedom), size(freedom), maxval(kinds)), slope(maxval(kinds))
-      real(wp), dimension(maxval(kinds), maxval(kinds)) :: told, w
+      real(wp), dimension(maxval(kinds), maxval(kinds)) :: information, w
       integer :: k, l, u
       do k = 1, maxval(kinds)
          normal(:, :, k) = normal_matrix(jacobian, merge(1.0_wp, 0.0_wp, kinds == k))
@@ -105,11 +105,12 @@ contains
       end do
       do k = 1, maxval(kinds)
          do l = 1, maxval(kinds)
-            told(k, l) = 0.5_wp*sum(share(:, :, k)*transpose(share(:, :, l)))
-            if (k == l) told(k, k) = told(k, k) + 0.5_wp*count(kinds == k) - sum([(share(u, u, k), u=1, size(freedom))])
+            information(k, l) = 0.5_wp*sum(share(:, :, k)*transpose(share(:, :, l)))
+            if (k == l) information(k, k) = information(k, k) + 0.5_wp*count(kinds == k) &
+                                            - sum([(share(u, u, k), u=1, size(freedom))])
          end do
       end do
-      call invert_variances(told, w)
+      call invert_variances(information, w)
       added = 0.0_wp
       do k = 1, maxval(kinds)
          added = added + w(k, k)*normal(:, :, k)
@@ -135,18 +136,18 @@ contains
    end subroutine invert_normal
 
    !> Inverse of the information on one or more variances; where two cannot be told apart, that of each by itself.
-   pure subroutine invert_variances(told, w)
-      real(wp), intent(in) :: told(:, :)
+   pure subroutine invert_variances(information, w)
+      real(wp), intent(in) :: information(:, :)
       real(wp), intent(out) :: w(:, :)
-      real(wp) :: scale(size(told, 1)), scaled(size(told, 1), size(told, 1))
+      real(wp) :: scale(size(information, 1)), scaled(size(information, 1), size(information, 1))
       logical :: regular
       integer :: k, l
       do k = 1, size(scale)
-         scale(k) = sqrt(max(told(k, k), none_spare**2))
+         scale(k) = sqrt(max(information(k, k), none_spare**2))
       end do
       do k = 1, size(scale)
          do l = 1, size(scale)
-            scaled(k, l) = told(k, l)/(scale(k)*scale(l))
+            scaled(k, l) = information(k, l)/(scale(k)*scale(l))
          end do
          scaled(k, k) = 1.0_wp
       end do

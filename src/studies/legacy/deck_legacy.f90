@@ -3,7 +3,7 @@ module dg_deck_legacy
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_fault_list, only: add_fault, fault_at, fault_list_type
+   use dg_error, only: add_fault, error_at, error_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_quantity, column_type, read_legacy_file, unit_value
    use dg_legacy_comparison, only: legacy_table_type
@@ -27,7 +27,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(legacy_table_type), allocatable, intent(out) :: tables(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, j, n
       n = 0
       do i = 1, size(groups)
@@ -51,7 +51,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(legacy_table_type), intent(out) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(column_type) :: columns(column_count)
       type(unit_system_type) :: units
       logical :: sound
@@ -80,7 +80,7 @@ contains
       end if
       if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, &
                                        table%skipped, sound, faults, &
-                                       fault_at(draft%path, line_of(group, 'file'), 'group &legacy: file'))
+                                       error_at(draft%path, line_of(group, 'file'), 'group &legacy: file'))
       table%has = columns(2:)%number > 0 .or. columns(2:)%last > 0
 
    contains

@@ -3,7 +3,7 @@ module dg_legacy_file
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
    use dg_deck_number, only: read_real
-   use dg_fault_list, only: add_fault, add_unreadable, fault_list_type, fault_type
+   use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_lines, only: read_lines
    use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, rows, system_count
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
@@ -58,8 +58,8 @@ contains
       real(wp), allocatable, intent(out) :: values(:, :)   !< (:, column_count - 1) [SI]
       character(:), allocatable, intent(out) :: skipped    !< rows that are not read, in words; '': all are
       logical, intent(out) :: sound
-      type(fault_list_type), intent(inout) :: faults
-      type(fault_type), intent(in), optional :: asked      !< where the deck names the file, for one that cannot be read
+      type(error_list_type), intent(inout) :: faults
+      type(error_type), intent(in), optional :: asked      !< where the deck names the file, for one that cannot be read
       type(text_type), allocatable :: lines(:)
       type(table_type) :: table
       character(:), allocatable :: failure
@@ -88,7 +88,7 @@ contains
       type(table_type), intent(inout) :: table
       integer, intent(in) :: line
       character(*), intent(in) :: message
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       table%sound = .false.
       call add_fault(faults, table%path, line, 'legacy: '//message)
    end subroutine fault
@@ -99,7 +99,7 @@ contains
       integer, intent(in) :: skip
       type(column_type), intent(inout) :: columns(:)
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: fields(:)
       character(:), allocatable :: text
       logical :: fixed, started
@@ -169,7 +169,7 @@ contains
    subroutine check_rows(columns, table, faults)
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: line, i
       line = doubtful_line(table%marks, table%separator == ',')
       if (table%sound .and. line > 0) call fault(table, line, doubt(table%marks, line), faults)
@@ -190,7 +190,7 @@ contains
       type(text_type), intent(in) :: headings(:)
       type(column_type), intent(inout) :: columns(:)
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(heading_length) :: names(size(headings))
       character(:), allocatable :: name, unit
       integer :: i, k
@@ -243,7 +243,7 @@ contains
       type(column_type), intent(in) :: column
       character(*), intent(in) :: unit
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp), parameter :: same = 1.0e-6_wp
       if (unit_value(k, unit) <= 0.0_wp) then
          if (unit /= '' .and. .not. column%unit_given) call fault(table, table%line, 'the header gives '// &
@@ -292,7 +292,7 @@ contains
       character(*), intent(in) :: text
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: row(:)
       integer :: k
       call split_row(text, table%separator, row)
@@ -311,7 +311,7 @@ contains
       character(*), intent(in) :: letters
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: k
       do k = 1, column_count
          associate (first => columns(k)%first, last => columns(k)%last)
@@ -332,7 +332,7 @@ contains
       type(column_type), intent(in) :: column
       character(*), intent(in) :: field
       type(table_type), intent(inout) :: table
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp) :: number
       logical :: legal
       call read_cell(field, table%separator == ',', table%line, table%marks, number, legal)

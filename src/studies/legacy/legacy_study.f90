@@ -6,9 +6,8 @@ module dg_legacy_study
    use dg_deck_draft, only: deck_type
    use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_legacy, only: take_legacy
-   use dg_error, only: error_type
+   use dg_error, only: error_list_type, error_type
    use dg_exit_status, only: note_failure
-   use dg_fault_list, only: fault_list_type
    use dg_job, only: job_type, model_name
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_count, quantity_axial, &
                                    quantity_side_force, quantity_torque
@@ -65,7 +64,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       associate (not_needed => job)
          call take_legacy(deck%draft, deck%groups, self%tables, faults)

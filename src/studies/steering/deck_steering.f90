@@ -3,8 +3,8 @@ module dg_deck_steering
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_sound, line_of, real_of, reals_of
    use dg_deck_draft, only: draft_type, take_cases
-   use dg_fault_list, only: add_fault, fault_list_type
-   use dg_load_case, only: given
+   use dg_error, only: add_fault, error_list_type
+   use dg_missing, only: given
    use dg_steering, only: steering_type
    use dg_text, only: quoted, to_text
    implicit none
@@ -18,7 +18,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(steering_type), allocatable, intent(out) :: steering
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       character(15) :: key
       integer :: i, k
       do i = 1, size(groups)

@@ -19,8 +19,8 @@ module dg_equilibrium_curvature
    use dg_hole_section, only: hole_section_at
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: model_mcge
-   use dg_load_case, only: optional_real, rotates
-   use dg_missing, only: is_missing
+   use dg_load_case, only: rotates
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_solve_case, only: solve_case
    use dg_steering, only: steering_result_type

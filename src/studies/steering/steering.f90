@@ -1,8 +1,7 @@
 !> What a &steering of a deck asks: where assemblies drill to.
 module dg_steering
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: missing
+   use dg_missing, only: missing, optional_real
    implicit none
    private
    public :: steering_type

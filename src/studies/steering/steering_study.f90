@@ -7,9 +7,8 @@ module dg_steering_study
    use dg_deck_steering, only: take_steering
    use dg_diagnostic, only: tell
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
-   use dg_error, only: error_type, status_not_converged
+   use dg_error, only: error_list_type, error_type, status_not_converged
    use dg_exit_status, only: graver, note_failure
-   use dg_fault_list, only: fault_list_type
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
@@ -59,7 +58,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
          call take_steering(deck%draft, deck%groups, self%steering, faults)
       end associate
@@ -98,7 +97,7 @@ contains
       call solve_all(self%steering, run, results)
       if (is_interrupted()) return
       call once_each(results)
-      call tell_lost(run, results, lost)
+      call report_lost(run, results, lost)
       call add_part(run%printed%outcome, 'steering', size(results), 0, lost)
       do i = 1, size(results)
          call add_row(table, steering_row(run%model, results(i)), run%job%units)
@@ -147,7 +146,7 @@ contains
    end subroutine solve_all
 
    !> Tells what has no curvature, and of what is known roughly.
-   subroutine tell_lost(run, results, lost)
+   subroutine report_lost(run, results, lost)
       type(run_type), intent(inout) :: run
       type(steering_result_type), intent(in) :: results(:)
       integer, intent(out) :: lost
@@ -163,7 +162,7 @@ contains
          call tell('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
                    trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
       end do
-   end subroutine tell_lost
+   end subroutine report_lost
 
    !> One file.
    subroutine name_files(self, job, names)

@@ -3,14 +3,13 @@ module dg_steering_table
    use dg_constants, only: degree, pi
    use dg_job, only: job_type
    use dg_kinds, only: wp
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_steering, only: steering_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_factor, unit_label
    use dg_column, only: put, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
-   use dg_load_case, only: optional_real
    implicit none
    private
    public :: steering_table, steering_row

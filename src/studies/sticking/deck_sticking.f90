@@ -3,8 +3,8 @@ module dg_deck_sticking
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
    use dg_deck_draft, only: draft_type
-   use dg_fault_list, only: add_fault, fault_list_type
-   use dg_load_case, only: given
+   use dg_error, only: add_fault, error_list_type
+   use dg_missing, only: given
    use dg_measured_cases, only: take_measured_cases, take_models
    use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type
@@ -29,7 +29,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(sticking_type), allocatable, intent(out) :: stickings(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, kind, n, pass
       do pass = 1, 2              ! first count, then take
          n = 0
@@ -50,7 +50,7 @@ contains
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number, kind
       type(sticking_type), intent(out) :: sticking
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, other, before
       before = faults%count
       sticking%kind = kind
@@ -118,7 +118,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sticking_type), intent(inout) :: sticking
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       if (.not. all(draft%cases%sound)) return
       if (size(sticking%cases) /= 2) then
          call fault(to_text(size(sticking%cases))//' load cases; a free point needs two, the string at two pulls')

@@ -2,8 +2,7 @@
 !> stuck point or key seat, or the depth down to which the string is free.
 module dg_sticking
    use dg_kinds, only: wp
-   use dg_load_case, only: optional_real
-   use dg_missing, only: missing
+   use dg_missing, only: missing, optional_real
    implicit none
    private
    public :: sticking_type, find_resistance, find_free_point, sticking_name

@@ -7,10 +7,9 @@ module dg_sticking_study
    use dg_deck_draft, only: deck_type
    use dg_deck_sticking, only: take_stickings
    use dg_diagnostic, only: tell
-   use dg_error, only: error_type, raise, status_failure, status_not_converged
+   use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_factor_columns, only: factor_file, factor_row
-   use dg_fault_list, only: fault_list_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -27,8 +26,9 @@ module dg_sticking_study
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    use dg_column, only: row_type, set
-   use dg_comparison, only: difference, known
-   use dg_load_case, only: given, load_case_type, operation_name
+   use dg_comparison, only: difference
+   use dg_load_case, only: load_case_type, operation_name
+   use dg_missing, only: given, known
    implicit none
    private
    public :: sticking_study_type
@@ -59,7 +59,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
          call take_stickings(deck%draft, deck%groups, self%stickings, faults)
       end associate
@@ -135,7 +135,7 @@ contains
             end if
             if (is_interrupted()) return
             call show_time(progress, real(n, wp)/real(many, wp))
-            if (results(n)%status == sticking_no_solution) call tell_lost(sticking, results(n), run)
+            if (results(n)%status == sticking_no_solution) call report_lost(sticking, results(n), run)
          end do
       end do
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
@@ -148,7 +148,7 @@ contains
    end subroutine run_one
 
    !> Tells of a string without a solution.
-   subroutine tell_lost(sticking, result, run)
+   subroutine report_lost(sticking, result, run)
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: result
       type(run_type), intent(inout) :: run
@@ -159,7 +159,7 @@ contains
                    trim(model_name(result%model))//': no solution; '//result%message)
       end associate
       run%status = graver(run%status, status_not_converged)
-   end subroutine tell_lost
+   end subroutine report_lost
 
    !> Its rows stand in the file of the factors.
    subroutine name_files(self, job, names)

@@ -1,10 +1,10 @@
 !> Strings that are held, in print: resistances at a stuck point, free points. Every line fits 120 columns.
 module dg_sticking_table
    use dg_kinds, only: wp
-   use dg_comparison, only: difference, known
+   use dg_comparison, only: difference
    use dg_job, only: model_name
    use dg_load_case, only: operation_label
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, known
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sticking, only: find_free_point, sticking_at_bound, sticking_below_bit, sticking_no_solution, &

@@ -4,8 +4,9 @@ module dg_deck_sweep
    use dg_checked_group, only: checked_group_type, line_of, reals_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: take_range
-   use dg_fault_list, only: add_fault, fault_list_type
-   use dg_load_case, only: given, operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
+   use dg_error, only: add_fault, error_list_type
+   use dg_load_case, only: operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
+   use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, sweep_type, with_depths
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
@@ -25,7 +26,7 @@ contains
       integer, intent(in) :: models(:)             !< of &job
       type(sweep_type), allocatable, intent(out) :: sweeps(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, j, n
       n = 0
       do i = 1, size(groups)
@@ -52,7 +53,7 @@ contains
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       type(measured_type), allocatable :: listed(:)
       type(text_type), allocatable :: operations(:)
       real(wp), allocatable :: depths(:), hookloads(:), torques(:)

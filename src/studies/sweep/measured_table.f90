@@ -4,7 +4,8 @@ module dg_measured_table
    use dg_comparison, only: as_measured
    use dg_case_result, only: has_numbers, result_converged
    use dg_job, only: model_name
-   use dg_load_case, only: given, operation_label, optional_real
+   use dg_load_case, only: operation_label
+   use dg_missing, only: given, optional_real
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type

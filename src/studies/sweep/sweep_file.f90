@@ -5,7 +5,8 @@ module dg_sweep_file
                         quantity_text, row_type
    use dg_comparison, only: as_measured, percent_error
    use dg_job, only: model_name
-   use dg_load_case, only: given, operation_name, optional_real
+   use dg_load_case, only: operation_name
+   use dg_missing, only: given, optional_real
    use dg_sweep, only: measured_at, measured_type, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: text_or_nothing

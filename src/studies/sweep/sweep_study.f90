@@ -6,8 +6,7 @@ module dg_sweep_study
    use dg_deck_sweep, only: take_sweeps
    use dg_ensemble_study, only: ensemble_study_type, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
-   use dg_error, only: error_type
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
@@ -69,7 +68,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       self%texts = range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step')
       call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)

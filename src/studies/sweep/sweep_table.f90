@@ -5,9 +5,9 @@ module dg_sweep_table
    use dg_comparison, only: as_measured
    use dg_case_result, only: has_numbers, result_converged, result_not_converged
    use dg_job, only: model_name
-   use dg_load_case, only: moves_axially, operation_label, optional_real, rotates
+   use dg_load_case, only: moves_axially, operation_label, rotates
    use dg_measured_table, only: append_measured, factor_text, quantity_hookload, quantity_torque
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type

@@ -4,7 +4,7 @@ module dg_deck_uncertainty
    use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, reals_of, text_of
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: take_range
-   use dg_fault_list, only: add_fault, fault_list_type
+   use dg_error, only: add_fault, error_list_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_missing, only: missing
    use dg_sweep, only: point_count
@@ -28,7 +28,7 @@ contains
       integer, intent(in) :: models(:)             !< of &job
       type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), allocatable, intent(out) :: uncertainties(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i, j, n
       n = 0
       do i = 1, size(groups)
@@ -55,7 +55,7 @@ contains
       integer, intent(in) :: models(:)
       type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(out) :: uncertainty
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: before
       before = faults%count
       uncertainty%samples = integer_of(group, 'samples', uncertainty%samples)
@@ -92,7 +92,7 @@ contains
       type(checked_group_type), intent(in) :: group
       type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(inout) :: uncertainty
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       real(wp), allocatable :: above(:)
       logical :: regular
       integer :: n

@@ -6,8 +6,7 @@ module dg_uncertainty_study
    use dg_deck_uncertainty, only: take_uncertainties
    use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
-   use dg_error, only: error_type, raise, status_not_converged
-   use dg_fault_list, only: fault_list_type
+   use dg_error, only: error_list_type, error_type, raise, status_not_converged
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type
@@ -89,7 +88,7 @@ contains
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
-      type(fault_list_type), intent(inout) :: faults
+      type(error_list_type), intent(inout) :: faults
       integer :: i
       associate (not_needed => notes)
          call take_uncertainties(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)

@@ -1,11 +1,10 @@
 !> A Monte Carlo in print: P10, P50, P90 of hook load and torque against bit depth, with what was measured beside. Every line
 !> fits 120 columns.
 module dg_uncertainty_table
-   use dg_comparison, only: known
    use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: operation_label, rotates
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, known
    use dg_number_text, only: fixed_cell, right_aligned
    use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type

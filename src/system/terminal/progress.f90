@@ -6,6 +6,7 @@ module dg_progress
    use dg_clock, only: seconds_between
    use dg_diagnostic, only: tell
    use dg_ensemble_watch, only: ensemble_watch_type
+   use dg_missing, only: is_missing, missing
    use dg_process, only: someone_watches
    use dg_text, only: to_text
    implicit none
@@ -92,7 +93,7 @@ contains
       call system_clock(now)
       left = seconds_left(self, share - first_share, 1.0_wp - share, now)
       line = self%label//': '//what//', '//to_text(nint(100.0_wp*share))//' %'
-      if (left >= 0.0_wp) line = line//', '//remaining_text(left)//' left'
+      if (.not. is_missing(left)) line = line//', '//remaining_text(left)//' left'
       if (self%on_terminal) then
          if (seconds_between(self%last, now) < pause) return
          call put_line(self, line)
@@ -113,19 +114,19 @@ contains
       if (progress%quiet .or. progress%timed) return
       call system_clock(now)
       left = seconds_left(progress, share, 1.0_wp - share, now)
-      if (left < 0.0_wp) return
+      if (is_missing(left)) return
       progress%timed = .true.
       if (left >= worth_telling) call tell(progress%label//': about '//remaining_text(left)//' left')
    end subroutine show_time
 
-   !> Time that the rest of the work takes [s]; -1 where too little is done to tell.
+   !> Time that the rest of the work takes [s]; missing where too little is done to tell.
    function seconds_left(progress, done, rest, now) result(left)
       class(progress_type), intent(in) :: progress
       real(wp), intent(in) :: done, rest   !< parts of the work [-]
       integer(int64), intent(in) :: now    !< ticks
       real(wp) :: left
       real(wp) :: seconds
-      left = -1.0_wp
+      left = missing
       seconds = seconds_between(progress%started, now)
       if (done > telling .or. (done > 0.0_wp .and. seconds > telling_after)) left = seconds*rest/done
    end function seconds_left

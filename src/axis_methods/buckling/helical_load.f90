@@ -1,11 +1,11 @@
 !> From which compression on a string coils, and how hard it presses its hole then: what starts of the beams and the lock-up of the
 !> soft string go by.
-module dg_coiling
+module dg_helical_load
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    implicit none
    private
-   public :: coiling_load, least_coiling_load, coil_force, coil_bend, wound_compression
+   public :: helical_load, least_helical_load, helical_contact, helical_bend, wound_compression
 
 contains
 
@@ -13,37 +13,37 @@ contains
    !> dg_buckling_limits, 2 sqrt(2 EI n/c), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
    !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around: earlier than the published helical limit there, so
    !> that a start of the beams and a lock-up are not late.
-   elemental function coiling_load(ei, side_load, weight, clearance) result(load)
+   elemental function helical_load(ei, side_load, weight, clearance) result(load)
       real(wp), intent(in) :: ei         !< [N.m2]
       real(wp), intent(in) :: side_load  !< [N/m]
       real(wp), intent(in) :: weight     !< [N/m]
       real(wp), intent(in) :: clearance  !< > 0 [m]
       real(wp) :: load
-      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), least_coiling_load(ei, weight))
-   end function coiling_load
+      load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), least_helical_load(ei, weight))
+   end function helical_load
 
    !> The same of a string that nothing presses.
-   elemental function least_coiling_load(ei, weight) result(load)
+   elemental function least_helical_load(ei, weight) result(load)
       real(wp), intent(in) :: ei, weight   !< [N.m2, N/m]
       real(wp) :: load
       !> Of one without weight; loads are divided by it [N].
       real(wp), parameter :: next_to_none = 1.0e-6_wp
       load = max(2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)), next_to_none)
-   end function least_coiling_load
+   end function least_helical_load
 
    !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
-   elemental function coil_force(ei, compression, clearance) result(force)
+   elemental function helical_contact(ei, compression, clearance) result(force)
       real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
       real(wp) :: force
       force = clearance*max(compression, 0.0_wp)**2/(4.0_wp*ei)
-   end function coil_force
+   end function helical_contact
 
-   !> Curvature c F/(2 EI) of a coiled string [1/m] (Lubinski, Althouse & Logan 1962).
-   elemental function coil_bend(ei, compression, clearance) result(curvature)
+   !> Curvature c F/(2 EI) of a helically buckled string [1/m] (Lubinski, Althouse & Logan 1962).
+   elemental function helical_bend(ei, compression, clearance) result(curvature)
       real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
       real(wp) :: curvature
       curvature = clearance*max(compression, 0.0_wp)/(2.0_wp*ei)
-   end function coil_bend
+   end function helical_bend
 
    !> Compression that winds a coil without torque as tightly as `compression` winds one under torque [N]: 2 EI b^2, with b the
    !> angle per metre of the coil of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that is turned to the
@@ -56,4 +56,4 @@ contains
       real(wp) :: force
       force = (1.5_wp*abs(torque) + sqrt(2.25_wp*torque**2 + 8.0_wp*ei*compression))**2/(8.0_wp*ei)
    end function wound_compression
-end module dg_coiling
+end module dg_helical_load

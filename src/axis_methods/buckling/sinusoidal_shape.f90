@@ -1,4 +1,4 @@
-!> A long string that snakes about the low side of its hole, past the sinusoidal limit F_s and short of the helical one.
+!> A long string in sinusoidal buckling about the low side of its hole, past the sinusoidal limit F_s and short of the helical one.
 !>
 !> Its angle off the low side is taken for theta = A sin(k x), x in units of (EI c/n)^(1/4) with n what presses the string on the
 !> wall per length. With b = F/F_s the energy per length, in units of n c,
@@ -6,11 +6,11 @@
 !> is least in k and A where k^4 = 2 J_1(A)/A and b = k^2 (1 + 3 A^2/4). The wall then presses with the mean of
 !>   N/n = cos(theta) + 2 b theta'^2 - theta'^4 + 3 theta''^2 + 4 theta' theta'''
 !> which for a helix is the c F^2/(4 EI) of Mitchell (1988).
-module dg_snake
+module dg_sinusoidal_shape
    use dg_kinds, only: wp
    implicit none
    private
-   public :: snake_swing, snake_wave, snake_contact
+   public :: sinusoidal_swing, sinusoidal_wave, sinusoidal_contact
 
    !> b - 1 = first A^2 - second A^4 but for terms in A^6.
    real(wp), parameter :: first = 11.0_wp/16.0_wp, second = 3.0_wp/64.0_wp
@@ -21,23 +21,23 @@ contains
 
    !> Swing A to either side [rad] by b, 0 up to b = 1. Mitchell's (1997) fit to his solutions has 5 % more at b = 1.05 and 7 % less
    !> at 1.4.
-   elemental function snake_swing(b) result(swing)
+   elemental function sinusoidal_swing(b) result(swing)
       real(wp), intent(in) :: b    !< compression over the sinusoidal limit [-]
       real(wp) :: swing
       swing = sqrt((first - sqrt(max(first**2 - 4.0_wp*second*max(b - 1.0_wp, 0.0_wp), 0.0_wp)))/(2.0_wp*second))
-   end function snake_swing
+   end function sinusoidal_swing
 
    !> Wave number k over (n/(EI c))^(1/4) [-].
-   elemental function snake_wave(swing) result(wave)
+   elemental function sinusoidal_wave(swing) result(wave)
       real(wp), intent(in) :: swing   !< A, > 0 [rad]
       real(wp) :: wave
       wave = (2.0_wp*bessel_j1(swing)/swing)**0.25_wp
-   end function snake_wave
+   end function sinusoidal_wave
 
    !> Mean contact force over n [-]: J_0(A) + A J_1(A) (1 + 3 A^2/4).
-   elemental function snake_contact(swing) result(contact)
+   elemental function sinusoidal_contact(swing) result(contact)
       real(wp), intent(in) :: swing   !< A [rad]
       real(wp) :: contact
       contact = bessel_j0(swing) + swing*bessel_j1(swing)*(1.0_wp + steep*swing**2)
-   end function snake_contact
-end module dg_snake
+   end function sinusoidal_contact
+end module dg_sinusoidal_shape

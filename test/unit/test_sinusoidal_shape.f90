@@ -1,24 +1,24 @@
 !> The snake of least energy, its energy and contact force integrated by numbers along a wave.
-module dg_test_snake
+module dg_test_sinusoidal_shape
    use funit, only: assertEqual, TestMethod, TestSuite
    use dg_constants, only: pi
    use dg_kinds, only: wp
-   use dg_snake, only: snake_contact, snake_swing, snake_wave
+   use dg_sinusoidal_shape, only: sinusoidal_contact, sinusoidal_swing, sinusoidal_wave
    implicit none
    private
-   public :: snake_suite
+   public :: sinusoidal_shape_suite
 
    integer, parameter :: places = 400
    real(wp), parameter :: ratio(4) = [1.02_wp, 1.1_wp, 1.25_wp, 1.4_wp]
 
 contains
 
-   function snake_suite() result(suite)
+   function sinusoidal_shape_suite() result(suite)
       type(TestSuite) :: suite
-      suite = TestSuite('snake')
+      suite = TestSuite('sinusoidal_shape')
       call suite%addTest(TestMethod('least_energy', test_least_energy))
       call suite%addTest(TestMethod('contact', test_contact))
-   end function snake_suite
+   end function sinusoidal_shape_suite
 
    !> Mean energy per length of theta = A sin(k x), over n c, or with `force` the mean contact force over n.
    pure function mean_along(b, swing, wave, force) result(mean)
@@ -46,8 +46,8 @@ contains
       real(wp) :: a, k, energy(-1:1)
       integer :: i, j
       do i = 1, size(ratio)
-         a = snake_swing(ratio(i))
-         k = snake_wave(a)
+         a = sinusoidal_swing(ratio(i))
+         k = sinusoidal_wave(a)
          do j = -1, 1
             energy(j) = mean_along(ratio(i), a, k + j*step, force=.false.)
          end do
@@ -59,7 +59,7 @@ contains
          call assertEqual(0.0_wp, 0.5_wp*step*(energy(1) - energy(-1))/(energy(1) - 2.0_wp*energy(0) + energy(-1)), 0.01_wp*a, &
                           message='swing')
       end do
-      call assertEqual(0.0_wp, snake_swing(0.9_wp), 1.0e-12_wp, message='below the onset')
+      call assertEqual(0.0_wp, sinusoidal_swing(0.9_wp), 1.0e-12_wp, message='below the onset')
    end subroutine test_least_energy
 
    !> The mean of the force along the wave is the closed form, with the b that belongs to the swing.
@@ -67,11 +67,11 @@ contains
       real(wp) :: a, k
       integer :: i
       do i = 1, size(ratio)
-         a = snake_swing(ratio(i))
-         k = snake_wave(a)
-         call assertEqual(mean_along(k**2*(1.0_wp + 0.75_wp*a**2), a, k, force=.true.), snake_contact(a), 1.0e-12_wp, &
+         a = sinusoidal_swing(ratio(i))
+         k = sinusoidal_wave(a)
+         call assertEqual(mean_along(k**2*(1.0_wp + 0.75_wp*a**2), a, k, force=.true.), sinusoidal_contact(a), 1.0e-12_wp, &
                           message='contact')
       end do
-      call assertEqual(1.0_wp, snake_contact(0.0_wp), 1.0e-15_wp, message='lying')
+      call assertEqual(1.0_wp, sinusoidal_contact(0.0_wp), 1.0e-15_wp, message='lying')
    end subroutine test_contact
-end module dg_test_snake
+end module dg_test_sinusoidal_shape
