@@ -57,10 +57,13 @@ contains
       part%wall_left = wall_left
    end function pipe
 
-   !> Data sheets of Workstrings International for S-135 pipe, new and premium (API RP 7G): 5 in 19.50 lb/ft (2011), 5-1/2 in
-   !> 21.90 lb/ft (WS41-01). Tolerances are half of the last digit printed, of torsion API's other roundings.
+   !> Data sheets of Workstrings International for S-135 pipe, new and premium (API RP 7G): 5 in 19.50 lb/ft (2011; with 95 and
+   !> 90 % of the wall, too), 5-1/2 in 21.90 lb/ft (WS41-01). Tolerances are half of the last digit printed, of torsion API's other
+   !> roundings.
    subroutine test_drill_pipe()
       call sheet(pipe(5.0_wp, 4.276_wp, 135.0_wp, 1.0_wp), 712100.0_wp, 74100.0_wp, 17105.0_wp, 15672.0_wp, 50.0_wp)
+      call sheet(pipe(5.0_wp, 4.276_wp, 135.0_wp, 0.95_wp), 673800.0_wp, 70000.0_wp, 18571.0_wp, 14292.0_wp, 50.0_wp)
+      call sheet(pipe(5.0_wp, 4.276_wp, 135.0_wp, 0.9_wp), 635900.0_wp, 66000.0_wp, 17593.0_wp, 12892.0_wp, 50.0_wp)
       call sheet(pipe(5.0_wp, 4.276_wp, 135.0_wp, 0.8_wp), 560800.0_wp, 58100.0_wp, 15638.0_wp, 10029.0_wp, 50.0_wp)
       call sheet(pipe(5.5_wp, 4.778_wp, 135.0_wp, 1.0_wp), 786809.0_wp, 91278.0_wp, 15507.0_wp, 12679.0_wp, 0.5_wp)
       call sheet(pipe(5.5_wp, 4.778_wp, 135.0_wp, 0.8_wp), 620604.0_wp, 71754.0_wp, 14177.0_wp, 7496.0_wp, 0.5_wp)

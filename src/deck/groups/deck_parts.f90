@@ -104,6 +104,7 @@ contains
          case ('class2'); part%wall_left = class_2_wall
          case default
          end select
+         part%wall_left = real_of(group, 'wall_left', part%wall_left)
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
          call draft_tools(group, part, faults)

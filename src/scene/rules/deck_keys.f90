@@ -53,6 +53,7 @@ module dg_deck_keys
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
    real(wp), parameter :: most_wear = 1.0e4_wp    ! 1e-14/Pa; tests have 0.1 to 1000
    real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
+   real(wp), parameter :: thinnest = 0.1_wp       ! part of the wall that wear leaves; less is no pipe any more
    real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
@@ -172,7 +173,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(42) = [ &
+   type(key_rule_type), parameter :: component_keys(43) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -210,6 +211,8 @@ module dg_deck_keys
          meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
       key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
          meaning='wall left: 100, 80 or 70 %, worn outside; strength goes by it, weight and stiffness do not'), &
+      key_rule_type('component', 'wall_left', low=thinnest, high=1.0_wp, &
+         meaning='part of the wall that is left, as inspected; default by wear_class'), &
       key_rule_type('component', 'connection', kind_text, &
          choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
          meaning='of its ends, for joint_torsion; default: not known'), &

@@ -24,9 +24,8 @@ module dg_range_check
    public :: check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, check_case_ranges, &
              check_numerics_ranges, check_rig_ranges
 
-   !> Digits of a number that is out of range, and a wall left by wear that no class has less of.
+   !> Digits of a number that is out of range.
    integer, parameter :: digits = 9
-   real(wp), parameter :: thinnest = 0.1_wp
    integer(int64), parameter :: no_bits = 0_int64
 
    !> Ranges of a group's numbers, and of which part of its kind the numbers are.
@@ -167,11 +166,7 @@ contains
       call check_range(ranges, 'pad_clock', component%pad_clock, found)
       call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
-      if (is_shown(component%wall_left)) then
-         if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
-      end if
-      call note_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; needs a '// &
-                      'number, '//to_text(thinnest)//' to 1')
+      call check_range(ranges, 'wall_left', component%wall_left, found)
    end subroutine check_component_ranges
 
    !> The same for the fatigue curve of a component.
