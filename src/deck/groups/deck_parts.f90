@@ -7,6 +7,7 @@ module dg_deck_parts
                                logical_of, text_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
+   use dg_connection_rating, only: connection_rating_type
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
@@ -107,6 +108,7 @@ contains
          part%wall_left = real_of(group, 'wall_left', part%wall_left)
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
+         call draft_rating(group, part%rating)
          call draft_tools(group, part, faults)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
@@ -189,6 +191,17 @@ contains
       fatigue%exponent = real_of(group, 'fatigue_exponent', fatigue%exponent)
       fatigue%turns = real_of(group, 'fatigue_turns', fatigue%turns)
    end subroutine draft_fatigue
+
+   !> Ratings of the connections.
+   subroutine draft_rating(group, rating)
+      type(checked_group_type), intent(in) :: group
+      type(connection_rating_type), intent(inout) :: rating
+      rating%tension = real_of(group, 'tension_efficiency', rating%tension)
+      rating%compression = real_of(group, 'compression_efficiency', rating%compression)
+      rating%burst = real_of(group, 'burst_efficiency', rating%burst)
+      rating%collapse = real_of(group, 'collapse_efficiency', rating%collapse)
+      rating%dogleg = real_of(group, 'joint_dogleg', rating%dogleg)
+   end subroutine draft_rating
 
    !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
    function joint_torsion_of(group, part) result(torque)

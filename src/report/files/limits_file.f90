@@ -13,8 +13,10 @@ module dg_limits_file
    use dg_load_case, only: given, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, &
-                             limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
+   use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
+                             limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, &
+                             limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
+                             limit_von_mises, utilisation_type
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -53,6 +55,7 @@ contains
       call put_shape(row, whole)
       call put_used(row, whole)
       call put_changes(row, whole)
+      call put_ratings(row, whole%utilisation)
       if (.not. has_numbers(result%status)) row%fields(4:)%kind = field_absent
    end function limits_row
 
@@ -221,4 +224,21 @@ contains
                   fatigue%dogleg)
       end associate
    end subroutine put_changes
+
+   !> How much is used of each rating of the connections.
+   pure subroutine put_ratings(row, utilisation)
+      type(row_type), intent(inout) :: row
+      type(utilisation_type), intent(in) :: utilisation
+      type(optional_real) :: used(size(utilisation%used))
+      used = in_percent(utilisation%used)
+      call put(row, 'used_joint_tension', quantity_percent, &
+               'of the tensile strength of connections, by the most loaded fibre, bending included; this and those that '// &
+               'follow: where tension_efficiency and the like are given', used(limit_joint_tension))
+      call put(row, 'used_joint_compression', quantity_percent, 'the same in compression', used(limit_joint_compression))
+      call put(row, 'used_joint_burst', quantity_percent, 'of the burst strength of connections', used(limit_joint_burst))
+      call put(row, 'used_joint_collapse', quantity_percent, &
+               'of the collapse strength of connections under the tension there', used(limit_joint_collapse))
+      call put(row, 'used_joint_dogleg', quantity_percent, &
+               'of joint_dogleg, by the curvature of the pipe', used(limit_joint_dogleg))
+   end subroutine put_ratings
 end module dg_limits_file

@@ -20,6 +20,7 @@ module dg_limits_table
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
    use dg_units, only: unit_system_type
+   use dg_utilisation, only: joint_ratings, limit_name, utilisation_type
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -130,6 +131,7 @@ contains
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
+         call append_ratings(lines, names(i)%text, wholes(i)%utilisation)
          if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
          if (wholes(i)%fatigue%present) call append_fatigue(lines, units, names(i)%text, wholes(i)%fatigue)
       end do
@@ -160,6 +162,26 @@ contains
          end associate
       end do
    end subroutine find_overpull
+
+   !> What is used of the ratings of premium connections, where they have some.
+   pure subroutine append_ratings(lines, name, utilisation)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: name                 !< of the case
+      type(utilisation_type), intent(in) :: utilisation
+      character(*), parameter :: joint = 'joint '
+      character(:), allocatable :: text, rating
+      integer :: i
+      text = ''
+      do i = 1, size(joint_ratings)
+         associate (used => utilisation%used(joint_ratings(i)))
+            if (.not. used%present) cycle
+            if (text /= '') text = text//', '
+            rating = trim(limit_name(joint_ratings(i)))
+            text = text//rating(len(joint) + 1:)//' '//trim(adjustl(fixed_cell(used, 0.01_wp, number_width, 1)))//' %'
+         end associate
+      end do
+      if (text /= '') call append_text(lines, '  Ratings of connections used in '//name//': '//text)
+   end subroutine append_ratings
 
    !> Fatigue of the component that is tired most.
    pure subroutine append_fatigue(lines, units, name, fatigue)

@@ -10,7 +10,7 @@ module dg_deck_keys
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, &
-      unit_temperature, unit_expansion, unit_wear
+      unit_temperature, unit_expansion, unit_wear, unit_curvature
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -53,6 +53,8 @@ module dg_deck_keys
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
    real(wp), parameter :: most_wear = 1.0e4_wp    ! 1e-14/Pa; tests have 0.1 to 1000
    real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
+   real(wp), parameter :: most_efficient = 10.0_wp   ! connection over body; more is per cent
+   real(wp), parameter :: sharpest_dogleg = 1.0e3_wp ! deg/30 m; connections take 10 to 70
    real(wp), parameter :: thinnest = 0.1_wp       ! part of the wall that wear leaves; less is no pipe any more
    real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
@@ -173,7 +175,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(43) = [ &
+   type(key_rule_type), parameter :: component_keys(48) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -222,6 +224,16 @@ module dg_deck_keys
          meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
       key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
+      key_rule_type('component', 'tension_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='of its connections: strength over that of the body, as data sheets of premium connections give it'), &
+      key_rule_type('component', 'compression_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same in compression, over the tensile strength of the body'), &
+      key_rule_type('component', 'burst_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same of pressure inside over that outside'), &
+      key_rule_type('component', 'collapse_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same of pressure outside over that inside'), &
+      key_rule_type('component', 'joint_dogleg', unit=unit_curvature, low=0.0_wp, open=.true., high=sharpest_dogleg, &
+         meaning='largest dogleg in which its connections are rated'), &
       key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
       key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
@@ -261,7 +273,7 @@ module dg_deck_keys
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
       key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of tension, in slips too'), &
+         meaning='the same of tension, in slips and connections too'), &
       key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='the same of torque, of bodies and connections; make-up torque has none'), &
       key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &

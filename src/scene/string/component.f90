@@ -3,6 +3,7 @@
 module dg_component
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
+   use dg_connection_rating, only: connection_rating_type
    use dg_constants, only: pi, steel_density
    use dg_fatigue_curve, only: fatigue_curve_type
    use dg_missing, only: is_missing, missing
@@ -57,6 +58,7 @@ module dg_component
       real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
       real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
+      type(connection_rating_type) :: rating !< of its connections
       type(fatigue_curve_type) :: fatigue    !< of its body
       type(centralizer_type) :: centralizer  !< on its body
    end type component_type
