@@ -18,7 +18,7 @@ COPIES = (
      {"name": "a text", "cased": "a logical; model_text.f90 writes it where a sweep goes by it"}),
     ("component_type", "scene/string/component.f90", "studies/ensemble/model_text.f90", "",
      {"name": "a label", "yield": "strength", "makeup_torque": "strength", "joint_torsion": "strength", "wall_left": "strength",
-      "rating": "strength",
+      "rating": "strength", "yield_loss": "strength",
       "sensor": "is read off the result", "fatigue": "strength",
       "expansion": "changes lengths alone"}),
     ("centralizer_type", "scene/string/centralizer.f90", "studies/ensemble/model_text.f90", "append_centralizer",

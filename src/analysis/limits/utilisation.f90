@@ -18,9 +18,9 @@ module dg_utilisation
    use dg_load_case, only: given, optional_real, rotates
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
-   use dg_profile, only: piece_depths
+   use dg_profile, only: piece_depths, profile_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
-                               torsional_strength
+                               torsional_strength, warmed
    use dg_trajectory, only: top_md
    implicit none
    private
@@ -81,16 +81,18 @@ contains
          depths = piece_depths(profile)
          do i = 1, size(profile%md)
             associate (part => string%components(component_at(tops, bit - depths(i))))
-               call use_component(part, factors, profile%axial(i), profile%torque(i), along%pressure(i), &
-                                  along%inside_pressure(i), profile%md(i), utilisation)
-               if (is_rated(part%rating)) call use_rating(part, factors, along, i, profile%md(i), utilisation)
+               if (along%yield_left(i) < 1.0_wp) then
+                  call use_row(warmed(part, along%yield_left(i)), factors, profile, along, i, utilisation)
+               else
+                  call use_row(part, factors, profile, along, i, utilisation)
+               end if
             end associate
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
                factors%von_mises/along%safety_factor(i), along%von_mises(i), profile%md(i))
          end do
          associate (uppermost => string%components(component_at(tops, tops(size(tops)))))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
-               factors%tension*max(result%hookload, 0.0_wp)/(tensile_strength(uppermost)* &
+               factors%tension*max(result%hookload, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
                slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload, profile%md(1))
          end associate
          if (rig_limit%present) call use_limit(utilisation, limit_rig, &
@@ -109,6 +111,19 @@ contains
          utilisation%governing = limit
       end do
    end subroutine find_utilisation
+
+   !> What one component uses at one row.
+   pure subroutine use_row(part, factors, profile, along, row, utilisation)
+      type(component_type), intent(in) :: part      !< with its strength at the temperature there
+      type(design_factors_type), intent(in) :: factors
+      type(profile_type), intent(in) :: profile
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: row
+      type(utilisation_type), intent(inout) :: utilisation
+      call use_component(part, factors, profile%axial(row), profile%torque(row), along%pressure(row), &
+                         along%inside_pressure(row), profile%md(row), utilisation)
+      if (is_rated(part%rating)) call use_rating(part, factors, along, row, profile%md(row), utilisation)
+   end subroutine use_row
 
    !> What one component uses of its strengths at one depth.
    pure subroutine use_component(part, factors, axial, torque, outside, inside, md, utilisation)

@@ -1,11 +1,11 @@
 !> What a component has beside pipe, in words: a bent housing, pads, a survey sensor, rated connections, a fatigue curve.
 module dg_tools_text
-   use dg_component, only: component_type, has_bend, has_pad
+   use dg_component, only: component_type, has_bend, has_pad, usual_yield_loss
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_none, fatigue_own
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_angle, unit_curvature, unit_force, unit_length, unit_stress
+   use dg_unit_kind, only: in_units, unit_angle, unit_curvature, unit_force, unit_length, unit_loss, unit_stress
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -25,6 +25,7 @@ contains
       if (has_pad(part)) text = text//', pushed by pads with '//shown(unit_force, part%pad_force)//' to '// &
          shown(unit_angle, part%pad_clock)//' at '//shown(unit_length, part%pad_position)
       if (.not. is_missing(part%sensor)) text = text//', survey sensor at '//shown(unit_length, part%sensor)
+      if (abs(part%yield_loss - usual_yield_loss) > 0.0_wp) text = text//', yield loss '//shown(unit_loss, part%yield_loss)
       associate (rating => part%rating)
          text = text//rated(', connection tension ', rating%tension)//rated(', connection compression ', rating%compression)// &
                 rated(', connection burst ', rating%burst)//rated(', connection collapse ', rating%collapse)

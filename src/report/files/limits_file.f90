@@ -16,7 +16,7 @@ module dg_limits_file
    use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, &
                              limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
-                             limit_von_mises, utilisation_type
+                             limit_von_mises
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -55,7 +55,7 @@ contains
       call put_shape(row, whole)
       call put_used(row, whole)
       call put_changes(row, whole)
-      call put_ratings(row, whole%utilisation)
+      call put_ratings(row, whole)
       if (.not. has_numbers(result%status)) row%fields(4:)%kind = field_absent
    end function limits_row
 
@@ -225,12 +225,15 @@ contains
       end associate
    end subroutine put_changes
 
-   !> How much is used of each rating of the connections.
-   pure subroutine put_ratings(row, utilisation)
+   !> Yield strength by temperature, and how much is used of each rating of the connections.
+   pure subroutine put_ratings(row, whole)
       type(row_type), intent(inout) :: row
-      type(utilisation_type), intent(in) :: utilisation
-      type(optional_real) :: used(size(utilisation%used))
-      used = in_percent(utilisation%used)
+      type(whole_string_type), intent(in) :: whole
+      type(optional_real) :: used(size(whole%utilisation%used))
+      used = in_percent(whole%utilisation%used)
+      call put(row, 'yield_left', quantity_percent, &
+               'least along the string, of the yield strength at ambient temperature; empty where the string is not warmer', &
+               in_percent(whole%yield_left))
       call put(row, 'used_joint_tension', quantity_percent, &
                'of the tensile strength of connections, by the most loaded fibre, bending included; this and those that '// &
                'follow: where tension_efficiency and the like are given', used(limit_joint_tension))

@@ -131,6 +131,9 @@ contains
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
+         if (wholes(i)%yield_left%present) call append_text(lines, '  Yield strength left in '//names(i)%text//': '// &
+            to_text(100.0_wp*wholes(i)%yield_left%value, few)//' % at '// &
+            to_text(anint(wholes(i)%yield_left_md%value/units%length))//' '//trim(units%length_label)//', by temperature')
          call append_ratings(lines, names(i)%text, wholes(i)%utilisation)
          if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
          if (wholes(i)%fatigue%present) call append_fatigue(lines, units, names(i)%text, wholes(i)%fatigue)

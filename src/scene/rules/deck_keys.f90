@@ -10,7 +10,7 @@ module dg_deck_keys
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, &
-      unit_temperature, unit_expansion, unit_wear, unit_curvature
+      unit_temperature, unit_expansion, unit_wear, unit_curvature, unit_loss
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -175,7 +175,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(48) = [ &
+   type(key_rule_type), parameter :: component_keys(49) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -209,6 +209,8 @@ module dg_deck_keys
          meaning='measured depth from which on the whole tool is open; default the lower end of the last cased section'), &
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
+      key_rule_type('component', 'yield_loss', unit=unit_loss, low=0.0_wp, high=1.0_wp, default='0.054', &
+         meaning='of yield strength by each degree above ambient temperature; 0.054 (0.03 per degF): steel (API TR 5C3)'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
       key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
@@ -316,7 +318,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
          meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
 
-   type(key_rule_type), parameter :: load_case_keys(21) = [ &
+   type(key_rule_type), parameter :: load_case_keys(23) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -339,6 +341,10 @@ module dg_deck_keys
       key_rule_type('load_case', 'temperature_change_top', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
          meaning='warming of the string at surface since it was run; changes its length'), &
       key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
+         meaning='the same at the bit; linear in true vertical depth between'), &
+      key_rule_type('load_case', 'above_ambient_top', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
+         meaning='temperature of the string at surface less 24 degC (75 degF); lessens its strength by yield_loss'), &
+      key_rule_type('load_case', 'above_ambient_bottom', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
          meaning='the same at the bit; linear in true vertical depth between'), &
       key_rule_type('load_case', 'length_reference', kind_text, &
          meaning='name of the load case from which the change of length counts; default: from before the string was run'), &
