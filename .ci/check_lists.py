@@ -19,7 +19,7 @@ COPIES = (
     ("component_type", "scene/string/component.f90", "studies/ensemble/model_text.f90", "",
      {"name": "a label", "yield": "strength", "makeup_torque": "strength", "joint_torsion": "strength", "wall_left": "strength",
       "rating": "strength", "yield_loss": "strength",
-      "sensor": "is read off the result", "fatigue": "strength",
+      "sensor": "is read off the result", "fatigue": "strength", "joint_fatigue": "strength",
       "expansion": "changes lengths alone"}),
     ("centralizer_type", "scene/string/centralizer.f90", "studies/ensemble/model_text.f90", "append_centralizer",
      {"present": "asked before"}),

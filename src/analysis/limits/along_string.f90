@@ -49,6 +49,7 @@ module dg_along_string
       real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
       real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
+      real(wp), allocatable :: joint_bending(:)     !< bending stress outside a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
       real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling, as the string now lies [N]
@@ -207,6 +208,7 @@ contains
       if (axial < 0.0_wp) factor = 1.0_wp
       force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%inside_pressure(i))
       stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%inside_pressure(i))
+      along%joint_bending(i) = stress%bending
       along%joint_von_mises(i) = stress%von_mises
    end subroutine put_joint
 
@@ -278,7 +280,8 @@ contains
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), along%onset(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
-                along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), along%standoff(n), source=missing)
+                along%jointed_bending(n), along%joint_bending(n), along%joint_von_mises(n), along%joint_side_force(n), &
+                along%standoff(n), source=missing)
       allocate (along%yield_left(n), source=1.0_wp)
       allocate (along%buckling(n), source=buckling_none)
    end function new_along_string

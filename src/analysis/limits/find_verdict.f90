@@ -21,7 +21,7 @@ module dg_find_verdict
    use dg_utilisation, only: as_much, find_utilisation, has_rating, joint_ratings, lacks_rating, limit_joint_torsion, &
                              limit_makeup, limit_rig, limit_slips, limit_top_drive, limit_torsion, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_lock_up, limit_string_weight, verdict_type
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, most_weight_on_bit
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -57,10 +57,11 @@ contains
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(whole%utilisation, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
-            call judge_fatigue(whole%fatigue, verdict)
+            call judge_fatigue(whole%fatigue, limit_fatigue, verdict)
+            call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
             if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
-            else if (verdict%limit /= limit_fatigue) then
+            else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
@@ -228,17 +229,20 @@ contains
       end if
    end function passed_weight
 
-   !> Fatigue decides where the hours of a case take more than the life of the pipe, and nothing else makes the answer no. It counts
-   !> as checked where the pipe bears the bending without end, or its damage is known.
-   pure subroutine judge_fatigue(fatigue, verdict)
+   !> Fatigue decides where the hours of a case take more than the life of the pipe, and no other kind of limit makes the answer no.
+   !> It counts as checked where the pipe bears the bending without end, or its damage is known.
+   pure subroutine judge_fatigue(fatigue, limit, verdict)
       type(fatigue_type), intent(in) :: fatigue
+      integer, intent(in) :: limit                  !< of body or connections
       type(verdict_type), intent(inout) :: verdict
       if (.not. fatigue%present) return
-      verdict%not_checked(limit_fatigue) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
-      if (is_missing(fatigue%damage) .or. verdict%answer == answer_no) return
+      verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
+      if (is_missing(fatigue%damage)) return
       if (fatigue%damage <= 1.0_wp) return
+      if (verdict%answer == answer_no .and. verdict%limit /= limit_fatigue) return
+      if (verdict%answer == answer_no .and. verdict%used%value >= fatigue%damage) return
       verdict%answer = answer_no
-      verdict%limit = limit_fatigue
+      verdict%limit = limit
       verdict%used = given(fatigue%damage)
       verdict%md = given(fatigue%md)
       verdict%load = given(fatigue%amplitude)
@@ -299,5 +303,6 @@ contains
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
+      unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
    end subroutine note_unrated
 end module dg_find_verdict

@@ -66,7 +66,8 @@ module dg_whole_string
       type(length_change_type) :: length_change     !< of the string, in its parts [m]
       type(optional_real) :: packer_force           !< of the string on its packer beside pressures, down > 0 [N]
       type(groove_type) :: groove                   !< in casing that the string wears most
-      type(fatigue_type) :: fatigue                 !< of the component that is tired most
+      type(fatigue_type) :: fatigue                 !< of the body that is tired most
+      type(fatigue_type) :: joint_fatigue           !< of the connection that is tired most
       type(optional_real) :: yield_left             !< least along the string, where it is warm, over that of the deck [-]
       type(optional_real) :: yield_left_md          !< where [m]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
@@ -140,7 +141,13 @@ contains
       call find_casing_wear(model, result, grooves)
       whole%groove = worst_groove(grooves)
       call find_fatigue(model, result, along, parts)
-      if (size(parts) > 0) whole%fatigue = parts(1)
+      do i = size(parts), 1, -1     ! the worst one last
+         if (parts(i)%joint) then
+            whole%joint_fatigue = parts(i)
+         else
+            whole%fatigue = parts(i)
+         end if
+      end do
       call take(result%stability_margin, whole%stability_margin)
       call take(result%bit_side_force, whole%bit_side_force)
       call take(result%bit_side_clock, whole%bit_side_clock)

@@ -173,17 +173,19 @@ contains
       if (part%pad_force > 0.0_wp .and. .not. is_given(group, 'pad_position')) &
          call group_fault(group, 'pad_force', 'pad_force needs pad_position, its distance above the lower end of the '// &
                           'component', faults)
-      call draft_fatigue(group, part%fatigue)
+      call draft_fatigue(group, part%fatigue, part%joint_fatigue)
       if (part%fatigue%curve == fatigue_own .and. .not. is_given(group, 'fatigue_limit')) &
          call group_fault(group, 'fatigue_curve', "fatigue_curve = 'own' needs fatigue_limit", faults)
       if (part%fatigue%curve /= fatigue_own .and. is_sound(group, 'fatigue_limit')) &
          call group_fault(group, 'fatigue_limit', "fatigue_limit needs fatigue_curve = 'own'", faults)
+      if (part%joint_fatigue%curve /= fatigue_own .and. is_given(group, 'joint_fatigue_exponent')) &
+         call group_fault(group, 'joint_fatigue_exponent', 'joint_fatigue_exponent needs joint_fatigue_limit', faults)
    end subroutine draft_tools
 
-   !> A fatigue curve by name, or an own one.
-   subroutine draft_fatigue(group, fatigue)
+   !> A fatigue curve of the body by name, or an own one; an own one of connections.
+   subroutine draft_fatigue(group, fatigue, joints)
       type(checked_group_type), intent(in) :: group
-      type(fatigue_curve_type), intent(inout) :: fatigue
+      type(fatigue_curve_type), intent(inout) :: fatigue, joints
       if (is_sound(group, 'fatigue_curve')) &
          fatigue%curve = findloc(fatigue_curve_name == text_of(group, 'fatigue_curve', 'none'), .true., dim=1)
       fatigue%limit = real_of(group, 'fatigue_limit', fatigue%limit)
@@ -191,6 +193,11 @@ contains
       fatigue%share = real_of(group, 'fatigue_share', fatigue%share)
       fatigue%exponent = real_of(group, 'fatigue_exponent', fatigue%exponent)
       fatigue%turns = real_of(group, 'fatigue_turns', fatigue%turns)
+      if (is_sound(group, 'joint_fatigue_limit')) joints%curve = fatigue_own
+      joints%limit = real_of(group, 'joint_fatigue_limit', joints%limit)
+      joints%share = fatigue%share
+      joints%exponent = real_of(group, 'joint_fatigue_exponent', joints%exponent)
+      joints%turns = real_of(group, 'joint_fatigue_turns', joints%turns)
    end subroutine draft_fatigue
 
    !> Ratings of the connections.

@@ -13,8 +13,8 @@ module dg_verdict_text
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, limit_code, limit_fatigue, limit_lock_up, limit_string_weight, limit_title, &
-                         verdict_type
+                         friction_upper_end_alone, limit_code, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
+                         limit_string_weight, limit_title, verdict_type
    implicit none
    private
    public :: task_text, verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
@@ -186,7 +186,7 @@ contains
       character(:), allocatable :: text
       real(wp) :: left
       text = ''
-      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_lock_up])) return
+      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue, limit_lock_up])) return
       text = '. Possible without overpull'
       if (all(verdict%limit /= [limit_rig, limit_tension])) return
       ! Less overpull takes as much off the load at least: drag falls with it.
@@ -255,7 +255,7 @@ contains
          text = trim(in_units(units, unit_moment, load, shown))
       case (limit_joint_dogleg)
          text = trim(in_units(units, unit_curvature, load, shown))
-      case (limit_von_mises, limit_fatigue, limit_joint_tension, limit_joint_compression)
+      case (limit_von_mises, limit_fatigue, limit_joint_fatigue, limit_joint_tension, limit_joint_compression)
          text = trim(in_units(units, unit_stress, load, shown))
       case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
          text = trim(in_units(units, unit_pressure, load, shown))

@@ -1,7 +1,7 @@
 !> What a component has beside pipe, in words: a bent housing, pads, a survey sensor, rated connections, a fatigue curve.
 module dg_tools_text
    use dg_component, only: component_type, has_bend, has_pad, usual_yield_loss
-   use dg_fatigue_curve, only: fatigue_curve_name, fatigue_none, fatigue_own
+   use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_none, fatigue_own
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_text, only: to_text
@@ -31,16 +31,23 @@ contains
                 rated(', connection burst ', rating%burst)//rated(', connection collapse ', rating%collapse)
          if (.not. is_missing(rating%dogleg)) text = text//', connection dogleg '//shown(unit_curvature, rating%dogleg)
       end associate
-      associate (fatigue => part%fatigue)
+      text = text//fatigue_text(', fatigue ', part%fatigue)//fatigue_text(', joint fatigue ', part%joint_fatigue)
+   contains
+      !> A fatigue curve; nothing for none.
+      pure function fatigue_text(head, fatigue) result(text)
+         character(*), intent(in) :: head
+         type(fatigue_curve_type), intent(in) :: fatigue
+         character(:), allocatable :: text
+         text = ''
          if (fatigue%curve == fatigue_none) return
-         text = text//', fatigue '//trim(fatigue_curve_name(fatigue%curve))
+         text = head//trim(fatigue_curve_name(fatigue%curve))
          if (fatigue%curve == fatigue_own) text = text//' '//shown(unit_stress, fatigue%limit)
          if (fatigue%tensile > 0.0_wp) text = text//', tensile strength '//shown(unit_stress, fatigue%tensile)
          if (fatigue%share < 1.0_wp) text = text//' times '//to_text(fatigue%share, digits)
          if (fatigue%exponent > 0.0_wp) text = text//', exponent '//to_text(fatigue%exponent, digits)//' from '// &
             to_text(fatigue%turns, digits)//' turns'
-      end associate
-   contains
+      end function fatigue_text
+
       !> An efficiency of connections; nothing where it is not known.
       pure function rated(head, share) result(words)
          character(*), intent(in) :: head

@@ -225,7 +225,7 @@ contains
       end associate
    end subroutine put_changes
 
-   !> Yield strength by temperature, and how much is used of each rating of the connections.
+   !> Yield strength by temperature; ratings and fatigue of the connections.
    pure subroutine put_ratings(row, whole)
       type(row_type), intent(inout) :: row
       type(whole_string_type), intent(in) :: whole
@@ -243,5 +243,17 @@ contains
                'of the collapse strength of connections under the tension there', used(limit_joint_collapse))
       call put(row, 'used_joint_dogleg', quantity_percent, &
                'of joint_dogleg, by the curvature of the pipe', used(limit_joint_dogleg))
+      associate (fatigue => whole%joint_fatigue)
+         call put(row, 'joint_fatigue_used', quantity_percent, &
+                  'of the bending amplitude that connections bear without end, most along the string; this and those that '// &
+                  'follow as for fatigue, where joint_fatigue_limit is given', &
+                  in_percent(optional_real(fatigue%present, fatigue%used)))
+         call put(row, 'joint_fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
+         call put(row, 'joint_fatigue_turns', quantity_none, 'until failure there', fatigue%turns)
+         call put(row, 'joint_fatigue_damage', quantity_percent, &
+                  'part of the life there that hours of rotation take', percent_of(fatigue%damage))
+         call put(row, 'joint_fatigue_dogleg', quantity_curvature, &
+                  'largest dogleg in which the connection there may turn without end at its tension', fatigue%dogleg)
+      end associate
    end subroutine put_ratings
 end module dg_limits_file

@@ -136,7 +136,9 @@ contains
             to_text(anint(wholes(i)%yield_left_md%value/units%length))//' '//trim(units%length_label)//', by temperature')
          call append_ratings(lines, names(i)%text, wholes(i)%utilisation)
          if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
-         if (wholes(i)%fatigue%present) call append_fatigue(lines, units, names(i)%text, wholes(i)%fatigue)
+         if (wholes(i)%fatigue%present) call append_fatigue(lines, units, 'Fatigue in '//names(i)%text, wholes(i)%fatigue)
+         if (wholes(i)%joint_fatigue%present) &
+            call append_fatigue(lines, units, 'Fatigue of joints in '//names(i)%text, wholes(i)%joint_fatigue)
       end do
       do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
@@ -186,14 +188,14 @@ contains
       if (text /= '') call append_text(lines, '  Ratings of connections used in '//name//': '//text)
    end subroutine append_ratings
 
-   !> Fatigue of the component that is tired most.
-   pure subroutine append_fatigue(lines, units, name, fatigue)
+   !> Fatigue of body or connections that are tired most.
+   pure subroutine append_fatigue(lines, units, head, fatigue)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
-      character(*), intent(in) :: name                 !< of the case
+      character(*), intent(in) :: head                 !< of the line
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
-      text = '  Fatigue in '//name//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+      text = '  '//head//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
              to_text(anint(fatigue%md/units%length))//' '//trim(units%length_label)//', '// &
              trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'

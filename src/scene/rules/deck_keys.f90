@@ -175,7 +175,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(49) = [ &
+   type(key_rule_type), parameter :: component_keys(52) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -257,11 +257,17 @@ module dg_deck_keys
       key_rule_type('component', 'tensile_strength', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='of an own curve, for the effect of tension (Goodman); 0: none'), &
       key_rule_type('component', 'fatigue_share', low=0.0_wp, open=.true., high=1.0_wp, default='1', &
-         meaning='part of the permitted amplitude that the mud leaves; very corrosive: 0.6'), &
+         meaning='part of the permitted amplitude that the mud leaves, connections too; very corrosive: 0.6'), &
       key_rule_type('component', 'fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='m of the S-N curve above the permitted amplitude, turns = fatigue_turns (permitted/amplitude)^m; 0: not known'), &
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
          meaning='turns from which on the permitted amplitude is borne without end'), &
+      key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='amplitude of bending stress outside its connections that they bear without end; default: not known'), &
+      key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
+         meaning='as fatigue_exponent, of connections'), &
+      key_rule_type('component', 'joint_fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
+         meaning='as fatigue_turns, of connections'), &
       key_rule_type('component', 'pad_force', unit=unit_force, low=0.0_wp, high=hardest_pad, default='0', &
          meaning='with which pads push the tool across the hole (push-the-bit), whether it turns or not; 0: no pads'), &
       key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &

@@ -168,25 +168,27 @@ contains
       call check_where_there(ranges, 'burst_efficiency', component%rating%burst, found)
       call check_where_there(ranges, 'collapse_efficiency', component%rating%collapse, found)
       call check_where_there(ranges, 'joint_dogleg', component%rating%dogleg, found)
-      call check_fatigue_ranges(ranges, component%fatigue, found)
+      call check_fatigue_ranges(ranges, '', component%fatigue, found)
+      call check_fatigue_ranges(ranges, 'joint_', component%joint_fatigue, found)
       call check_range(ranges, 'pad_clock', component%pad_clock, found)
       call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
       call check_range(ranges, 'wall_left', component%wall_left, found)
    end subroutine check_component_ranges
 
-   !> The same for the fatigue curve of a component.
-   subroutine check_fatigue_ranges(ranges, fatigue, found)
+   !> The same for a fatigue curve of a component.
+   subroutine check_fatigue_ranges(ranges, prefix, fatigue, found)
       type(ranges_type), intent(in) :: ranges
+      character(*), intent(in) :: prefix                !< of its keys: 'joint_' of connections, '' of the body
       type(fatigue_curve_type), intent(in) :: fatigue
       type(model_faults_type), intent(inout) :: found
       if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call note_fault(found, ranges%part, ranges%place, &
-         'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
-      if (fatigue%curve == fatigue_own) call check_range(ranges, 'fatigue_limit', fatigue%limit, found)
+         prefix//'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
+      if (fatigue%curve == fatigue_own) call check_range(ranges, prefix//'fatigue_limit', fatigue%limit, found)
       call check_range(ranges, 'tensile_strength', fatigue%tensile, found)
       call check_range(ranges, 'fatigue_share', fatigue%share, found)
-      call check_range(ranges, 'fatigue_exponent', fatigue%exponent, found)
-      call check_range(ranges, 'fatigue_turns', fatigue%turns, found)
+      call check_range(ranges, prefix//'fatigue_exponent', fatigue%exponent, found)
+      call check_range(ranges, prefix//'fatigue_turns', fatigue%turns, found)
    end subroutine check_fatigue_ranges
 
    !> The same for the centralisers of a component.

@@ -65,6 +65,7 @@ module dg_component
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
       type(connection_rating_type) :: rating !< of its connections
       type(fatigue_curve_type) :: fatigue    !< of its body
+      type(fatigue_curve_type) :: joint_fatigue   !< of its connections: an own curve or none
       type(centralizer_type) :: centralizer  !< on its body
    end type component_type
 
