@@ -156,7 +156,7 @@ contains
             call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
             call find_utilisation(model, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if
-         call find_verdict(model, results(row), alongs(row), wholes(row), job%design, job%rig_limit, verdict, upper)
+         call find_verdict(model, results(row), wholes(row), job%design, job%rig_limit, verdict, upper)
          wholes(row)%verdict = verdict
          !$omp critical (results_in_order)
          solved(row) = .true.

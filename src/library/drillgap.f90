@@ -14,6 +14,7 @@ module drillgap
    use dg_centralizer, only: centralizer_type
    use dg_checked_model, only: build_checked_model, check_load_case
    use dg_component, only: component_type
+   use dg_connection_rating, only: connection_rating_type
    use dg_constants, only: degree, pi
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_list_type, error_type, joined_errors, raise, status_bad_input, status_failure
@@ -45,6 +46,7 @@ module drillgap
    public :: error_type, status_bad_input, status_failure
    public :: model_parts_type, survey_type, interpolation_minimum_curvature, interpolation_spline
    public :: hole_section_type, drillstring_type, component_type, centralizer_type, fluid_type
+   public :: connection_rating_type
    public :: fatigue_curve_type, fatigue_none, fatigue_e75, fatigue_s135, fatigue_own
    public :: collar_none, collar_closed, collar_open_below, boundary_type, rig_type
    public :: numerics_type, settings_of, gap_at_extremum, gap_at_nodes

@@ -9,7 +9,7 @@ module dg_profile
    use dg_named_states, only: state_elastic, state_free, state_name, state_rigid
    implicit none
    private
-   public :: profile_type, new_profile, taken_rows, piece_depths
+   public :: profile_type, new_profile, taken_rows, piece_depths, between_ends
    public :: state_free, state_elastic, state_rigid, state_name, side_none, side_above, side_below, side_name
 
    !> Side of a change that a row stands for; names in files.
@@ -87,4 +87,19 @@ contains
          end if
       end do
    end function piece_depths
+
+   !> A quantity of a row that goes in a straight line with true vertical depth from one end of the string to the other. Where both
+   !> ends are level it is that of the upper end.
+   pure function between_ends(profile, row, top, bottom) result(quantity)
+      type(profile_type), intent(in) :: profile
+      integer, intent(in) :: row
+      real(wp), intent(in) :: top, bottom    !< of the ends
+      real(wp) :: quantity
+      real(wp) :: deep
+      deep = 0.0_wp
+      associate (tvd => profile%tvd)
+         if (tvd(size(tvd)) > tvd(1)) deep = (tvd(row) - tvd(1))/(tvd(size(tvd)) - tvd(1))
+      end associate
+      quantity = top + deep*(bottom - top)
+   end function between_ends
 end module dg_profile

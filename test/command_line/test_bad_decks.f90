@@ -270,6 +270,7 @@ contains
       call refuse("wob = 20.0", "wob = 20.0, hours = 5", 18, 'hours needs rpm > 0')
       call refuse("od = 171.45", "od = 171.45, fatigue_curve = 'own'", 12, "fatigue_curve = 'own' needs fatigue_limit")
       call refuse("od = 171.45", "od = 171.45, fatigue_limit = 100", 12, "fatigue_limit needs fatigue_curve = 'own'")
+      call refuse("od = 171.45", "od = 171.45, joint_fatigue_exponent = 5", 12, 'joint_fatigue_exponent needs joint_fatigue_limit')
    end subroutine test_wear
 
    !> Two faults, two messages, in the order of lines; and one slip gives one message.

@@ -15,7 +15,7 @@ module dg_test_changed_keys
    character(*), parameter :: record = results_path//'/sweep_b.part_1_of_2'
    character(*), parameter :: again = deck_path//' --output '//results_path//' --part 1/2'
    !> What stands in the deck, and instead of it.
-   character(*), parameter :: changes(2, 65) = reshape([character(80) :: &
+   character(*), parameter :: changes(2, 66) = reshape([character(80) :: &
       'gravity = 9.8', 'gravity = 9.7', &
       "interpolation = 'minimum_curvature'", "interpolation = 'spline'", &
       'inc = 0.0, 0.0, 30.0', 'inc = 0.0, 0.0, 31.0', &
@@ -59,6 +59,7 @@ module dg_test_changed_keys
       'yield = 931.0', 'yield = 700.0', &
       'makeup_torque = 20.0', 'makeup_torque = 21.0', &
       "wear_class = 'new'", "wear_class = 'premium'", &
+      "wear_class = 'new'", 'wall_left = 0.9', &
       "connection = 'NC50'", "connection = 'NC46'", &
       'joint_id = 82.0', 'joint_id = 83.0', &
       'joint_yield = 827.0', 'joint_yield = 800.0', &
@@ -81,7 +82,7 @@ module dg_test_changed_keys
       'wob = 20.0', 'wob = 21.0', &
       'tob = 1.0', 'tob = 1.1', &
       'rpm = 60.0', 'rpm = 70.0', &
-      'trip_speed = 0.3', 'trip_speed = 0.4'], [2, 65])
+      'trip_speed = 0.3', 'trip_speed = 0.4'], [2, 66])
 
 contains
 

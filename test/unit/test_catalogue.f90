@@ -3,6 +3,7 @@ module dg_test_catalogue
    use funit, only: anyExceptions, assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_catalogue, only: catalogue_type, catalogue_within, find_entry, number_of, numeric_keys, read_catalogue
    use dg_component, only: tube_area
+   use dg_constants, only: degree
    use dg_error, only: error_list_type, error_text, error_type
    use dg_file_system, only: delete_file, write_text_file
    use dg_kinds, only: wp
@@ -156,7 +157,8 @@ contains
       logical :: has
       real(wp) :: found
       integer :: entry, grade
-      call write_lines([character(60) :: 'yield_MPa,name,OD_mm,id_in,mass_kg_m', '500,mine,127,,30'])
+      call write_lines([character(120) :: 'yield_MPa,name,OD_mm,id_in,mass_kg_m,tension_efficiency,joint_dogleg_deg_100ft,'// &
+                        'yield_loss_pct_degF', '500,mine,127,,30,0.7,15,0.03'])
       call read_catalogue(scratch, catalogue, faults)
       call assertEqual(0, faults%count)
       if (anyExceptions()) return
@@ -164,6 +166,9 @@ contains
       call assertEqual(1, entry)
       call assertRelativelyEqual(0.127_wp, number(catalogue, 'mine', 'od'), 1.0e-14_wp)
       call assertRelativelyEqual(500.0e6_wp, number(catalogue, 'mine', 'yield'), 1.0e-14_wp)
+      call assertRelativelyEqual(0.7_wp, number(catalogue, 'mine', 'tension_efficiency'), 1.0e-14_wp)
+      call assertRelativelyEqual(15.0_wp*degree/30.48_wp, number(catalogue, 'mine', 'joint_dogleg'), 1.0e-14_wp)
+      call assertRelativelyEqual(0.054e-2_wp, number(catalogue, 'mine', 'yield_loss'), 1.0e-14_wp)
       call number_of(catalogue, entry, grade, place('id'), has, found)
       call assertFalse(has)
    end subroutine test_units

@@ -130,7 +130,8 @@ contains
             if (label(i:i) == '.') cycle
             if (label(i:i) == ' ' .and. index(label, '1e6') /= 1) cycle
             if (scan(label(i:i), '/ ') == 1) suffix = suffix//'_'
-            if (scan(label(i:i), '/ ') == 0) suffix = suffix//label(i:i)
+            if (label(i:i) == '%') suffix = suffix//'pct'
+            if (scan(label(i:i), '/ %') == 0) suffix = suffix//label(i:i)
          end do
       end function plain
    end subroutine test_table

@@ -107,7 +107,7 @@ contains
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, rig_limit, whole)
       call find_utilisation(model, result, along, factors, rig_limit, whole%utilisation)
-      call find_verdict(model, result, along, whole, factors, rig_limit, verdict, upper)
+      call find_verdict(model, result, whole, factors, rig_limit, verdict, upper)
    end subroutine judge
 
    !> Running in: hook load W (cos a - f sin a). Friction may be cot a/f times as high until nothing hangs on the hook.
@@ -454,7 +454,6 @@ contains
    subroutine test_locked_up()
       type(model_type) :: model
       type(case_result_type) :: result
-      type(along_string_type) :: along
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
       type(design_factors_type) :: factors
@@ -464,15 +463,15 @@ contains
       model%cases(1)%wob = 2.0_wp*most
       result%case_index = 1
       result%status = result_locked_up
-      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, optional_real(), verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_lock_up, verdict%limit)
       call assertRelativelyEqual(most, verdict%most_wob%value, close)
       result%lock_up_load = 0.5_wp*most
-      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, optional_real(), verdict)
       call assertRelativelyEqual(0.5_wp*most, verdict%most_wob%value, close, message='what beams bear')
       model%cases(1)%operation = operation_trip_out
-      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, optional_real(), verdict)
       call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)
    end subroutine test_locked_up
 
@@ -480,14 +479,13 @@ contains
    subroutine test_no_solution()
       type(model_type) :: model
       type(case_result_type) :: result
-      type(along_string_type) :: along
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
       type(design_factors_type) :: factors
       call build(model, operation_static, 0.0_wp)
       result%case_index = 1
       result%status = result_not_converged
-      call find_verdict(model, result, along, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, optional_real(), verdict)
       call assertEqual(answer_unknown, verdict%answer)
       call assertEqual('', verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_no_solution

@@ -76,6 +76,7 @@ contains
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
       use dg_test_strength, only: strength_suite
+      use dg_test_connection_rating, only: connection_rating_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -143,6 +144,7 @@ contains
       call suite%addTest(uncertainty_suite())
       call suite%addTest(stuck_string_suite())
       call suite%addTest(strength_suite())
+      call suite%addTest(connection_rating_suite())
       call suite%addTest(verdict_suite())
    end function load_tests
 end program unit

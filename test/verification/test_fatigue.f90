@@ -7,20 +7,24 @@ module dg_test_fatigue
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: bending_stiffness, component_type, tube_area
+   use dg_component, only: bending_stiffness, component_type, tube_area, tube_inertia
    use dg_constants, only: degree, pi
+   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_fatigue, only: fatigue_type, find_fatigue, permitted_dogleg
    use dg_fatigue_curve, only: fatigue_curve_type, fatigue_e75, fatigue_own, fatigue_s135, permitted_amplitude, turns_to_failure
+   use dg_find_verdict, only: find_verdict
    use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out
+   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out, optional_real
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_verdict, only: answer_no, limit_fatigue, limit_joint_fatigue, verdict_type
+   use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
    public :: fatigue_suite
@@ -38,6 +42,8 @@ contains
       call suite%addTest(TestMethod('bend', test_bend))
       call suite%addTest(TestMethod('damage', test_damage))
       call suite%addTest(TestMethod('not_without_rotation', test_still))
+      call suite%addTest(TestMethod('joints', test_joints))
+      call suite%addTest(TestMethod('joints_decide', test_verdict))
    end function fatigue_suite
 
    function pipe() result(part)
@@ -80,13 +86,14 @@ contains
    end subroutine test_curves
 
    !> A build to 90 deg and a straight end; soft string, without friction.
-   subroutine solve(operation, curve, hours, model, result, parts)
+   subroutine solve(operation, curve, hours, model, result, parts, joints)
       integer, intent(in) :: operation
       type(fatigue_curve_type), intent(in) :: curve
       real(wp), intent(in) :: hours
       type(model_type), intent(out) :: model
       type(case_result_type), intent(out) :: result
       type(fatigue_type), allocatable, intent(out) :: parts(:)
+      type(fatigue_curve_type), intent(in), optional :: joints   !< curve of connections
       type(along_string_type) :: along
       type(error_type), allocatable :: error
       real(wp) :: depths(4)
@@ -101,6 +108,7 @@ contains
       model%strings(1)%components = pipe()
       model%strings(1)%components(1)%length = 600.0_wp
       model%strings(1)%components%fatigue = curve
+      if (present(joints)) model%strings(1)%components%joint_fatigue = joints
       model%mud = standing_mud(0.0_wp)
       model%cases(1)%name = 'case'
       model%cases(1)%section = ''
@@ -166,4 +174,64 @@ contains
       call solve(operation_trip_out, fatigue_curve_type(fatigue_s135), 10.0_wp, model, result, parts)
       call assertEqual(0, size(parts))
    end subroutine test_still
+
+   !> Connections in the bend of `test_bend`: they take the moment E I/R KL/tanh(KL) of the body beside them with their own section,
+   !> and bear the dogleg in which all of their amplitude is used. Without tool joints their stress is that of the body.
+   subroutine test_joints()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(fatigue_type), allocatable :: parts(:), flush(:)
+      type(along_string_type) :: along
+      type(fatigue_curve_type) :: joints
+      real(wp) :: tension, kl, inertia
+      integer :: i
+      joints = fatigue_curve_type(fatigue_own, limit=5.0e6_wp, exponent=6.0_wp)
+      call solve(operation_rotate_off_bottom, fatigue_curve_type(), 10.0_wp, model, result, parts, joints)
+      call assertEqual(2, size(parts))
+      associate (part => model%strings(1)%components(1))
+         inertia = tube_inertia(part%joint_od, part%id)
+         do i = 1, 2
+            call assertTrue(parts(i)%joint)
+            tension = parts(i)%tension*tube_area(part%joint_od, part%id)
+            kl = 0.5_wp*part%joint_spacing*sqrt(tension/bending_stiffness(part))
+            call assertRelativelyEqual(bending_stiffness(part)/radius*kl/tanh(kl)*0.5_wp*part%joint_od/inertia, &
+                                       parts(i)%amplitude, 1.0e-9_wp)
+            call assertRelativelyEqual(1.0_wp/radius, parts(i)%dogleg*parts(i)%used, 1.0e-9_wp)
+            call assertRelativelyEqual(1.0e6_wp/parts(i)%used**6, parts(i)%turns, 1.0e-9_wp)
+            call assertRelativelyEqual(72000.0_wp/parts(i)%turns, parts(i)%damage, 1.0e-9_wp)
+         end do
+         call assertEqual(500.0_wp, parts(1)%md, 1.0e-6_wp)
+      end associate
+      call solve(operation_rotate_off_bottom, fatigue_curve_type(fatigue_s135), 10.0_wp, model, result, parts, joints)
+      call assertEqual(4, size(parts))
+      call assertEqual(2, count(parts%joint))
+      call assertTrue(all(parts(:3)%used >= parts(2:)%used), message='the worst first')
+      model%strings(1)%components%joint_od = 0.0_wp
+      call find_along_string(model, result, along)
+      call find_fatigue(model, result, along, flush)
+      call assertRelativelyEqual(bending_stiffness(pipe())/radius*0.5_wp*4.5_wp*inch/tube_inertia(4.5_wp*inch, 3.826_wp*inch), &
+                                 maxval(flush%amplitude, mask=flush%joint), 1.0e-9_wp)
+   end subroutine test_joints
+
+   !> Connections that last less than the body make the answer NO.
+   subroutine test_verdict()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(fatigue_type), allocatable :: parts(:)
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      type(verdict_type) :: verdict
+      call solve(operation_rotate_off_bottom, fatigue_curve_type(fatigue_own, limit=40.0e6_wp, exponent=5.0_wp), 1000.0_wp, &
+                 model, result, parts, fatigue_curve_type(fatigue_own, limit=5.0e6_wp, exponent=5.0_wp))
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertTrue(whole%joint_fatigue%damage > whole%fatigue%damage .and. whole%fatigue%damage > 1.0_wp)
+      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer)
+      call assertEqual(limit_joint_fatigue, verdict%limit)
+      call assertRelativelyEqual(whole%joint_fatigue%damage, verdict%used%value, 1.0e-12_wp)
+      whole%joint_fatigue%damage = 0.5_wp*whole%fatigue%damage
+      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      call assertEqual(limit_fatigue, verdict%limit)
+   end subroutine test_verdict
 end module dg_test_fatigue

@@ -21,7 +21,8 @@ module dg_along_string
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: pipe_stress, pipe_stress_type, true_axial
-   use dg_profile, only: piece_depths, side_above, side_below
+   use dg_pipe_strength, only: yield_left
+   use dg_profile, only: between_ends, piece_depths, side_above, side_below
    use dg_pull_margin, only: pull_margin
    use dg_trajectory, only: arc_at, point_on_arc, top_md
    implicit none
@@ -41,12 +42,14 @@ module dg_along_string
       real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
       real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
-      real(wp), allocatable :: safety_factor(:)     !< yield strength over von_mises [-]
+      real(wp), allocatable :: yield_left(:)        !< yield strength at the temperature there over that of the deck [-]
+      real(wp), allocatable :: safety_factor(:)     !< yield strength there over von_mises [-]
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
       real(wp), allocatable :: overpull(:)          !< tension that may be added here, bending included [N]
       real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
       real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
+      real(wp), allocatable :: joint_bending(:)     !< bending stress outside a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
       real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling, as the string now lies [N]
@@ -103,6 +106,7 @@ contains
             along%pressure(i) = pressure_at(outside, depths(i), profile%tvd(i))
             along%inside_pressure(i) = pressure_at(inside, depths(i), profile%tvd(i))
             along%hole_diameter(i) = model%holes(hole)%diameter
+            along%yield_left(i) = yield_left(components(part), warmth(i))
             call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), along)
             call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), &
                            curvature_at(model, profile%md(i), arc(first)), solved, along)
@@ -122,11 +126,23 @@ contains
                along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
             end if
             if (components(part)%yield > 0.0_wp) along%overpull(i) = &
-               pull_margin(components(part), profile%axial(i), profile%torque(i), profile%bending(i), along%curvature(i), solved, &
-                           along%buckling(i) /= buckling_none, along%inside_pressure(i) - along%pressure(i))
+               pull_margin(components(part), along%yield_left(i)*components(part)%yield, profile%axial(i), profile%torque(i), &
+                           profile%bending(i), along%curvature(i), solved, along%buckling(i) /= buckling_none, &
+                           along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
       if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
+
+   contains
+
+      !> By how much a row is warmer than ambient [K].
+      pure function warmth(row) result(warmer)
+         integer, intent(in) :: row
+         real(wp) :: warmer
+         associate (load_case => model%cases(result%case_index))
+            warmer = between_ends(result%profile, row, load_case%above_ambient_top, load_case%above_ambient_bottom)
+         end associate
+      end function warmth
    end subroutine find_along_string
 
    !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at other rows with joints.
@@ -142,7 +158,7 @@ contains
       end do
    end subroutine put_joint_forces
 
-   !> Stresses at row `i`, whose pressures are there already.
+   !> Stresses at row `i`, whose pressures and yield strength are there already.
    pure subroutine put_stress(i, part, axial, torque, moment, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
@@ -151,7 +167,7 @@ contains
       real(wp), intent(in) :: moment   !< [N.m]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
-      real(wp) :: od
+      real(wp) :: od, yield
       od = worn_od(part)
       along%od(i) = part%od
       along%true_axial(i) = true_axial(axial, od, part%id, along%pressure(i), along%inside_pressure(i))
@@ -163,9 +179,10 @@ contains
       along%hoop_stress(i) = stress%hoop
       along%von_mises(i) = stress%von_mises
       if (.not. part%yield > 0.0_wp) return
+      yield = along%yield_left(i)*part%yield
       ! A string under no load at all has no factor.
-      if (stress%von_mises > epsilon(1.0_wp)*part%yield) along%safety_factor(i) = part%yield/stress%von_mises
-      along%envelope_margin(i) = 1.0_wp - stress%von_mises/part%yield
+      if (stress%von_mises > epsilon(1.0_wp)*yield) along%safety_factor(i) = yield/stress%von_mises
+      along%envelope_margin(i) = 1.0_wp - stress%von_mises/yield
    end subroutine put_stress
 
    !> Bending between tool joints and stress in them at row `i`, for a component that has some. A model that solved joint by joint
@@ -191,6 +208,7 @@ contains
       if (axial < 0.0_wp) factor = 1.0_wp
       force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%inside_pressure(i))
       stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%inside_pressure(i))
+      along%joint_bending(i) = stress%bending
       along%joint_von_mises(i) = stress%von_mises
    end subroutine put_joint
 
@@ -262,7 +280,9 @@ contains
                 along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), along%onset(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
-                along%jointed_bending(n), along%joint_von_mises(n), along%joint_side_force(n), along%standoff(n), source=missing)
+                along%jointed_bending(n), along%joint_bending(n), along%joint_von_mises(n), along%joint_side_force(n), &
+                along%standoff(n), source=missing)
+      allocate (along%yield_left(n), source=1.0_wp)
       allocate (along%buckling(n), source=buckling_none)
    end function new_along_string
 end module dg_along_string

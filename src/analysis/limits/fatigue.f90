@@ -1,4 +1,5 @@
-!> Fatigue of a string that turns: each component where it is bent hardest for its tension, the worst one first.
+!> Fatigue of a string that turns: body and connections of each component where they are bent hardest for their tension, the worst
+!> one first.
 !>
 !> The stress goes round once a turn, with the amplitude of bending of the body; between tool joints that touch alone it is larger
 !> next to them (dg_joint_bending). What it may be depends on the tension (dg_fatigue_curve). The largest dogleg in which the pipe
@@ -6,16 +7,18 @@
 !>
 !>   c = s_b/(E D/2) tanh(KL)/(KL),    K^2 = T/(E I), L half the distance of tool joints.
 !>
-!> Damage is turns over turns until failure, as if the same piece of pipe stood at the worst place all the time. Threads of tool
-!> joints and of collars have curves of their own, which no deck gives; they are left out.
+!> Connections take the moment of the body beside them, in tension the largest. Their stress is that outside the tool joint, with
+!> the bore of the pipe; without tool joints it is that of the body. Their curve is the user's own; make-up sets the mean stress.
+!>
+!> Damage is turns over turns until failure, as if the same piece of pipe stood at the worst place all the time.
 module dg_fatigue
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_component, only: bending_stiffness, component_type, has_joints, tube_area, worn_od
+   use dg_component, only: bending_stiffness, component_type, has_joints, tube_area, tube_inertia, worn_od
    use dg_constants, only: pi
    use dg_drillstring, only: component_at, component_tops
-   use dg_fatigue_curve, only: fatigue_none, permitted_amplitude, turns_to_failure
+   use dg_fatigue_curve, only: fatigue_curve_type, fatigue_none, permitted_amplitude, turns_to_failure
    use dg_joint_bending, only: joint_magnification
    use dg_load_case, only: load_case_type, rotates
    use dg_merge_sort, only: sorted_places
@@ -27,10 +30,11 @@ module dg_fatigue
    private
    public :: fatigue_type, find_fatigue, asks_for_fatigue, permitted_dogleg
 
-   !> A component where it is tired most.
+   !> Body or connections of a component where they are tired most.
    type :: fatigue_type
       logical :: present = .false.
       integer :: part = 0                  !< number of the component
+      logical :: joint = .false.           !< its connections; else its body
       real(wp) :: md = 0.0_wp              !< [m]
       real(wp) :: tension = 0.0_wp         !< stress of the effective axial force [Pa]
       real(wp) :: amplitude = 0.0_wp       !< of the bending stress [Pa]
@@ -51,21 +55,23 @@ contains
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       logical :: asks
-      asks = rotates(load_case%operation)
-      if (asks) asks = any(model%strings(string_index(model%strings, load_case%string))%components%fatigue%curve /= fatigue_none)
+      asks = .false.
+      if (.not. rotates(load_case%operation)) return
+      associate (parts => model%strings(string_index(model%strings, load_case%string))%components)
+         asks = any(parts%fatigue%curve /= fatigue_none) .or. any(parts%joint_fatigue%curve /= fatigue_none)
+      end associate
    end function asks_for_fatigue
 
-   !> Components with a curve that are in the hole, the worst one first.
+   !> Bodies and connections with a curve that are in the hole, the worst one first.
    pure subroutine find_fatigue(model, result, along, parts)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(fatigue_type), allocatable, intent(out) :: parts(:)
-      type(fatigue_type) :: row
       real(wp), allocatable :: tops(:), used(:)
       logical, allocatable :: known(:)     ! a copy: plain arrays pass without a temporary
       real(wp) :: bit, depths(size(result%profile%md))
-      integer :: i, part
+      integer :: i, number
       allocate (parts(0))
       associate (load_case => model%cases(result%case_index), profile => result%profile)
          if (.not. asks_for_fatigue(model, load_case)) return
@@ -74,18 +80,15 @@ contains
             allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
             depths = piece_depths(profile)
             deallocate (parts)
-            allocate (parts(size(tops)))
+            allocate (parts(2*size(tops)))
             do i = 1, size(depths)
-               part = component_at(tops, bit - depths(i))
-               if (string%components(part)%fatigue%curve == fatigue_none) cycle
-               call find_row(string%components(part), profile%axial(i), along%bending_stress(i), along%jointed_bending(i), &
-                             along%curvature(i), row)
-               row%part = part
-               row%md = profile%md(i)
-               if (.not. is_missing(row%turns) .and. load_case%hours > 0.0_wp) &
-                  row%damage = load_case%hours*hour*load_case%angular_speed/(2.0_wp*pi)/row%turns
-               if (row%used <= 1.0_wp .and. load_case%hours > 0.0_wp) row%damage = 0.0_wp
-               if (.not. parts(part)%present .or. row%used > parts(part)%used) parts(part) = row
+               number = component_at(tops, bit - depths(i))
+               associate (part => string%components(number))
+                  if (part%fatigue%curve /= fatigue_none) call keep_worst(load_case, profile%md(i), &
+                     body_row(number, part, profile%axial(i), along, i), part%fatigue, parts(number))
+                  if (part%joint_fatigue%curve /= fatigue_none) call keep_worst(load_case, profile%md(i), &
+                     joint_row(number, part, profile%axial(i), along, i), part%joint_fatigue, parts(size(tops) + number))
+               end associate
             end do
          end associate
       end associate
@@ -97,29 +100,75 @@ contains
       parts = parts(sorted_places(used))
    end subroutine find_fatigue
 
-   !> Stresses at a row, and what its component bears there.
-   pure subroutine find_row(part, axial, bending, jointed, curvature, row)
-      type(component_type), intent(in) :: part
-      real(wp), intent(in) :: axial            !< effective [N]
-      real(wp), intent(in) :: bending          !< amplitude by the moment [Pa]
-      real(wp), intent(in) :: jointed          !< next to tool joints that touch alone; missing where not known [Pa]
-      real(wp), intent(in) :: curvature        !< of the hole [1/m]
-      type(fatigue_type), intent(out) :: row
+   !> Takes a row where it uses more than the worst so far, with the turns that it bears.
+   pure subroutine keep_worst(load_case, md, row, curve, worst)
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: md                 !< [m]
+      type(fatigue_type), intent(in) :: row
+      type(fatigue_curve_type), intent(in) :: curve
+      type(fatigue_type), intent(inout) :: worst
       real(wp) :: turns
+      if (worst%present .and. row%used <= worst%used) return
+      worst = row
+      worst%md = md
+      turns = turns_to_failure(curve, row%amplitude, row%permitted)
+      if (turns > 0.0_wp) worst%turns = turns
+      if (turns > 0.0_wp .and. load_case%hours > 0.0_wp) &
+         worst%damage = load_case%hours*hour*load_case%angular_speed/(2.0_wp*pi)/turns
+      if (row%used <= 1.0_wp .and. load_case%hours > 0.0_wp) worst%damage = 0.0_wp
+   end subroutine keep_worst
+
+   !> Stresses of the body at a row, and what it bears there.
+   pure function body_row(number, part, axial, along, i) result(row)
+      integer, intent(in) :: number                      !< of the component
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: axial                      !< effective [N]
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: i
+      type(fatigue_type) :: row
       row%present = .true.
+      row%part = number
       row%tension = axial/tube_area(worn_od(part), part%id)
-      row%amplitude = bending
-      if (.not. is_missing(jointed)) row%amplitude = jointed
+      row%amplitude = along%bending_stress(i)
+      if (.not. is_missing(along%jointed_bending(i))) row%amplitude = along%jointed_bending(i)
       row%permitted = permitted_amplitude(part%fatigue, row%tension)
       row%used = row%amplitude/row%permitted
-      turns = turns_to_failure(part%fatigue, row%amplitude, row%permitted)
-      if (turns > 0.0_wp) row%turns = turns
-      row%curvature = curvature
+      row%curvature = along%curvature(i)
       row%dogleg = permitted_dogleg(part, axial)
-   end subroutine find_row
+   end function body_row
 
-   !> Largest dogleg in which a component may turn without end at a tension [1/m]; in compression, where the body of jointed pipe
-   !> bends between its joints, missing.
+   !> Stresses of the connections at a row, and what they bear there.
+   pure function joint_row(number, part, axial, along, i) result(row)
+      integer, intent(in) :: number                      !< of the component
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: axial                      !< effective [N]
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: i
+      type(fatigue_type) :: row
+      real(wp) :: od, factor, stiffer
+      row%present = .true.
+      row%part = number
+      row%joint = .true.
+      od = worn_od(part)
+      row%amplitude = along%bending_stress(i)
+      factor = 1.0_wp
+      stiffer = 1.0_wp
+      if (has_joints(part)) then
+         od = part%joint_od
+         row%amplitude = along%joint_bending(i)
+         if (axial > 0.0_wp) &
+            factor = joint_magnification(axial, bending_stiffness(part), 0.5_wp*part%joint_spacing, 0.0_wp, 0.0_wp)
+         stiffer = tube_inertia(od, part%id)/tube_inertia(part%od, part%id)
+      end if
+      row%tension = axial/tube_area(od, part%id)
+      row%permitted = permitted_amplitude(part%joint_fatigue, row%tension)
+      row%used = row%amplitude/row%permitted
+      row%curvature = along%curvature(i)
+      row%dogleg = row%permitted*stiffer/(0.5_wp*part%youngs*od*factor)
+   end function joint_row
+
+   !> Largest dogleg in which the body of a component may turn without end at a tension [1/m]; in compression, where the body of
+   !> jointed pipe bends between its joints, missing.
    pure function permitted_dogleg(part, axial) result(dogleg)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial            !< effective [N]

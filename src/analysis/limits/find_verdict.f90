@@ -7,6 +7,7 @@ module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
+   use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
@@ -18,11 +19,10 @@ module dg_find_verdict
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    use dg_upper_friction, only: raise_friction
-   use dg_utilisation, only: as_much, find_utilisation, has_rating, lacks_rating, limit_burst, limit_collapse, &
-                             limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
-                             limit_torsion, limit_von_mises, part_limits, utilisation_type
+   use dg_utilisation, only: as_much, find_utilisation, has_rating, joint_ratings, lacks_rating, limit_joint_torsion, &
+                             limit_makeup, limit_rig, limit_slips, limit_top_drive, limit_torsion, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_lock_up, limit_string_weight, verdict_type
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -31,11 +31,10 @@ module dg_find_verdict
 
 contains
 
-   !> Verdict of a result. `along` and `whole` are only read where it has converged. Unknown where it has not.
-   pure subroutine find_verdict(model, result, along, whole, design, rig_limit, verdict, upper)
+   !> Verdict of a result. `whole` is only read where it has converged. Unknown where it has not.
+   pure subroutine find_verdict(model, result, whole, design, rig_limit, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(along_string_type), intent(in) :: along
       type(whole_string_type), intent(in) :: whole
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
@@ -57,12 +56,13 @@ contains
             verdict%buckled_by_formula = result%model /= model_mcge
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
-            call judge_strengths(result, along, whole%utilisation, model%rig%block_weight, verdict)
+            call judge_strengths(whole%utilisation, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
-            call judge_fatigue(whole%fatigue, verdict)
+            call judge_fatigue(whole%fatigue, limit_fatigue, verdict)
+            call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
             if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
-            else if (verdict%limit /= limit_fatigue) then
+            else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
@@ -188,49 +188,21 @@ contains
       end if
       call find_along_string(other_model, other, along)
       call find_utilisation(other_model, other, along, design, rig_limit, utilisation)
-      call judge_strengths(other, along, utilisation, model%rig%block_weight, verdict)
+      call judge_strengths(utilisation, verdict)
       call judge_weight(other_model, other, verdict%most_wob, verdict)
    end subroutine judge_other
 
    !> Takes the most used of strengths, slips and rig.
-   pure subroutine judge_strengths(result, along, utilisation, block_weight, verdict)
-      type(case_result_type), intent(in) :: result
-      type(along_string_type), intent(in) :: along
+   pure subroutine judge_strengths(utilisation, verdict)
       type(utilisation_type), intent(in) :: utilisation
-      real(wp), intent(in) :: block_weight      !< [N]
       type(verdict_type), intent(inout) :: verdict
-      integer :: row
       if (utilisation%governing == 0) return
       verdict%limit = utilisation%governing
       verdict%used = utilisation%used(verdict%limit)
       verdict%md = utilisation%md(verdict%limit)
       if (verdict%used%value > 1.0_wp + as_much) verdict%answer = answer_no
-      associate (profile => result%profile)
-         row = minloc(abs(profile%md - verdict%md%value), dim=1)
-         if (row < size(profile%md)) then      ! the other side of a change has a row of the same depth
-            if (profile%md(row + 1) <= profile%md(row) .and. load_at(row + 1) > load_at(row)) row = row + 1
-         end if
-      end associate
-      verdict%load = given(load_at(row))
+      verdict%load = given(utilisation%load(verdict%limit))
       if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
-
-   contains
-
-      !> Load that the limit is for, at a row of the profile [N, N.m or Pa].
-      pure function load_at(i) result(load)
-         integer, intent(in) :: i
-         real(wp) :: load
-         select case (verdict%limit)
-         case (limit_von_mises); load = along%von_mises(i)
-         case (limit_tension); load = result%profile%axial(i)
-         case (limit_torsion, limit_joint_torsion, limit_makeup); load = abs(result%profile%torque(i))
-         case (limit_burst); load = along%inside_pressure(i) - along%pressure(i)
-         case (limit_collapse); load = along%pressure(i) - along%inside_pressure(i)
-         case (limit_top_drive); load = abs(result%torque)
-         case (limit_rig); load = result%hookload + block_weight
-         case default; load = result%hookload
-         end select
-      end function load_at
    end subroutine judge_strengths
 
    !> Takes string weight or lock-up, where one of them is passed or used more than the strengths. They are not known where the
@@ -295,17 +267,20 @@ contains
       end if
    end function passed_weight
 
-   !> Fatigue decides where the hours of a case take more than the life of the pipe, and nothing else makes the answer no. It counts
-   !> as checked where the pipe bears the bending without end, or its damage is known.
-   pure subroutine judge_fatigue(fatigue, verdict)
+   !> Fatigue decides where the hours of a case take more than the life of the pipe, and no other kind of limit makes the answer no.
+   !> It counts as checked where the pipe bears the bending without end, or its damage is known.
+   pure subroutine judge_fatigue(fatigue, limit, verdict)
       type(fatigue_type), intent(in) :: fatigue
+      integer, intent(in) :: limit                  !< of body or connections
       type(verdict_type), intent(inout) :: verdict
       if (.not. fatigue%present) return
-      verdict%not_checked(limit_fatigue) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
-      if (is_missing(fatigue%damage) .or. verdict%answer == answer_no) return
+      verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
+      if (is_missing(fatigue%damage)) return
       if (fatigue%damage <= 1.0_wp) return
+      if (verdict%answer == answer_no .and. verdict%limit /= limit_fatigue) return
+      if (verdict%answer == answer_no .and. verdict%used%value >= fatigue%damage) return
       verdict%answer = answer_no
-      verdict%limit = limit_fatigue
+      verdict%limit = limit
       verdict%used = given(fatigue%damage)
       verdict%md = given(fatigue%md)
       verdict%load = given(fatigue%amplitude)
@@ -360,10 +335,12 @@ contains
             end associate
          end do
          if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
+         if (.not. any(is_rated(parts%rating))) unrated(joint_ratings) = .false.
          unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(size(parts))%yield > 0.0_wp)
       end associate
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
+      unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
    end subroutine note_unrated
 end module dg_find_verdict

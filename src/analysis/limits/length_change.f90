@@ -21,6 +21,7 @@ module dg_length_change
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: true_axial
+   use dg_profile, only: between_ends
    use dg_sinusoidal_shape, only: sinusoidal_swing, sinusoidal_wave
    use dg_trajectory, only: top_md
    implicit none
@@ -86,12 +87,9 @@ contains
       pure function warmer(row) result(change_there)
          integer, intent(in) :: row
          real(wp) :: change_there
-         real(wp) :: deep
-         associate (tvd => result%profile%tvd, load_case => model%cases(result%case_index))
-            deep = 0.0_wp
-            if (tvd(size(tvd)) > tvd(1)) deep = (tvd(row) - tvd(1))/(tvd(size(tvd)) - tvd(1))
-            change_there = load_case%temperature_change_top + deep*(load_case%temperature_change_bottom - &
-                                                                    load_case%temperature_change_top)
+         associate (load_case => model%cases(result%case_index))
+            change_there = between_ends(result%profile, row, load_case%temperature_change_top, &
+                                        load_case%temperature_change_bottom)
          end associate
       end function warmer
    end subroutine find_length_change

@@ -7,6 +7,7 @@ module dg_pipe_strength
    use dg_component, only: component_type, is_worn, tube_area, tube_inertia, worn_od
    implicit none
    private
+   public :: yield_left, warmed
    public :: tensile_strength, torsional_strength, burst_strength, collapse_strength, collapses_as_steel, slip_share
 
    real(wp), parameter :: psi = 6894.757293168_wp
@@ -19,10 +20,30 @@ module dg_pipe_strength
    real(wp), parameter :: weakest_fit = 24.0e3_wp, strongest_fit = 150.0e3_wp
    !> Of the elastic collapse of steel [psi].
    real(wp), parameter :: elastic = 46.95e6_wp
+   !> Part of the yield strength that any temperature leaves [-]: the straight line is meant for a loss of some per cent.
+   real(wp), parameter :: least_left = 0.01_wp
    !> Least Young's modulus of what counts as steel [Pa].
    real(wp), parameter :: least_steel = 180.0e9_wp
 
 contains
+
+   !> Part of the yield strength that is left of a component at a temperature [-]; it falls in a straight line.
+   elemental function yield_left(part, warmer) result(left)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: warmer    !< than ambient [K]
+      real(wp) :: left
+      left = max(1.0_wp - part%yield_loss*max(warmer, 0.0_wp), least_left)
+   end function yield_left
+
+   !> A component with what is left of its strength, of body and connections.
+   pure function warmed(part, left) result(warm)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: left      !< of the yield strength [-]
+      type(component_type) :: warm
+      warm = part
+      warm%yield = left*part%yield
+      warm%joint_torsion = left*part%joint_torsion
+   end function warmed
 
    !> Tension at which the body yields [N].
    elemental function tensile_strength(part) result(force)

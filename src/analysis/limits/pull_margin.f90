@@ -19,8 +19,9 @@ module dg_pull_margin
 contains
 
    !> Tension that may be added at one place [N]; where it yields already, negative: by how much compression or tension is too much.
-   pure function pull_margin(part, axial, torque, moment, curvature, apart, buckled, difference) result(margin)
-      type(component_type), intent(in) :: part   !< with a yield strength
+   pure function pull_margin(part, yield, axial, torque, moment, curvature, apart, buckled, difference) result(margin)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: yield              !< strength at the temperature there, > 0 [Pa]
       real(wp), intent(in) :: axial              !< effective [N]
       real(wp), intent(in) :: torque             !< [N.m]
       real(wp), intent(in) :: moment             !< now, >= 0 [N.m]
@@ -31,15 +32,15 @@ contains
       real(wp) :: margin
       real(wp) :: low, high, middle
       integer :: i
-      margin = tension_capacity(worn_od(part), part%id, torque, moment, difference, part%yield) - abs(axial)
+      margin = tension_capacity(worn_od(part), part%id, torque, moment, difference, yield) - abs(axial)
       if (margin < 0.0_wp) return
-      high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), difference, part%yield)
+      high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), difference, yield)
       margin = high - axial
       if (.not. (apart .and. has_joints(part))) return
       low = min(axial, high)
       do i = 1, halvings
          middle = 0.5_wp*(low + high)
-         if (tension_capacity(worn_od(part), part%id, torque, moment_at(middle), difference, part%yield) > middle) then
+         if (tension_capacity(worn_od(part), part%id, torque, moment_at(middle), difference, yield) > middle) then
             low = middle
          else
             high = middle

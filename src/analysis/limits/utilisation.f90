@@ -3,39 +3,56 @@
 !>
 !> Tension is the effective one, as API rates pipe in mud. Where two components meet each has a row, and the connection is the
 !> weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
+!>
+!> Ratings of premium connections cut off what the body bears. Against tension and compression stands the axial stress of the
+!> most loaded fibre, without the pressure that both sides have and with bending, as in Bourgoyne et al. (1986), Applied drilling
+!> engineering, eq. 7.14. Pressures stand against burst and collapse of the body, and the curvature of the pipe against its dogleg.
 module dg_utilisation
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type, is_bit, is_pipe, tube_area, worn_od
+   use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops
    use dg_load_case, only: rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
-   use dg_profile, only: piece_depths
+   use dg_profile, only: piece_depths, profile_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
-                               torsional_strength
+                               torsional_strength, warmed
    use dg_trajectory, only: top_md
    implicit none
    private
    public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name, has_rating, &
              lacks_rating, part_limits
    public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
-             limit_slips, limit_rig, limit_top_drive, as_much
+             limit_slips, limit_rig, limit_top_drive, limit_joint_tension, limit_joint_compression, limit_joint_burst, &
+             limit_joint_collapse, limit_joint_dogleg, joint_ratings, as_much
 
    integer, parameter :: limit_von_mises = 1, limit_tension = 2, limit_torsion = 3, limit_joint_torsion = 4, limit_makeup = 5, &
-                         limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9, limit_top_drive = 10
-   integer, parameter :: limit_count = 10
+                         limit_burst = 6, limit_collapse = 7, limit_slips = 8, limit_rig = 9, limit_top_drive = 10, &
+                         limit_joint_tension = 11, limit_joint_compression = 12, limit_joint_burst = 13, &
+                         limit_joint_collapse = 14, limit_joint_dogleg = 15
+   integer, parameter :: limit_count = 15
+   !> Ratings of premium connections.
+   integer, parameter :: joint_ratings(5) = [limit_joint_tension, limit_joint_compression, limit_joint_burst, &
+                                             limit_joint_collapse, limit_joint_dogleg]
    !> Those that go by strengths of each component.
-   integer, parameter :: part_limits(7) = [limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, &
-                                           limit_burst, limit_collapse]
-   character(*), parameter :: limit_name(limit_count) = [character(14) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
-      'make-up torque', 'burst', 'collapse', 'slips', 'rig', 'top drive']
+   integer, parameter :: part_limits(12) = [limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, &
+                                            limit_burst, limit_collapse, joint_ratings]
+   character(*), parameter :: limit_name(limit_count) = [character(17) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
+      'make-up torque', 'burst', 'collapse', 'slips', 'rig', 'top drive', 'joint tension', 'joint compression', 'joint burst', &
+      'joint collapse', 'joint dogleg']
+   !> Order in which limits that are used alike come first: what the pipe bears before its connections, von Mises last, because of
+   !> a pull alone it says what tension says.
+   integer, parameter :: precedence(limit_count) = [limit_top_drive, limit_rig, limit_slips, limit_collapse, limit_burst, &
+      limit_makeup, limit_joint_torsion, limit_torsion, limit_tension, joint_ratings, limit_von_mises]
 
    type :: utilisation_type
       type(optional_real) :: used(limit_count)   !< most along the string [-]; absent where no strength is known
       type(optional_real) :: md(limit_count)     !< where [m]
+      real(wp) :: load(limit_count) = 0.0_wp     !< that is compared with the strength there [N, N.m, Pa or 1/m]
       integer :: governing = 0                   !< the limit that is used most; 0: none known
    end type utilisation_type
 
@@ -56,37 +73,57 @@ contains
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, depths(size(result%profile%md))
-      integer :: i
+      integer :: i, limit
       bit = model%cases(result%case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
                  profile => result%profile)
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          depths = piece_depths(profile)
          do i = 1, size(profile%md)
-            call use_component(string%components(component_at(tops, bit - depths(i))), factors, profile%axial(i), &
-                               profile%torque(i), along%pressure(i), along%inside_pressure(i), profile%md(i), utilisation)
+            associate (part => string%components(component_at(tops, bit - depths(i))))
+               if (along%yield_left(i) < 1.0_wp) then
+                  call use_row(warmed(part, along%yield_left(i)), factors, profile, along, i, utilisation)
+               else
+                  call use_row(part, factors, profile, along, i, utilisation)
+               end if
+            end associate
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
-               factors%von_mises/along%safety_factor(i), profile%md(i))
+               factors%von_mises/along%safety_factor(i), along%von_mises(i), profile%md(i))
          end do
          associate (uppermost => string%components(component_at(tops, tops(size(tops)))))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
-               factors%tension*max(result%hookload, 0.0_wp)/(tensile_strength(uppermost)* &
-               slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), profile%md(1))
+               factors%tension*max(result%hookload, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
+               slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload, profile%md(1))
          end associate
          if (rig_limit%present) call use_limit(utilisation, limit_rig, &
-            max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, profile%md(1))
+            max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, &
+            result%hookload + model%rig%block_weight, profile%md(1))
          if (model%rig%max_torque%present .and. rotates(model%cases(result%case_index)%operation)) &
-            call use_limit(utilisation, limit_top_drive, abs(result%torque)/model%rig%max_torque%value, profile%md(1))
+            call use_limit(utilisation, limit_top_drive, abs(result%torque)/model%rig%max_torque%value, abs(result%torque), &
+                           profile%md(1))
       end associate
-      ! von Mises comes last: of a pull alone it says what tension says
-      do i = limit_count, 1, -1
-         if (.not. utilisation%used(i)%present) cycle
+      do i = 1, limit_count
+         limit = precedence(i)
+         if (.not. utilisation%used(limit)%present) cycle
          if (utilisation%governing > 0) then
-            if (utilisation%used(i)%value <= (1.0_wp + as_much)*utilisation%used(utilisation%governing)%value) cycle
+            if (utilisation%used(limit)%value <= (1.0_wp + as_much)*utilisation%used(utilisation%governing)%value) cycle
          end if
-         utilisation%governing = i
+         utilisation%governing = limit
       end do
    end subroutine find_utilisation
+
+   !> What one component uses at one row.
+   pure subroutine use_row(part, factors, profile, along, row, utilisation)
+      type(component_type), intent(in) :: part      !< with its strength at the temperature there
+      type(design_factors_type), intent(in) :: factors
+      type(profile_type), intent(in) :: profile
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: row
+      type(utilisation_type), intent(inout) :: utilisation
+      call use_component(part, factors, profile%axial(row), profile%torque(row), along%pressure(row), &
+                         along%inside_pressure(row), profile%md(row), utilisation)
+      if (is_rated(part%rating)) call use_rating(part, factors, along, row, profile%md(row), utilisation)
+   end subroutine use_row
 
    !> What one component uses of its strengths at one depth.
    pure subroutine use_component(part, factors, axial, torque, outside, inside, md, utilisation)
@@ -99,19 +136,62 @@ contains
       type(utilisation_type), intent(inout) :: utilisation
       real(wp) :: od, stress
       if (part%joint_torsion > 0.0_wp) &
-         call use_limit(utilisation, limit_joint_torsion, factors%torsion*abs(torque)/part%joint_torsion, md)
-      if (part%makeup_torque > 0.0_wp) call use_limit(utilisation, limit_makeup, abs(torque)/part%makeup_torque, md)
+         call use_limit(utilisation, limit_joint_torsion, factors%torsion*abs(torque)/part%joint_torsion, abs(torque), md)
+      if (part%makeup_torque > 0.0_wp) &
+         call use_limit(utilisation, limit_makeup, abs(torque)/part%makeup_torque, abs(torque), md)
       if (.not. part%yield > 0.0_wp) return
-      call use_limit(utilisation, limit_tension, factors%tension*max(axial, 0.0_wp)/tensile_strength(part), md)
-      call use_limit(utilisation, limit_torsion, factors%torsion*abs(torque)/torsional_strength(part), md)
-      call use_limit(utilisation, limit_burst, factors%burst*max(inside - outside, 0.0_wp)/burst_strength(part), md)
+      call use_limit(utilisation, limit_tension, factors%tension*max(axial, 0.0_wp)/tensile_strength(part), axial, md)
+      call use_limit(utilisation, limit_torsion, factors%torsion*abs(torque)/torsional_strength(part), abs(torque), md)
+      call use_limit(utilisation, limit_burst, factors%burst*max(inside - outside, 0.0_wp)/burst_strength(part), &
+                     inside - outside, md)
       if (.not. collapses_as_steel(part)) return
       ! True axial stress plus pressure inside: what mud of one pressure adds to either cancels.
       od = worn_od(part)
       stress = (axial - (outside - inside)*tube_area(od, 0.0_wp))/tube_area(od, part%id)
       call use_limit(utilisation, limit_collapse, factors%collapse*share_of(max(outside - inside, 0.0_wp), &
-         collapse_strength(part, stress)), md)
+         collapse_strength(part, stress)), outside - inside, md)
    end subroutine use_component
+
+   !> What one component uses of the ratings of its connections at one row.
+   pure subroutine use_rating(part, factors, along, row, md, utilisation)
+      type(component_type), intent(in) :: part
+      type(design_factors_type), intent(in) :: factors
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: row
+      real(wp), intent(in) :: md                !< [m]
+      type(utilisation_type), intent(inout) :: utilisation
+      real(wp) :: curvature, bending, stress
+      curvature = along%bending_stress(row)/(0.5_wp*part%youngs*worn_od(part))
+      if (.not. is_missing(part%rating%dogleg)) &
+         call use_limit(utilisation, limit_joint_dogleg, curvature/part%rating%dogleg, curvature, md)
+      if (.not. part%yield > 0.0_wp) return
+      bending = along%bending_stress(row)
+      if (.not. is_missing(along%jointed_bending(row))) bending = along%jointed_bending(row)
+      associate (rating => part%rating, outside => along%pressure(row), inside => along%inside_pressure(row))
+         stress = along%axial_stress(row) + min(outside, inside)
+         call use_share(limit_joint_tension, rating%tension, factors%tension, bending + stress, part%yield, &
+                        md, utilisation)
+         call use_share(limit_joint_compression, rating%compression, factors%tension, bending - stress, part%yield, &
+                        md, utilisation)
+         call use_share(limit_joint_burst, rating%burst, factors%burst, inside - outside, burst_strength(part), &
+                        md, utilisation)
+         if (collapses_as_steel(part)) call use_share(limit_joint_collapse, rating%collapse, factors%collapse, &
+            outside - inside, collapse_strength(part, stress), md, utilisation)
+      end associate
+   end subroutine use_rating
+
+   !> Uses a rating, where there is one.
+   pure subroutine use_share(limit, rating, factor, load, strength, md, utilisation)
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: rating     !< over `strength`, may be missing [-]
+      real(wp), intent(in) :: factor     !< on the load [-]
+      real(wp), intent(in) :: load       !< below zero: none [Pa]
+      real(wp), intent(in) :: strength   !< of the body [Pa]
+      real(wp), intent(in) :: md         !< [m]
+      type(utilisation_type), intent(inout) :: utilisation
+      if (.not. is_missing(rating)) &
+         call use_limit(utilisation, limit, factor*share_of(max(load, 0.0_wp), rating*strength), load, md)
+   end subroutine use_share
 
    !> Whether the deck gives a component the strength of a limit.
    elemental function has_rating(part, limit) result(has)
@@ -122,6 +202,11 @@ contains
       case (limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse); has = part%yield > 0.0_wp
       case (limit_joint_torsion); has = part%joint_torsion > 0.0_wp
       case (limit_makeup); has = part%makeup_torque > 0.0_wp
+      case (limit_joint_tension); has = part%yield > 0.0_wp .and. .not. is_missing(part%rating%tension)
+      case (limit_joint_compression); has = part%yield > 0.0_wp .and. .not. is_missing(part%rating%compression)
+      case (limit_joint_burst); has = part%yield > 0.0_wp .and. .not. is_missing(part%rating%burst)
+      case (limit_joint_collapse); has = part%yield > 0.0_wp .and. .not. is_missing(part%rating%collapse)
+      case (limit_joint_dogleg); has = .not. is_missing(part%rating%dogleg)
       case default; has = .false.
       end select
    end function has_rating
@@ -133,7 +218,7 @@ contains
       integer, intent(in) :: limit
       logical :: lacks
       lacks = .not. has_rating(part, limit) .and. .not. is_bit(part)
-      if (any(limit == [limit_joint_torsion, limit_makeup])) lacks = lacks .and. is_pipe(part)
+      if (any(limit == [limit_joint_torsion, limit_makeup, joint_ratings])) lacks = lacks .and. is_pipe(part)
    end function lacks_rating
 
    !> Load over strength, where the strength may be gone.
@@ -145,14 +230,16 @@ contains
    end function share_of
 
    !> Keeps a use of a limit if it is more than any before: of many that are equal the uppermost.
-   pure subroutine use_limit(utilisation, limit, used, md)
+   pure subroutine use_limit(utilisation, limit, used, load, md)
       type(utilisation_type), intent(inout) :: utilisation
       integer, intent(in) :: limit
       real(wp), intent(in) :: used   !< [-]
+      real(wp), intent(in) :: load   !< [N, N.m, Pa or 1/m]
       real(wp), intent(in) :: md     !< [m]
       if (utilisation%used(limit)%present .and. used <= (1.0_wp + round_off)*utilisation%used(limit)%value) return
       utilisation%used(limit) = given(used)
       utilisation%md(limit) = given(md)
+      utilisation%load(limit) = load
    end subroutine use_limit
 
    !> Name of the limit that governs; '' for none.

@@ -7,7 +7,7 @@ module dg_verdict
    implicit none
    private
    public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
-             limit_lock_up, limit_fatigue, limit_title, limit_code
+             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
@@ -16,11 +16,12 @@ module dg_verdict
 
    !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
    !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue: the part of its life
-   !> that the hours of the case take of the pipe.
-   integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3
-   integer, parameter :: every_limit_count = limit_count + 3
+   !> that the hours of the case take of the pipe, of its body or its connections.
+   integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3, &
+                         limit_joint_fatigue = limit_count + 4
+   integer, parameter :: every_limit_count = limit_count + 4
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(13) :: 'string weight', 'lock-up', &
-      'fatigue']
+      'fatigue', 'joint fatigue']
 
    !> Friction that an answer goes by: of the deck; of a calibration without a 95 % interval; of one with it, and the answer holds
    !> at its upper end; or is no at its upper end alone.

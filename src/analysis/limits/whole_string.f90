@@ -66,7 +66,10 @@ module dg_whole_string
       type(length_change_type) :: length_change     !< of the string, in its parts [m]
       type(optional_real) :: packer_force           !< of the string on its packer beside pressures, down > 0 [N]
       type(groove_type) :: groove                   !< in casing that the string wears most
-      type(fatigue_type) :: fatigue                 !< of the component that is tired most
+      type(fatigue_type) :: fatigue                 !< of the body that is tired most
+      type(fatigue_type) :: joint_fatigue           !< of the connection that is tired most
+      type(optional_real) :: yield_left             !< least along the string, where it is warm, over that of the deck [-]
+      type(optional_real) :: yield_left_md          !< where [m]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
       type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
@@ -107,6 +110,7 @@ contains
             call find_length_change(model, result, along, whole%length_change)
          allocate (whole%neutral_points, source=neutral_points_of(profile%md, profile%axial))
          call least_of(along%safety_factor, profile%md, whole%least_safety, whole%least_safety_md)
+         if (any(along%yield_left < 1.0_wp)) call least_of(along%yield_left, profile%md, whole%yield_left, whole%yield_left_md)
          call least_of(along%envelope_margin, profile%md, whole%least_envelope_margin)
          call least_of(along%overpull, profile%md, whole%overpull_margin)
          call least_of(along%buckling_margin, profile%md, whole%buckling_margin, whole%buckling_margin_md)
@@ -137,7 +141,13 @@ contains
       call find_casing_wear(model, result, grooves)
       whole%groove = worst_groove(grooves)
       call find_fatigue(model, result, along, parts)
-      if (size(parts) > 0) whole%fatigue = parts(1)
+      do i = size(parts), 1, -1     ! the worst one last
+         if (parts(i)%joint) then
+            whole%joint_fatigue = parts(i)
+         else
+            whole%fatigue = parts(i)
+         end if
+      end do
       call take(result%stability_margin, whole%stability_margin)
       call take(result%bit_side_force, whole%bit_side_force)
       call take(result%bit_side_clock, whole%bit_side_clock)
@@ -354,7 +364,8 @@ contains
                if (-axial(i) > max(along%helical(i), 0.0_wp) .and. .not. is_missing(along%helical(i))) moment = moment - &
                   0.25_wp*(along%hole_diameter(i) - contact_diameter(part, bit - tops(place)))*axial(i)
                margin = min(margin, axial(i) + tension_capacity(worn_od(part), part%id, torque(i), moment, &
-                                                                along%inside_pressure(i) - along%pressure(i), part%yield))
+                                                                along%inside_pressure(i) - along%pressure(i), &
+                                                                along%yield_left(i)*part%yield))
             end associate
          end do
       end associate

@@ -13,7 +13,7 @@ module dg_quantity
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_mass, quantity_density, &
       quantity_force, quantity_moment, quantity_line_load, quantity_modulus, quantity_stress, quantity_pressure, quantity_wall, &
       quantity_curvature, quantity_rotation, quantity_speed, quantity_gravity, quantity_percent, quantity_turns, quantity_time, &
-      quantity_temperature, quantity_expansion, quantity_wear
+      quantity_temperature, quantity_expansion, quantity_wear, quantity_loss
 
    integer, parameter :: quantity_none = 0       !< a number without unit
    integer, parameter :: quantity_text = 1       !< a text, or a number that stands for one
@@ -39,7 +39,8 @@ module dg_quantity
    integer, parameter :: quantity_temperature = 21  !< difference of temperatures
    integer, parameter :: quantity_expansion = 22    !< thermal
    integer, parameter :: quantity_wear = 23         !< of casing: volume worn off by a work of sliding
-   integer, parameter :: quantity_last = 23
+   integer, parameter :: quantity_loss = 24         !< of strength by temperature
+   integer, parameter :: quantity_last = 24
 
    !> Systems of units. That of programs stands last; no deck has it.
    integer, parameter :: system_si = 1
@@ -89,6 +90,8 @@ module dg_quantity
    type(unit_type), parameter :: in_inches = unit_type('in', 'in', inch), m_s2 = unit_type('m/s2', 'm_s2', one)
    real(wp), parameter :: micro = 1.0e-6_wp, fahrenheit = 5.0_wp/9.0_wp
    type(unit_type), parameter :: kelvin = unit_type('K', 'K', one), micro_kelvin = unit_type('1e-6/K', '1e-6_K', micro)
+   real(wp), parameter :: hundredth = 1.0e-2_wp
+   type(unit_type), parameter :: percent_kelvin = unit_type('%/K', 'pct_K', hundredth)
    type(unit_type), parameter :: per_pascal = unit_type('1e-14/Pa', '1e-14_Pa', 1.0e-14_wp)
    type(unit_type), parameter :: deg_30_m = unit_type('deg/30 m', 'deg_30m', per_30_m)
 
@@ -124,5 +127,7 @@ module dg_quantity
       row_type(quantity_expansion, [micro_kelvin, unit_type('1e-6/degF', '1e-6_degF', micro/fahrenheit), micro_kelvin, &
                                     unit_type('1/K', '1_K', one)]), &
       row_type(quantity_wear, [per_pascal, unit_type('1e-10/psi', '1e-10_psi', 1.0e-10_wp/psi), per_pascal, &
-                               unit_type('1/Pa', '1_Pa', one)])]
+                               unit_type('1/Pa', '1_Pa', one)]), &
+      row_type(quantity_loss, [percent_kelvin, unit_type('%/degF', 'pct_degF', hundredth/fahrenheit), percent_kelvin, &
+                               unit_type('1/K', '1_K', one)])]
 end module dg_quantity

@@ -28,8 +28,10 @@ module dg_catalogue
    character(*), parameter :: catalogue_within = '(catalogue of the program)'
 
    !> Keys of &component that a catalogue may give.
-   character(*), parameter :: numeric_keys(15) = [character(13) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
-      'opened_od', 'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion']
+   character(*), parameter :: numeric_keys(21) = [character(22) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &
+      'opened_od', 'joint_length', 'joint_spacing', 'yield', 'makeup_torque', 'joint_id', 'joint_yield', 'joint_torsion', &
+      'tension_efficiency', 'compression_efficiency', 'burst_efficiency', 'collapse_efficiency', 'joint_dogleg', &
+      'yield_loss']
    character(*), parameter :: kind_of_grades = 'grade'
    !> Columns of texts, and those that no component needs.
    integer, parameter :: column_ignored = 0, column_name = -1, column_kind = -2, column_source = -3, column_connection = -4

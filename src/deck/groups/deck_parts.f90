@@ -7,6 +7,7 @@ module dg_deck_parts
                                logical_of, text_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
+   use dg_connection_rating, only: connection_rating_type
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
@@ -96,6 +97,7 @@ contains
          part%opened_below = real_of(group, 'opened_below', part%opened_below)
          part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
          part%yield = real_of(group, 'yield', part%yield)
+         part%yield_loss = real_of(group, 'yield_loss', part%yield_loss)
          part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
          item%mass_given = is_given(group, 'mass')
          call draft_friction()
@@ -104,8 +106,10 @@ contains
          case ('class2'); part%wall_left = class_2_wall
          case default
          end select
+         part%wall_left = real_of(group, 'wall_left', part%wall_left)
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
+         call draft_rating(group, part%rating)
          call draft_tools(group, part, faults)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
          if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
@@ -169,17 +173,19 @@ contains
       if (part%pad_force > 0.0_wp .and. .not. is_given(group, 'pad_position')) &
          call group_fault(group, 'pad_force', 'pad_force needs pad_position, its distance above the lower end of the '// &
                           'component', faults)
-      call draft_fatigue(group, part%fatigue)
+      call draft_fatigue(group, part%fatigue, part%joint_fatigue)
       if (part%fatigue%curve == fatigue_own .and. .not. is_given(group, 'fatigue_limit')) &
          call group_fault(group, 'fatigue_curve', "fatigue_curve = 'own' needs fatigue_limit", faults)
       if (part%fatigue%curve /= fatigue_own .and. is_sound(group, 'fatigue_limit')) &
          call group_fault(group, 'fatigue_limit', "fatigue_limit needs fatigue_curve = 'own'", faults)
+      if (part%joint_fatigue%curve /= fatigue_own .and. is_given(group, 'joint_fatigue_exponent')) &
+         call group_fault(group, 'joint_fatigue_exponent', 'joint_fatigue_exponent needs joint_fatigue_limit', faults)
    end subroutine draft_tools
 
-   !> A fatigue curve by name, or an own one.
-   subroutine draft_fatigue(group, fatigue)
+   !> A fatigue curve of the body by name, or an own one; an own one of connections.
+   subroutine draft_fatigue(group, fatigue, joints)
       type(checked_group_type), intent(in) :: group
-      type(fatigue_curve_type), intent(inout) :: fatigue
+      type(fatigue_curve_type), intent(inout) :: fatigue, joints
       if (is_sound(group, 'fatigue_curve')) &
          fatigue%curve = findloc(fatigue_curve_name == text_of(group, 'fatigue_curve', 'none'), .true., dim=1)
       fatigue%limit = real_of(group, 'fatigue_limit', fatigue%limit)
@@ -187,7 +193,23 @@ contains
       fatigue%share = real_of(group, 'fatigue_share', fatigue%share)
       fatigue%exponent = real_of(group, 'fatigue_exponent', fatigue%exponent)
       fatigue%turns = real_of(group, 'fatigue_turns', fatigue%turns)
+      if (is_sound(group, 'joint_fatigue_limit')) joints%curve = fatigue_own
+      joints%limit = real_of(group, 'joint_fatigue_limit', joints%limit)
+      joints%share = fatigue%share
+      joints%exponent = real_of(group, 'joint_fatigue_exponent', joints%exponent)
+      joints%turns = real_of(group, 'joint_fatigue_turns', joints%turns)
    end subroutine draft_fatigue
+
+   !> Ratings of the connections.
+   subroutine draft_rating(group, rating)
+      type(checked_group_type), intent(in) :: group
+      type(connection_rating_type), intent(inout) :: rating
+      rating%tension = real_of(group, 'tension_efficiency', rating%tension)
+      rating%compression = real_of(group, 'compression_efficiency', rating%compression)
+      rating%burst = real_of(group, 'burst_efficiency', rating%burst)
+      rating%collapse = real_of(group, 'collapse_efficiency', rating%collapse)
+      rating%dogleg = real_of(group, 'joint_dogleg', rating%dogleg)
+   end subroutine draft_rating
 
    !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
    function joint_torsion_of(group, part) result(torque)
@@ -254,6 +276,8 @@ contains
          case%pump_pressure = real_of(group, 'pump_pressure', 0.0_wp)
          case%temperature_change_top = real_of(group, 'temperature_change_top', 0.0_wp)
          case%temperature_change_bottom = real_of(group, 'temperature_change_bottom', 0.0_wp)
+         case%above_ambient_top = real_of(group, 'above_ambient_top', 0.0_wp)
+         case%above_ambient_bottom = real_of(group, 'above_ambient_bottom', 0.0_wp)
          case%angular_speed = real_of(group, 'rpm', 0.0_wp)
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
          case%hours = real_of(group, 'hours', 0.0_wp)

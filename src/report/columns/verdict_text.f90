@@ -6,13 +6,15 @@ module dg_verdict_text
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
-   use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment, unit_pressure, unit_stress
+   use dg_unit_kind, only: at_most_in_units, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
+                           unit_pressure, unit_stress
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, &
+   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
+                             limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, limit_code, limit_fatigue, limit_lock_up, limit_string_weight, limit_title, &
-                         verdict_type
+                         friction_upper_end_alone, limit_code, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
+                         limit_string_weight, limit_title, verdict_type
    implicit none
    private
    public :: task_text, verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
@@ -188,7 +190,7 @@ contains
       character(:), allocatable :: text
       real(wp) :: left
       text = ''
-      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_lock_up])) return
+      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue, limit_lock_up])) return
       text = '. Possible without overpull'
       if (all(verdict%limit /= [limit_rig, limit_tension])) return
       ! Less overpull takes as much off the load at least: drag falls with it.
@@ -250,14 +252,16 @@ contains
    pure function load_text(units, limit, load) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: limit
-      real(wp), intent(in) :: load       !< [N, N.m or Pa]
+      real(wp), intent(in) :: load       !< [N, N.m, Pa or 1/m]
       character(:), allocatable :: text
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
          text = trim(in_units(units, unit_moment, load, shown))
-      case (limit_von_mises, limit_fatigue)
+      case (limit_joint_dogleg)
+         text = trim(in_units(units, unit_curvature, load, shown))
+      case (limit_von_mises, limit_fatigue, limit_joint_fatigue, limit_joint_tension, limit_joint_compression)
          text = trim(in_units(units, unit_stress, load, shown))
-      case (limit_burst, limit_collapse)
+      case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
          text = trim(in_units(units, unit_pressure, load, shown))
       case default
          text = force_text(units, load)

@@ -286,6 +286,10 @@ contains
                      unit_label(units, unit_temperature))// &
             optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
                      unit_label(units, unit_temperature))// &
+            optional(', above ambient at top by ', case%above_ambient_top, unit_factor(units, unit_temperature), &
+                     unit_label(units, unit_temperature))// &
+            optional(', above ambient at bit by ', case%above_ambient_bottom, unit_factor(units, unit_temperature), &
+                     unit_label(units, unit_temperature))// &
             optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
             optional(' for ', case%hours, 1.0_wp, 'h')// &
             optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &

@@ -12,8 +12,10 @@ module dg_limits_file
    use dg_length_change, only: total_change
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
-   use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_torsion, limit_makeup, limit_rig, &
-                             limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
+   use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
+                             limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, &
+                             limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
+                             limit_von_mises
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -52,6 +54,7 @@ contains
       call put_shape(row, whole)
       call put_used(row, whole)
       call put_changes(row, whole)
+      call put_ratings(row, whole)
       if (.not. has_numbers(result%status)) row%fields(4:)%kind = field_absent
    end function limits_row
 
@@ -220,4 +223,36 @@ contains
                   fatigue%dogleg)
       end associate
    end subroutine put_changes
+
+   !> Yield strength by temperature; ratings and fatigue of the connections.
+   pure subroutine put_ratings(row, whole)
+      type(row_type), intent(inout) :: row
+      type(whole_string_type), intent(in) :: whole
+      type(optional_real) :: used(size(whole%utilisation%used))
+      used = in_percent(whole%utilisation%used)
+      call put(row, 'yield_left', quantity_percent, &
+               'least along the string, of the yield strength at ambient temperature; empty where the string is not warmer', &
+               in_percent(whole%yield_left))
+      call put(row, 'used_joint_tension', quantity_percent, &
+               'of the tensile strength of connections, by the most loaded fibre, bending included; this and those that '// &
+               'follow: where tension_efficiency and the like are given', used(limit_joint_tension))
+      call put(row, 'used_joint_compression', quantity_percent, 'the same in compression', used(limit_joint_compression))
+      call put(row, 'used_joint_burst', quantity_percent, 'of the burst strength of connections', used(limit_joint_burst))
+      call put(row, 'used_joint_collapse', quantity_percent, &
+               'of the collapse strength of connections under the tension there', used(limit_joint_collapse))
+      call put(row, 'used_joint_dogleg', quantity_percent, &
+               'of joint_dogleg, by the curvature of the pipe', used(limit_joint_dogleg))
+      associate (fatigue => whole%joint_fatigue)
+         call put(row, 'joint_fatigue_used', quantity_percent, &
+                  'of the bending amplitude that connections bear without end, most along the string; this and those that '// &
+                  'follow as for fatigue, where joint_fatigue_limit is given', &
+                  in_percent(optional_real(fatigue%present, fatigue%used)))
+         call put(row, 'joint_fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
+         call put(row, 'joint_fatigue_turns', quantity_none, 'until failure there', fatigue%turns)
+         call put(row, 'joint_fatigue_damage', quantity_percent, &
+                  'part of the life there that hours of rotation take', percent_of(fatigue%damage))
+         call put(row, 'joint_fatigue_dogleg', quantity_curvature, &
+                  'largest dogleg in which the connection there may turn without end at its tension', fatigue%dogleg)
+      end associate
+   end subroutine put_ratings
 end module dg_limits_file

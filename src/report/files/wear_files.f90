@@ -77,11 +77,14 @@ contains
       type(fatigue_type), intent(in) :: parts(:)
       type(text_type), intent(in) :: names(:)     !< of components
       type(series_list_type) :: list
+      type(text_type) :: sections(2)
+      sections(1)%text = 'body'
+      sections(2)%text = 'joint'
       call put(list, 'component', quantity_text, 'its name', parts%part - 1, names)
       call put(list, 'md', quantity_length, 'where it is bent hardest for its tension', parts%md)
       call put(list, 'tension', quantity_stress, 'of the effective axial force', parts%tension)
       call put(list, 'amplitude', quantity_stress, &
-               'of the bending stress of the body, largest between tool joints', parts%amplitude)
+               'of the bending stress, of the body largest between tool joints', parts%amplitude)
       call put(list, 'permitted', quantity_stress, 'amplitude that it bears without end at that tension', parts%permitted)
       call put(list, 'used', quantity_percent, 'amplitude over permitted', percent_of(parts%used))
       call put(list, 'turns', quantity_none, &
@@ -91,5 +94,7 @@ contains
       call put(list, 'dogleg', quantity_curvature, 'of the hole there', parts%curvature)
       call put(list, 'permitted_dogleg', quantity_curvature, &
                'largest dogleg in which it may turn without end at that tension', parts%dogleg)
+      call put(list, 'section', quantity_text, &
+               'body, or joint: its connections, with the stress outside them', merge(1, 0, parts%joint), sections)
    end function fatigue_series
 end module dg_wear_files

@@ -42,7 +42,9 @@ module dg_html_report
       'wob_no_hookload', 'wob_lockup', 'rig_margin', 'makeup_margin', 'length_change', 'length_change_force', &
       'length_change_pressure', 'length_change_buckling', 'length_change_temperature', 'packer_force', 'casing_wear', &
       'casing_wear_md', 'casing_wall_left', 'casing_burst_left', 'casing_collapse_left', &
-      'fatigue_used', 'fatigue_md', 'fatigue_turns', 'fatigue_damage', 'fatigue_dogleg']
+      'fatigue_used', 'fatigue_md', 'fatigue_turns', 'fatigue_damage', 'fatigue_dogleg', 'yield_left', 'used_joint_tension', &
+      'used_joint_compression', 'used_joint_burst', 'used_joint_collapse', 'used_joint_dogleg', 'joint_fatigue_used', &
+      'joint_fatigue_md', 'joint_fatigue_turns', 'joint_fatigue_damage', 'joint_fatigue_dogleg']
    character(*), parameter :: most_shown(*) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
       'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']

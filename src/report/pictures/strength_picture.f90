@@ -8,12 +8,13 @@ module dg_strength_picture
    use dg_quantity, only: quantity_moment, quantity_stress
    use dg_component, only: component_type
    use dg_curve_look, only: colour_black, colour_of, line_style
-   use dg_drillstring, only: component_tops
+   use dg_drillstring, only: component_at, component_tops
    use dg_job, only: job_type, model_name
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
+   use dg_profile, only: piece_depths
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_label
    implicit none
@@ -54,7 +55,12 @@ contains
          do k = 1, size(results)
             call add(alongs(k)%von_mises, units%stress, trim(model_name(results(k)%model)), colour_of(k))
          end do
-         call add_steps(yields, units%stress, strength_look, 'yield')
+         if (any(alongs(1)%yield_left < 1.0_wp)) then
+            call add_depth_curve(chart, results(1)%profile%md, yields_along(model, results(1), alongs(1)%yield_left), &
+                                 units%stress, strength_look, 'yield', '')
+         else
+            call add_steps(yields, units%stress, strength_look, 'yield')
+         end if
          call fit_range(chart)
          if (strong) then
             call add_depth_panel(chart, place(), 'safety factor')
@@ -130,4 +136,24 @@ contains
          end associate
       end do
    end subroutine steps
+
+   !> Yield strength of a warm string at each row of a profile [Pa]; `missing` where it is not known.
+   pure function yields_along(model, result, left) result(yields)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: left(:)        !< of the yield strength, one a row [-]
+      real(wp) :: yields(size(left))
+      real(wp), allocatable :: tops(:)
+      real(wp) :: bit, depths(size(left)), yield
+      integer :: i
+      bit = model%cases(result%case_index)%bit_depth
+      depths = piece_depths(result%profile)
+      associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
+         allocate (tops, source=component_tops(string, bit - result%profile%md(1)))
+         do i = 1, size(left)
+            yield = string%components(component_at(tops, bit - depths(i)))%yield
+            yields(i) = merge(left(i)*yield, missing, yield > 0.0_wp)
+         end do
+      end associate
+   end function yields_along
 end module dg_strength_picture

@@ -19,6 +19,7 @@ module dg_limits_table
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
    use dg_units, only: unit_system_type
+   use dg_utilisation, only: joint_ratings, limit_name, utilisation_type
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -129,8 +130,14 @@ contains
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
       end do
       do i = 1, size(results)
+         if (wholes(i)%yield_left%present) call append_text(lines, '  Yield strength left in '//names(i)%text//': '// &
+            to_text(100.0_wp*wholes(i)%yield_left%value, few)//' % at '// &
+            to_text(anint(wholes(i)%yield_left_md%value/units%length))//' '//trim(units%length_label)//', by temperature')
+         call append_ratings(lines, names(i)%text, wholes(i)%utilisation)
          if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
-         if (wholes(i)%fatigue%present) call append_fatigue(lines, units, names(i)%text, wholes(i)%fatigue)
+         if (wholes(i)%fatigue%present) call append_fatigue(lines, units, 'Fatigue in '//names(i)%text, wholes(i)%fatigue)
+         if (wholes(i)%joint_fatigue%present) &
+            call append_fatigue(lines, units, 'Fatigue of joints in '//names(i)%text, wholes(i)%joint_fatigue)
       end do
       do i = 1, size(results)
          call append_jars(lines, units, model, results(i), names(i)%text)
@@ -160,14 +167,34 @@ contains
       end do
    end subroutine find_overpull
 
-   !> Fatigue of the component that is tired most.
-   pure subroutine append_fatigue(lines, units, name, fatigue)
+   !> What is used of the ratings of premium connections, where they have some.
+   pure subroutine append_ratings(lines, name, utilisation)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(*), intent(in) :: name                 !< of the case
+      type(utilisation_type), intent(in) :: utilisation
+      character(*), parameter :: joint = 'joint '
+      character(:), allocatable :: text, rating
+      integer :: i
+      text = ''
+      do i = 1, size(joint_ratings)
+         associate (used => utilisation%used(joint_ratings(i)))
+            if (.not. used%present) cycle
+            if (text /= '') text = text//', '
+            rating = trim(limit_name(joint_ratings(i)))
+            text = text//rating(len(joint) + 1:)//' '//trim(adjustl(fixed_cell(used, 0.01_wp, number_width, 1)))//' %'
+         end associate
+      end do
+      if (text /= '') call append_text(lines, '  Ratings of connections used in '//name//': '//text)
+   end subroutine append_ratings
+
+   !> Fatigue of body or connections that are tired most.
+   pure subroutine append_fatigue(lines, units, head, fatigue)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
-      character(*), intent(in) :: name                 !< of the case
+      character(*), intent(in) :: head                 !< of the line
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
-      text = '  Fatigue in '//name//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+      text = '  '//head//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
              to_text(anint(fatigue%md/units%length))//' '//trim(units%length_label)//', '// &
              trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'

@@ -90,6 +90,8 @@ module dg_load_case
       real(wp) :: pump_pressure = 0.0_wp    !< added to the pressure inside [Pa], >= 0
       real(wp) :: temperature_change_top = 0.0_wp      !< of the string at surface, since it was run [K]
       real(wp) :: temperature_change_bottom = 0.0_wp   !< the same at the bit; linear in true vertical depth between [K]
+      real(wp) :: above_ambient_top = 0.0_wp           !< temperature of the string at surface, >= 0 [K]
+      real(wp) :: above_ambient_bottom = 0.0_wp        !< the same at the bit; linear in true vertical depth between [K]
       integer :: length_reference = 0       !< number of the load case from which a change of length counts; 0: none
       type(optional_real) :: measured_hookload  !< [N]
       type(optional_real) :: measured_torque    !< [N.m]

@@ -10,7 +10,7 @@ module dg_deck_keys
    use dg_text, only: joined
    use dg_unit_kind, only: unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_pressure, unit_stress, unit_wall, unit_rotation, unit_speed, unit_gravity, &
-      unit_temperature, unit_expansion, unit_wear
+      unit_temperature, unit_expansion, unit_wear, unit_curvature, unit_loss
    implicit none
    private
    public :: scene_groups, keys_of, key_place, operation_words
@@ -53,6 +53,9 @@ module dg_deck_keys
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
    real(wp), parameter :: most_wear = 1.0e4_wp    ! 1e-14/Pa; tests have 0.1 to 1000
    real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
+   real(wp), parameter :: most_efficient = 10.0_wp   ! connection over body; more is per cent
+   real(wp), parameter :: sharpest_dogleg = 1.0e3_wp ! deg/30 m; connections take 10 to 70
+   real(wp), parameter :: thinnest = 0.1_wp       ! part of the wall that wear leaves; less is no pipe any more
    real(wp), parameter :: most_tortuous = 10.0_wp ! deg; plans have 0.2 to 2, and 10 is no plan any more
    real(wp), parameter :: most_threads = 1024.0_wp
    real(wp), parameter :: most_iterations = 1.0e6_wp
@@ -172,7 +175,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(42) = [ &
+   type(key_rule_type), parameter :: component_keys(52) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -206,10 +209,14 @@ module dg_deck_keys
          meaning='measured depth from which on the whole tool is open; default the lower end of the last cased section'), &
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
+      key_rule_type('component', 'yield_loss', unit=unit_loss, low=0.0_wp, high=1.0_wp, default='0.054', &
+         meaning='of yield strength by each degree above ambient temperature; 0.054 (0.03 per degF): steel (API TR 5C3)'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
       key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
          meaning='wall left: 100, 80 or 70 %, worn outside; strength goes by it, weight and stiffness do not'), &
+      key_rule_type('component', 'wall_left', low=thinnest, high=1.0_wp, &
+         meaning='part of the wall that is left, as inspected; default by wear_class'), &
       key_rule_type('component', 'connection', kind_text, &
          choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
          meaning='of its ends, for joint_torsion; default: not known'), &
@@ -219,6 +226,16 @@ module dg_deck_keys
          meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
       key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
+      key_rule_type('component', 'tension_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='of its connections: strength over that of the body, as data sheets of premium connections give it'), &
+      key_rule_type('component', 'compression_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same in compression, over the tensile strength of the body'), &
+      key_rule_type('component', 'burst_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same of pressure inside over that outside'), &
+      key_rule_type('component', 'collapse_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
+         meaning='the same of pressure outside over that inside'), &
+      key_rule_type('component', 'joint_dogleg', unit=unit_curvature, low=0.0_wp, open=.true., high=sharpest_dogleg, &
+         meaning='largest dogleg in which its connections are rated'), &
       key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
       key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
@@ -240,11 +257,17 @@ module dg_deck_keys
       key_rule_type('component', 'tensile_strength', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='of an own curve, for the effect of tension (Goodman); 0: none'), &
       key_rule_type('component', 'fatigue_share', low=0.0_wp, open=.true., high=1.0_wp, default='1', &
-         meaning='part of the permitted amplitude that the mud leaves; very corrosive: 0.6'), &
+         meaning='part of the permitted amplitude that the mud leaves, connections too; very corrosive: 0.6'), &
       key_rule_type('component', 'fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='m of the S-N curve above the permitted amplitude, turns = fatigue_turns (permitted/amplitude)^m; 0: not known'), &
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
          meaning='turns from which on the permitted amplitude is borne without end'), &
+      key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
+         meaning='amplitude of bending stress outside its connections that they bear without end; default: not known'), &
+      key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
+         meaning='as fatigue_exponent, of connections'), &
+      key_rule_type('component', 'joint_fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
+         meaning='as fatigue_turns, of connections'), &
       key_rule_type('component', 'pad_force', unit=unit_force, low=0.0_wp, high=hardest_pad, default='0', &
          meaning='with which pads push the tool across the hole (push-the-bit), whether it turns or not; 0: no pads'), &
       key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
@@ -258,7 +281,7 @@ module dg_deck_keys
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
       key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of tension, in slips too'), &
+         meaning='the same of tension, in slips and connections too'), &
       key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='the same of torque, of bodies and connections; make-up torque has none'), &
       key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &
@@ -301,7 +324,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
          meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
 
-   type(key_rule_type), parameter :: load_case_keys(21) = [ &
+   type(key_rule_type), parameter :: load_case_keys(23) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -324,6 +347,10 @@ module dg_deck_keys
       key_rule_type('load_case', 'temperature_change_top', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
          meaning='warming of the string at surface since it was run; changes its length'), &
       key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
+         meaning='the same at the bit; linear in true vertical depth between'), &
+      key_rule_type('load_case', 'above_ambient_top', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
+         meaning='temperature of the string at surface less 24 degC (75 degF); lessens its strength by yield_loss'), &
+      key_rule_type('load_case', 'above_ambient_bottom', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
          meaning='the same at the bit; linear in true vertical depth between'), &
       key_rule_type('load_case', 'length_reference', kind_text, &
          meaning='name of the load case from which the change of length counts; default: from before the string was run'), &

@@ -24,9 +24,8 @@ module dg_range_check
    public :: check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, check_case_ranges, &
              check_numerics_ranges, check_rig_ranges
 
-   !> Digits of a number that is out of range, and a wall left by wear that no class has less of.
+   !> Digits of a number that is out of range.
    integer, parameter :: digits = 9
-   real(wp), parameter :: thinnest = 0.1_wp
    integer(int64), parameter :: no_bits = 0_int64
 
    !> Ranges of a group's numbers, and of which part of its kind the numbers are.
@@ -154,6 +153,7 @@ contains
       call check_range(ranges, 'joint_length', component%joint_length, found)
       call check_range(ranges, 'joint_spacing', component%joint_spacing, found)
       call check_range(ranges, 'yield', component%yield, found)
+      call check_range(ranges, 'yield_loss', component%yield_loss, found)
       call check_range(ranges, 'makeup_torque', component%makeup_torque, found)
       call check_range(ranges, 'joint_torsion', component%joint_torsion, found)
       call check_where_there(ranges, 'friction_axial', component%friction_axial, found)
@@ -163,29 +163,32 @@ contains
       call check_range(ranges, 'bend', component%bend, found)
       call check_range(ranges, 'bend_position', component%bend_position, found)
       call check_range(ranges, 'pad_force', component%pad_force, found)
-      call check_fatigue_ranges(ranges, component%fatigue, found)
+      call check_where_there(ranges, 'tension_efficiency', component%rating%tension, found)
+      call check_where_there(ranges, 'compression_efficiency', component%rating%compression, found)
+      call check_where_there(ranges, 'burst_efficiency', component%rating%burst, found)
+      call check_where_there(ranges, 'collapse_efficiency', component%rating%collapse, found)
+      call check_where_there(ranges, 'joint_dogleg', component%rating%dogleg, found)
+      call check_fatigue_ranges(ranges, '', component%fatigue, found)
+      call check_fatigue_ranges(ranges, 'joint_', component%joint_fatigue, found)
       call check_range(ranges, 'pad_clock', component%pad_clock, found)
       call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
-      if (is_shown(component%wall_left)) then
-         if (component%wall_left >= thinnest .and. component%wall_left <= 1.0_wp) return
-      end if
-      call add_part_fault(found, 'component', place, 'wall_left', 'wall_left is the part of the wall that wear has left; '// &
-                          'needs a number, '//to_text(thinnest)//' to 1')
+      call check_range(ranges, 'wall_left', component%wall_left, found)
    end subroutine check_component_ranges
 
-   !> The same for the fatigue curve of a component.
-   subroutine check_fatigue_ranges(ranges, fatigue, found)
+   !> The same for a fatigue curve of a component.
+   subroutine check_fatigue_ranges(ranges, prefix, fatigue, found)
       type(ranges_type), intent(in) :: ranges
+      character(*), intent(in) :: prefix                !< of its keys: 'joint_' of connections, '' of the body
       type(fatigue_curve_type), intent(in) :: fatigue
       type(error_list_type), intent(inout) :: found
       if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call add_part_fault(found, ranges%part, ranges%place, &
-         'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
-      if (fatigue%curve == fatigue_own) call check_range(ranges, 'fatigue_limit', fatigue%limit, found)
+         prefix//'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
+      if (fatigue%curve == fatigue_own) call check_range(ranges, prefix//'fatigue_limit', fatigue%limit, found)
       call check_range(ranges, 'tensile_strength', fatigue%tensile, found)
       call check_range(ranges, 'fatigue_share', fatigue%share, found)
-      call check_range(ranges, 'fatigue_exponent', fatigue%exponent, found)
-      call check_range(ranges, 'fatigue_turns', fatigue%turns, found)
+      call check_range(ranges, prefix//'fatigue_exponent', fatigue%exponent, found)
+      call check_range(ranges, prefix//'fatigue_turns', fatigue%turns, found)
    end subroutine check_fatigue_ranges
 
    !> The same for the centralisers of a component.
@@ -245,6 +248,8 @@ contains
       call check_range(ranges, 'pump_pressure', load_case%pump_pressure, found)
       call check_range(ranges, 'temperature_change_top', load_case%temperature_change_top, found)
       call check_range(ranges, 'temperature_change_bottom', load_case%temperature_change_bottom, found)
+      call check_range(ranges, 'above_ambient_top', load_case%above_ambient_top, found)
+      call check_range(ranges, 'above_ambient_bottom', load_case%above_ambient_bottom, found)
       call check_optional(ranges, 'friction_axial', load_case%friction_axial, found)
       call check_optional(ranges, 'friction_rotary', load_case%friction_rotary, found)
       call check_optional(ranges, 'measured_hookload', load_case%measured_hookload, found)

@@ -3,6 +3,7 @@
 module dg_component
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
+   use dg_connection_rating, only: connection_rating_type
    use dg_constants, only: pi, steel_density
    use dg_fatigue_curve, only: fatigue_curve_type
    use dg_missing, only: is_missing, missing
@@ -12,7 +13,7 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
-             room_of, room_of_held_bit, shortest_contact
+             room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> How the kind of a stabiliser begins, in either spelling.
    character(*), parameter :: stabiliser = 'stabili'
@@ -26,6 +27,10 @@ module dg_component
    real(wp), parameter :: shortest_contact = 1.0e-3_wp
    !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
+
+   !> Part of the yield strength of low alloy steel that a degree takes [1/K]: 0.03 %/degF, of quenched and tempered steel up to
+   !> 232 degC (API work item 2351, Temperature effect on performance properties, for TR 5C3).
+   real(wp), parameter :: usual_yield_loss = 5.4e-4_wp
 
    type :: component_type
       character(:), allocatable :: name      !< free text
@@ -42,6 +47,7 @@ module dg_component
       real(wp) :: joint_length = 0.0_wp      !< [m]
       real(wp) :: joint_spacing = 9.5_wp     !< [m]
       real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
+      real(wp) :: yield_loss = usual_yield_loss   !< by each degree above ambient temperature [1/K]
       real(wp) :: makeup_torque = 0.0_wp     !< of its connections [N.m]; 0: not given
       real(wp) :: friction_axial = missing   !< mu2 of its own, in any hole [-]; missing: that of the hole
       real(wp) :: friction_rotary = missing  !< mu1 of its own, in any hole [-]; missing: that of the hole
@@ -57,7 +63,9 @@ module dg_component
       real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
       real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
+      type(connection_rating_type) :: rating !< of its connections
       type(fatigue_curve_type) :: fatigue    !< of its body
+      type(fatigue_curve_type) :: joint_fatigue   !< of its connections: an own curve or none
       type(centralizer_type) :: centralizer  !< on its body
    end type component_type
 
