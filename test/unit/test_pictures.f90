@@ -131,13 +131,25 @@ contains
    subroutine test_inline()
       type(line_list_type) :: page
       type(text_type), allocatable :: svg(:)
+      character(:), allocatable :: text
+      integer :: i
       allocate (svg(0))
       call append_text(svg, '<?xml version="1.0"?>')
       call append_text(svg, '<svg')
+      call append_text(svg, '<title>forces</title>')
+      call append_text(svg, '<g fill="none">')
+      call append_text(svg, '</g>')
+      call append_text(svg, '<g id="a"><title>forces_plot_1</title>')
+      call append_text(svg, '<path/>')
+      call append_text(svg, '</g>')
       call append_text(svg, "<use xlink:href='#gpPt5' id='gpPt6'/>")
-      call append_inline_svg(page, svg, 'p3')
-      call assertEqual(2, page%count)
-      call assertEqual("<use xlink:href='#p3gpPt5' id='p3gpPt6'/>", page%lines(2)%text)
+      call append_inline_svg(page, svg, 'p3', 'Torque & drag')
+      text = ''
+      do i = 1, page%count
+         text = text//page%lines(i)%text//'|'
+      end do
+      call assertEqual('<svg|<title>Torque &amp; drag</title>|<g id="a">|<path/>|</g>|'// &
+                       "<use xlink:href='#p3gpPt5' id='p3gpPt6'/>|", text)
    end subroutine test_inline
 
    !> A mark a case in the deck's units; a case that did not converge leaves none.
