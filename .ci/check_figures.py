@@ -3,8 +3,9 @@
 
 A deck of its own has two sweeps, with measured points, limits of the rig, points that lock up and one that fails; a calibration
 with a name that would end a script; a Monte Carlo. Checked: five depths of each sweep and of the Monte Carlo, rows of the calibration
-and of the hook loads, one of them in other units; switches of the legend, zoom by dragging, the slider's words; that no label is
-cut or lies on another, names stay text, the browser does not complain, and fixed pictures and tables stand without a script.
+and of the hook loads, one of them in other units; switches of the legend, zoom by dragging, the slider's words; that the
+address holds the view; that no label is cut or lies on another, a phone need not scroll sideways, names stay text, the browser does
+not complain, and fixed pictures and tables stand without a script.
 
 Usage: check_figures.py PATH_TO_DRILLGAP
 """
@@ -18,7 +19,7 @@ import sys
 import tempfile
 import urllib.parse
 
-from check_page import CLOSE, dom, faults_of_labels
+from check_page import CLOSE, dom, faults_of_labels, faults_of_phone
 
 HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
 DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
@@ -76,6 +77,20 @@ setTimeout(() => {
       document.title = 'TOLD' + JSON.stringify(told)
    }
    run()
+}, 300)
+"""
+
+
+ADDRESSES = """
+setTimeout(async () => {
+   const told = [], later = wait => new Promise(done => setTimeout(done, wait))
+   const captions = () => [0, 2].map(i => blocks[i].root.querySelector('caption').textContent)
+   document.querySelectorAll('a[href^="#case"]')[1].click(); await later(100)
+   told.push(captions(), blocks[0].state.cases)
+   location.hash = '#chart=' + encodeURIComponent(TITLE) + '&depth=1250'; await later(100)
+   blocks[2].root.querySelector('.bar button').click(); await later(600)
+   told.push(captions(), location.hash)
+   document.title = 'TOLD' + JSON.stringify(told)
 }, 300)
 """
 
@@ -206,19 +221,32 @@ def faults_of_rows(folder, count):
     return faults
 
 
-def faults_of_actions(folder):
-    """Slider, legend, zoom and back."""
+def acted(folder, script, title):
+    """What a script tells that acts on the page."""
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', FRAMES, (folder / "report.html").read_text(encoding="utf-8"))
-    title = "Sweep beams, model mcge"
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch) / "actions.html"
-        copy.write_text(text.replace("</body>", f"<script>{ACTIONS.replace('TITLE', json.dumps(title))}</script></body>"), encoding="utf-8")
+        copy.write_text(text.replace("</body>", f"<script>{script.replace('TITLE', json.dumps(title))}</script></body>"), encoding="utf-8")
         made, complaints = dom(copy)
     found = re.search(r"<title>TOLD(.*?)</title>", made, re.S)
-    if not found:
-        return [f"nothing was done on {title}: {complaints}"]
-    words, lines, paths, left, fewer, zoomed, images, whole = json.loads(html.unescape(found.group(1)))
-    faults = [f"actions: the browser complains: {c}" for c in complaints]
+    return json.loads(html.unescape(found.group(1))) if found else None, [f"actions: the browser complains: {c}" for c in complaints]
+
+
+def faults_of_addresses(folder):
+    """An answer's link opens its load case at the depth of its limit, here the surface; an address opens a sweep at a depth."""
+    title = "Sweep beams, model mcge"
+    told, faults = acted(folder, ADDRESSES, title)
+    query = urllib.parse.urlencode({"chart": title, "depth": 1250, "units": "field"})
+    wanted = [["At 0.000 m measured depth", "At 2400 m bit depth"], [1], ["At 0.000 ft measured depth", "At 4101 ft bit depth"], "#" + query]
+    return faults if told == wanted else [*faults, f"links lead to {told}"]
+
+
+def faults_of_actions(folder):
+    """Slider, legend, zoom and back."""
+    told, faults = acted(folder, ACTIONS, "Sweep beams, model mcge")
+    if not told:
+        return [*faults, "nothing was done on a sweep"]
+    words, lines, paths, left, fewer, zoomed, images, whole = told
     if "1000 m" not in words or "up, friction 0.3" not in words or lines < 7:
         faults.append(f"the slider says '{words}', the box has {lines} lines")
     if left or not fewer < paths:
@@ -257,8 +285,10 @@ def main():
         states = {row["status"] for row in rows_of(folder / "sweep_beams.csv")}
         faults = [] if states == {"converged", "locked_up", "not_converged"} else [f"the sweep has only {states}"]
         faults += faults_of_sweep(folder, "beams", "mcge", count) + faults_of_sweep(folder, "locked", "soft", count)
-        faults += faults_of_spread(folder, count) + faults_of_rows(folder, count) + faults_of_actions(folder)
-        faults += faults_of_labels(page.read_text(encoding="utf-8")) + faults_without_script(page)
+        faults += faults_of_spread(folder, count) + faults_of_rows(folder, count)
+        faults += faults_of_actions(folder) + faults_of_addresses(folder)
+        text = page.read_text(encoding="utf-8")
+        faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page)
     print(f"{count[0]} values read off the page")
     if count[0] < FEWEST:
         faults.append(f"only {count[0]} values could be compared")

@@ -97,7 +97,7 @@ function draw_key(parent, {mark, marks}, look) {             // a piece of a lin
 function block(root, S) {
    const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? Math.max(...(state.cases.length ? state.cases : [D.start]).map(i => D.cases[i].depth))
    const first = S.rows ? .4 : 0
-   const state = {cases: [D.start], models: [0, 1].filter(i => i < (D.models ?? []).length), chart: 0, top: first, bottom: 0, depth: 0,
+   const state = {cases: [D.start], models: [0, 1].filter(i => i < (D.models ?? []).length), chart: 0, top: first, bottom: 0, depth: undefined,
       tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35, near: 1, hidden: new Set()}
    const view = {}, H = S.rows ? 64 + 24 * S.rows.length : 420, up = 30, down = 26
    const shown = () => (S.profiles ?? []).filter(p => state.cases.includes(p.case) && state.models.includes(p.model))
@@ -376,9 +376,12 @@ function block(root, S) {
       view.panels.addEventListener('touchend', () => { if (pinch?.bottom > pinch?.top) zoom(pinch.top, pinch.bottom); pinch = null })
       view.panels.addEventListener('dblclick', whole)
       let wide = 0
-      new ResizeObserver(() => { if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels(); view.well?.draw_assembly() } }).observe(view.panels)
+      new ResizeObserver((_, observer) => {                     // a block that was replaced is looked at no longer
+         if (!view.panels.isConnected) observer.disconnect()
+         else if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels(); view.well?.draw_assembly() }
+      }).observe(view.panels)
       for (const kind of ['pointerenter', 'focusin']) root.addEventListener(kind, () => active = S)
-      state.bottom ||= end_of(); state.depth ||= S.rows ? 1 : S.end ?? state.bottom / 2
+      state.bottom ||= end_of(); state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2
       draw()
    }
    function from_address(q) {                                    // #case=NAME&case=NAME&chart=TITLE&depth=M&top=M&bottom=M&units=field

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'DafIhDqki7TIO6vyVE65j+sPKBiqMXMQfu8eb7syJRk='
+   character(*), parameter :: script_hash = 'A3KGMTLGceRMC/dDicMr5vpPteiP5+GF2jMt0sySQKw='
    character(238), parameter :: script_lines_1(100) = [character(238) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -113,7 +113,7 @@ module dg_page_script
       '.start]).map(i => D.cases[i].depth))', &
       'const first = S.rows ? .4 : 0', &
       'const state = {cases: [D.start], models: [0, 1].filter(i => i < (D.models ?? []).length), chart: 0, top: first'// &
-      ', bottom: 0, depth: 0,', &
+      ', bottom: 0, depth: undefined,', &
       'tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35, near: 1, hidden: new Set()}', &
       'const view = {}, H = S.rows ? 64 + 24 * S.rows.length : 420, up = 30, down = 26', &
       'const shown = () => (S.profiles ?? []).filter(p => state.cases.includes(p.case) && state.models.includes(p.mod'// &
@@ -452,10 +452,13 @@ module dg_page_script
       'm); pinch = null })', &
       'view.panels.addEventListener(''dblclick'', whole)', &
       'let wide = 0', &
-      'new ResizeObserver(() => { if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels'// &
-      '(); view.well?.draw_assembly() } }).observe(view.panels)', &
+      'new ResizeObserver((_, observer) => {                     // a block that was replaced is looked at no longer', &
+      'if (!view.panels.isConnected) observer.disconnect()', &
+      'else if (view.panels.clientWidth !== wide) { wide = view.panels.clientWidth; draw_panels(); view.well?.draw_as'// &
+      'sembly() }', &
+      '}).observe(view.panels)', &
       'for (const kind of [''pointerenter'', ''focusin'']) root.addEventListener(kind, () => active = S)', &
-      'state.bottom ||= end_of(); state.depth ||= S.rows ? 1 : S.end ?? state.bottom / 2', &
+      'state.bottom ||= end_of(); state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2', &
       'draw()', &
       '}', &
       'function from_address(q) {                                    // #case=NAME&case=NAME&chart=TITLE&depth=M&top='// &
@@ -489,11 +492,11 @@ module dg_page_script
       'const list = D.figures.flatMap(f => f.blocks.map((b, i) => ({...b, keys: f.keys, place: f, leads: i ? '''' : f'// &
       '.title, title: f.title + (i ? '' ('' + (i + 1) + '')'' : '''')})))', &
       'if (D.profiles) list.unshift({profiles: D.profiles, charts: D.charts, over: ''measured depth'', place: null})', &
-      'return list', &
+      'return list']
+   character(238), parameter :: script_lines_5(100) = [character(238) :: &
       '}', &
       'function follow_address(all) {                                // the block that the address means', &
-      'const q = new URLSearchParams(location.hash.slice(1))']
-   character(238), parameter :: script_lines_5(100) = [character(238) :: &
+      'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
       'active = all.find(S => S.title && S.title === q.get(''chart'')) ?? all[0]', &
       '}', &
@@ -614,11 +617,11 @@ module dg_page_script
       'make(svg, ''text'', {x: at, y, ''text-anchor'': ''middle''}, text)', &
       '}', &
       'const wall = [1, -1].map(sign => Array.from({length: 81}, (_, i) => { const d = bit - long + i * long / 80; re'// &
-      'turn x_of(d).toFixed(1) + '' '' + y(sign * value_at(p, ''hole'', d) / 2).toFixed(1) }).join(''L''))', &
+      'turn x_of(d).toFixed(1) + '' '' + y(sign * value_at(p, ''hole'', d) / 2).toFixed(1) }).join(''L''))']
+   character(238), parameter :: script_lines_6(40) = [character(238) :: &
       'for (const w of wall) make(svg, ''path'', {d: ''M'' + w, class: ''wall''})', &
       'for (const part of D.cases[p.case].parts) {', &
-      'const from = Math.max(bit - part.to, bit - long), to = bit - part.from']
-   character(238), parameter :: script_lines_6(37) = [character(238) :: &
+      'const from = Math.max(bit - part.to, bit - long), to = bit - part.from', &
       'if (to <= bit - long) continue', &
       'const at = Array.from({length: 41}, (_, i) => from + (to - from) * i / 40)', &
       'const edge = sign => at.map(d => x_of(d).toFixed(1) + '' '' + y(off(d) + sign * part.od / 2).toFixed(1))', &
@@ -674,7 +677,7 @@ module dg_page_script
       'return {draw: () => { draw_3d(); draw_assembly() }, draw_assembly, mark: () => { view.mark3d?.(); draw_section'// &
       '() }}', &
       '}']
-   character(238), parameter :: script_lines(537) = [ &
+   character(238), parameter :: script_lines(540) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
