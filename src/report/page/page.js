@@ -112,8 +112,11 @@ function block(root, S) {
       if (panel.lines) return panel.lines
       const list = []
       for (const p of shown()) for (const c of panel.curves) if (p.curves[c.column] && (!c.limit || p === shown()[0]))
-         list.push({name: name_of(p), keys: [name_of(p)], curve: p.curves[c.column], sign: c.sign ?? 1, limit: c.limit, turns: c.column === 'clock',
-            look: c.limit ? {stroke: 'currentColor', 'stroke-dasharray': '2 3', 'stroke-width': 1} : look_of(p), quantity: column(c.column).quantity})
+         list.push({
+            name: name_of(p), keys: [name_of(p)], quantity: column(c.column).quantity,
+            curve: p.curves[c.column], sign: c.sign ?? 1, turns: c.column === 'clock', limit: c.limit,
+            look: c.limit ? {stroke: 'currentColor', 'stroke-dasharray': '2 3', 'stroke-width': 1} : look_of(p)
+         })
       return list
    }
    function row_beside(line, depth) {                           // of marks the nearest one, if it is near
@@ -121,7 +124,10 @@ function block(root, S) {
       line.curve.d.forEach((d, i) => { if (Math.abs(d - depth) <= least && isFinite(line.curve.v[i])) { least = Math.abs(d - depth); best = i } })
       return best
    }
-   const value_of = (line, depth) => line.marks ? line.curve.v[row_beside(line, depth)] ?? NaN : (line.sign ?? 1) * value_in(line.curve, depth, false, line.turns)
+   function value_of(line, depth) {
+      if (line.marks) return line.curve.v[row_beside(line, depth)] ?? NaN
+      return (line.sign ?? 1) * value_in(line.curve, depth, false, line.turns)
+   }
    function told_of(line) {
       const text = text_of(value_of(line, state.depth), line.quantity), i = line.low ? row_beside(line, state.depth) : -1
       return i < 0 ? text : `${text} (${text_of(line.low[i], line.quantity)} to ${text_of(line.high[i], line.quantity)})`
@@ -149,10 +155,14 @@ function block(root, S) {
    }
    function range_of(panel, lists, rows) {                      // of what is seen; along the string 0 is among it
       let low = panel.low ?? (S.profiles ? 0 : Infinity), high = panel.high ?? (S.profiles ? 0 : -Infinity)
+      const take = v => { if (isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v) } }
       if (panel.high === undefined) {
          lists.forEach((l, k) => {
-            if (!l.limit && visible(l)) for (let i = rows[k][0]; i < rows[k][1]; i++) for (const v of [l.curve.v[i], l.low?.[i] ?? NaN, l.high?.[i] ?? NaN])
-               if (isFinite(v)) { low = Math.min(low, (l.sign ?? 1) * v); high = Math.max(high, (l.sign ?? 1) * v) }
+            if (l.limit || !visible(l)) return
+            for (let i = rows[k][0]; i < rows[k][1]; i++) {
+               take((l.sign ?? 1) * l.curve.v[i])
+               if (l.low) { take(l.low[i]); take(l.high[i]) }
+            }
          })
          if (!(low < high)) { const middle = isFinite(low) ? low : 0; low = middle - 1; high = middle + 1 }
          const air = (high - low) * .05
@@ -161,14 +171,18 @@ function block(root, S) {
       }
       return [low, Math.min(high, panel.most ?? Infinity)]
    }
-   const rows_of = ({curve, marks}) => marks ? [0, curve.d.length] : [row_at(curve, state.top), Math.min(curve.d.length, row_at(curve, state.bottom) + 2)]
+   function rows_of({curve, marks}) {                           // of its points those that can be seen: from, and before
+      const all = curve.d.length
+      return marks ? [0, all] : [row_at(curve, state.top), Math.min(all, row_at(curve, state.bottom) + 2)]
+   }
    function draw_axes(svg, left, right, index) {                // depths, or names of rows
       const level = (at, text) => {
-         const y = y_of(at), most = Math.floor((left - 6) / 6.4), name = String(text)
+         const y = y_of(at), most = Math.floor((left - 6) / 6.4), name = String(text), long = name.length > most
          make(svg, 'line', {x1: left, x2: right, y1: y, y2: y, class: 'grid'})
          if (index) return
-         const label = make(svg, 'text', {x: left - 4, y: y + 4, 'text-anchor': 'end'}, name.length > most ? name.slice(0, most - 1) + '\u2026' : name)
-         if (name.length > most) make(label, 'title', {}, name)
+         const short = long ? name.slice(0, most - 1) + '\u2026' : name
+         const label = make(svg, 'text', {x: left - 4, y: y + 4, 'text-anchor': 'end'}, short)
+         if (long) make(label, 'title', {}, name)
       }
       const length = factor('length')
       if (S.rows) S.rows.forEach((name, i) => level(i + 1, name))
@@ -182,15 +196,27 @@ function block(root, S) {
       second.append(' ' + brackets)
    }
    function draw_line(clip, line, rows, x_of) {
-      const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v)
-      const put = (curve, rows) => make(clip, 'path', {d: marks_path(curve, x, y_of, rows, shape_of(mark)), 'stroke-width': 1.5, fill: filled(mark, look.stroke), stroke: look.stroke})
-      if (line.low) curve.d.forEach((d, i) => make(clip, 'line', {x1: x(line.low[i]), x2: x(line.high[i]), y1: y_of(d), y2: y_of(d), stroke: look.stroke, 'stroke-width': line.thick ? 14 : 2}))
-      else if (line.marks) put(curve, rows)
-      else make(clip, 'path', {d: path_of(curve, rows, x, line.turns), fill: 'none', 'stroke-width': 1.7, 'stroke-linecap': 'round', ...look})
-      if (line.thick) put(curve, rows)
-      if (!mark || line.marks) return
-      const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))    // here and there, for print without colours
-      put({d: at, v: at.map(d => value_in(curve, d))}, [0, 8])
+      const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v), ink = look.stroke
+      const put_marks = (curve, rows) => {
+         const d = marks_path(curve, x, y_of, rows, shape_of(mark))
+         make(clip, 'path', {d, 'stroke-width': 1.5, fill: filled(mark, ink), stroke: ink})
+      }
+      if (line.low) {                                           // bars, with a mark in thick ones
+         curve.d.forEach((d, i) => {
+            const ends = {x1: x(line.low[i]), x2: x(line.high[i]), y1: y_of(d), y2: y_of(d)}
+            make(clip, 'line', {...ends, stroke: ink, 'stroke-width': line.thick ? 14 : 2})
+         })
+         if (line.thick) put_marks(curve, rows)
+      } else if (line.marks) {
+         put_marks(curve, rows)
+      } else {
+         const d = path_of(curve, rows, x, line.turns)
+         make(clip, 'path', {d, fill: 'none', 'stroke-width': 1.7, 'stroke-linecap': 'round', ...look})
+         if (!mark) return
+         // here and there, for print without colours
+         const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))
+         put_marks({d: at, v: at.map(d => value_in(curve, d))}, [0, at.length])
+      }
    }
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
@@ -273,20 +299,26 @@ function block(root, S) {
          return [[c.label, c.meaning], unit(c.quantity), ...v.map(x => c.words ? c.words[x] ?? '\u2013' : text_of(x, c.quantity)), ...(both ? [c.words ? '' : text_of(v[1] - v[0], c.quantity)] : [])]
       })]
    }
-   const lacks = ({curve: {d}}) => state.depth >= d[0] && state.depth <= d[d.length - 1]     // between points of a line
+   const reaches = ({curve: {d}}) => state.depth >= d[0] && state.depth <= d[d.length - 1]
    function cells_of_lines() {                                  // a row a line: all that reach the depth, of marks those that are near
-      const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible)), names = [...new Set(lines.flat().filter(l => isFinite(value_of(l, state.depth)) || !l.marks && lacks(l)).map(l => l.name))]
-      return [['curve', ...panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))], ...names.map(n => [n, ...lines.map(list => {
-         const told = list.filter(l => l.name === n).map(told_of)
-         return told.find(t => t !== '\u2013') ?? '\u2013'
-      })])]
+      const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))
+      const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l, state.depth)) : reaches(l))
+      const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))
+      const cell = (name, list) => list.filter(l => l.name === name).map(told_of).find(text => text !== '\u2013') ?? '\u2013'
+      return [['curve', ...heads], ...[...new Set(told.map(l => l.name))].map(name => [name, ...lines.map(list => cell(name, list))])]
    }
    function draw_readout() {
       const table = make(null, 'h:table', {}), [head, ...rows] = S.profiles ? cells_of_profiles() : cells_of_lines()
       make(table, 'h:caption', {}, 'At ' + place_text() + (S.rows ? '' : ' ' + S.over))
       const heads = make(make(table, 'h:thead', {}), 'h:tr', {}), body = make(table, 'h:tbody', {})
       head.forEach((t, i) => make(heads, 'h:th', {scope: 'col', ...(i ? {} : {class: 'text'})}, t))
-      for (const row of rows) { const line = make(body, 'h:tr', {}); row.forEach((t, i) => { const [text, title] = [t].flat(); make(line, 'h:td', {...(i ? {} : {class: 'text'}), ...(title ? {title} : {})}, text) }) }
+      for (const row of rows) {
+         const line = make(body, 'h:tr', {})
+         row.forEach((t, i) => {
+            const [text, title] = [t].flat()
+            make(line, 'h:td', {...(i ? {} : {class: 'text'}), ...(title ? {title} : {})}, text)
+         })
+      }
       view.readout.replaceChildren(table)
    }
 
@@ -302,13 +334,14 @@ function block(root, S) {
    }
    function draw_legend() {                                     // an entry in white is words alone; one without a line is left out
       const used = new Set(panels_of().flatMap(lines_of).flatMap(l => l.keys))
-      const entries = S.profiles ? shown().map(p => ({id: name_of(p), text: name_of(p), look: look_of(p), note: D.cases[p.case].converged ? '' : ' (no equilibrium)'}))
-         : S.keys.map((k, id) => ({...k, id, look: look_in(k), note: ''})).filter(k => k.words || used.has(k.id))
+      const of_profile = p => ({id: name_of(p), text: name_of(p), look: look_of(p), note: D.cases[p.case].converged ? '' : ' (no equilibrium)'})
+      const entries = S.profiles ? shown().map(of_profile) : S.keys.map((k, id) => ({...k, id, look: look_in(k), note: ''})).filter(k => k.words || used.has(k.id))
       view.legend.replaceChildren()
       for (const entry of entries) {
          const {id, text, look, note, words} = entry
          if (words) { make(view.legend, 'h:span', {}, text); continue }
-         const b = make(view.legend, 'h:button', {type: 'button', 'aria-pressed': !state.hidden.has(id), onclick: () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }})
+         const turn = () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }
+         const b = make(view.legend, 'h:button', {type: 'button', 'aria-pressed': !state.hidden.has(id), onclick: turn})
          draw_key(b, entry, look)
          b.append(text + note)
       }
@@ -331,11 +364,20 @@ function block(root, S) {
       const button = (text, onclick, more) => make(bar, 'h:button', {type: 'button', onclick, ...more}, text)
       const choose = i => { state.chart = i; bar.querySelectorAll('.tab').forEach((o, k) => o.setAttribute('aria-pressed', k === i)); draw() }
       if (S.charts) S.charts.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
-      view.units = S.leads === '' ? make(null, 'h:p', {}) : button('', () => { units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]; for (const b of blocks) b.draw() })
+      const next_units = () => {
+         units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]
+         for (const b of blocks) b.draw()
+      }
+      view.units = S.leads === '' ? make(null, 'h:p', {}) : button('', next_units)      // once a picture
       if (!S.rows) button('whole depth', whole)
       if (S.profiles) button(lowest, () => zoom(Math.max(0, end_of() - shown_length), end_of()))
-      const main = make(root, 'h:div', {class: S.profiles ? 'main' : 'alone'}), side = S.profiles && make(main, 'h:div', {class: 'side'}), right = make(main, 'h:div', {class: 'right'})
-      if (S.profiles) { choice(side, 'Load cases', D.cases.map(c => c.name), state.cases); choice(side, 'Models', D.models, state.models) }
+      const main = make(root, 'h:div', {class: S.profiles ? 'main' : 'alone'})
+      if (S.profiles) {
+         const side = make(main, 'h:div', {class: 'side'})
+         choice(side, 'Load cases', D.cases.map(c => c.name), state.cases)
+         choice(side, 'Models', D.models, state.models)
+      }
+      const right = make(main, 'h:div', {class: 'right'})
       view.legend = make(right, 'h:div', {class: 'legend'})
       view.panels = make(right, 'h:div', {class: 'panels'})
       view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)})
@@ -410,7 +452,10 @@ function block(root, S) {
 
 // ---- the page
 function parts_of_page() {                                    // the place and the data of each block
-   const list = D.figures.flatMap(f => f.blocks.map((b, i) => ({...b, keys: f.keys, place: f, leads: i ? '' : f.title, title: f.title + (i ? ' (' + (i + 1) + ')' : '')})))
+   const list = D.figures.flatMap(f => f.blocks.map((b, i) => {
+      const title = f.title + (i ? ` (${i + 1})` : '')
+      return {...b, keys: f.keys, place: f, leads: i ? '' : f.title, title}
+   }))
    if (D.profiles) list.unshift({profiles: D.profiles, charts: D.charts, over: 'measured depth', place: null})
    return list
 }

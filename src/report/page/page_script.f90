@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'A3KGMTLGceRMC/dDicMr5vpPteiP5+GF2jMt0sySQKw='
+   character(*), parameter :: script_hash = 'qtjBR9sZfBnrXtKo+iD58Wvd4x+nzh4Pn0UhQgsZF4k='
    character(238), parameter :: script_lines_1(100) = [character(238) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -133,10 +133,11 @@ module dg_page_script
       'const list = []', &
       'for (const p of shown()) for (const c of panel.curves) if (p.curves[c.column] && (!c.limit || p === shown()[0]'// &
       '))', &
-      'list.push({name: name_of(p), keys: [name_of(p)], curve: p.curves[c.column], sign: c.sign ?? 1, limit: c.limit,'// &
-      ' turns: c.column === ''clock'',', &
-      'look: c.limit ? {stroke: ''currentColor'', ''stroke-dasharray'': ''2 3'', ''stroke-width'': 1} : look_of(p), q'// &
-      'uantity: column(c.column).quantity})', &
+      'list.push({', &
+      'name: name_of(p), keys: [name_of(p)], quantity: column(c.column).quantity,', &
+      'curve: p.curves[c.column], sign: c.sign ?? 1, turns: c.column === ''clock'', limit: c.limit,', &
+      'look: c.limit ? {stroke: ''currentColor'', ''stroke-dasharray'': ''2 3'', ''stroke-width'': 1} : look_of(p)', &
+      '})', &
       'return list', &
       '}', &
       'function row_beside(line, depth) {                           // of marks the nearest one, if it is near', &
@@ -145,8 +146,10 @@ module dg_page_script
       '.abs(d - depth); best = i } })', &
       'return best', &
       '}', &
-      'const value_of = (line, depth) => line.marks ? line.curve.v[row_beside(line, depth)] ?? NaN : (line.sign ?? 1)'// &
-      ' * value_in(line.curve, depth, false, line.turns)', &
+      'function value_of(line, depth) {', &
+      'if (line.marks) return line.curve.v[row_beside(line, depth)] ?? NaN', &
+      'return (line.sign ?? 1) * value_in(line.curve, depth, false, line.turns)', &
+      '}', &
       'function told_of(line) {', &
       'const text = text_of(value_of(line, state.depth), line.quantity), i = line.low ? row_beside(line, state.depth)'// &
       ' : -1', &
@@ -177,11 +180,14 @@ module dg_page_script
       'function range_of(panel, lists, rows) {                      // of what is seen; along the string 0 is among i'// &
       't', &
       'let low = panel.low ?? (S.profiles ? 0 : Infinity), high = panel.high ?? (S.profiles ? 0 : -Infinity)', &
+      'const take = v => { if (isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v) } }', &
       'if (panel.high === undefined) {', &
       'lists.forEach((l, k) => {', &
-      'if (!l.limit && visible(l)) for (let i = rows[k][0]; i < rows[k][1]; i++) for (const v of [l.curve.v[i], l.low'// &
-      '?.[i] ?? NaN, l.high?.[i] ?? NaN])', &
-      'if (isFinite(v)) { low = Math.min(low, (l.sign ?? 1) * v); high = Math.max(high, (l.sign ?? 1) * v) }', &
+      'if (l.limit || !visible(l)) return', &
+      'for (let i = rows[k][0]; i < rows[k][1]; i++) {', &
+      'take((l.sign ?? 1) * l.curve.v[i])', &
+      'if (l.low) { take(l.low[i]); take(l.high[i]) }', &
+      '}', &
       '})', &
       'if (!(low < high)) { const middle = isFinite(low) ? low : 0; low = middle - 1; high = middle + 1 }', &
       'const air = (high - low) * .05', &
@@ -190,16 +196,19 @@ module dg_page_script
       '}', &
       'return [low, Math.min(high, panel.most ?? Infinity)]', &
       '}', &
-      'const rows_of = ({curve, marks}) => marks ? [0, curve.d.length] : [row_at(curve, state.top), Math.min(curve.d.'// &
-      'length, row_at(curve, state.bottom) + 2)]', &
+      'function rows_of({curve, marks}) {                           // of its points those that can be seen: from, an'// &
+      'd before', &
+      'const all = curve.d.length', &
+      'return marks ? [0, all] : [row_at(curve, state.top), Math.min(all, row_at(curve, state.bottom) + 2)]', &
+      '}', &
       'function draw_axes(svg, left, right, index) {                // depths, or names of rows', &
       'const level = (at, text) => {', &
-      'const y = y_of(at), most = Math.floor((left - 6) / 6.4), name = String(text)', &
+      'const y = y_of(at), most = Math.floor((left - 6) / 6.4), name = String(text), long = name.length > most', &
       'make(svg, ''line'', {x1: left, x2: right, y1: y, y2: y, class: ''grid''})', &
       'if (index) return', &
-      'const label = make(svg, ''text'', {x: left - 4, y: y + 4, ''text-anchor'': ''end''}, name.length > most ? name'// &
-      '.slice(0, most - 1) + ''\u2026'' : name)', &
-      'if (name.length > most) make(label, ''title'', {}, name)', &
+      'const short = long ? name.slice(0, most - 1) + ''\u2026'' : name', &
+      'const label = make(svg, ''text'', {x: left - 4, y: y + 4, ''text-anchor'': ''end''}, short)', &
+      'if (long) make(label, ''title'', {}, name)', &
       '}', &
       'const length = factor(''length'')', &
       'if (S.rows) S.rows.forEach((name, i) => level(i + 1, name))', &
@@ -214,19 +223,27 @@ module dg_page_script
       'second.append('' '' + brackets)', &
       '}', &
       'function draw_line(clip, line, rows, x_of) {', &
-      'const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v)', &
-      'const put = (curve, rows) => make(clip, ''path'', {d: marks_path(curve, x, y_of, rows, shape_of(mark)), ''stro'// &
-      'ke-width'': 1.5, fill: filled(mark, look.stroke), stroke: look.stroke})', &
-      'if (line.low) curve.d.forEach((d, i) => make(clip, ''line'', {x1: x(line.low[i]), x2: x(line.high[i]), y1: y_o'// &
-      'f(d), y2: y_of(d), stroke: look.stroke, ''stroke-width'': line.thick ? 14 : 2}))', &
-      'else if (line.marks) put(curve, rows)', &
-      'else make(clip, ''path'', {d: path_of(curve, rows, x, line.turns), fill: ''none'', ''stroke-width'': 1.7, ''st'// &
-      'roke-linecap'': ''round'', ...look})', &
-      'if (line.thick) put(curve, rows)', &
-      'if (!mark || line.marks) return', &
-      'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))    // here'// &
-      ' and there, for print without colours', &
-      'put({d: at, v: at.map(d => value_in(curve, d))}, [0, 8])', &
+      'const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v), ink = look.stroke', &
+      'const put_marks = (curve, rows) => {', &
+      'const d = marks_path(curve, x, y_of, rows, shape_of(mark))', &
+      'make(clip, ''path'', {d, ''stroke-width'': 1.5, fill: filled(mark, ink), stroke: ink})', &
+      '}', &
+      'if (line.low) {                                           // bars, with a mark in thick ones', &
+      'curve.d.forEach((d, i) => {', &
+      'const ends = {x1: x(line.low[i]), x2: x(line.high[i]), y1: y_of(d), y2: y_of(d)}', &
+      'make(clip, ''line'', {...ends, stroke: ink, ''stroke-width'': line.thick ? 14 : 2})', &
+      '})', &
+      'if (line.thick) put_marks(curve, rows)', &
+      '} else if (line.marks) {', &
+      'put_marks(curve, rows)']
+   character(238), parameter :: script_lines_3(100) = [character(238) :: &
+      '} else {', &
+      'const d = path_of(curve, rows, x, line.turns)', &
+      'make(clip, ''path'', {d, fill: ''none'', ''stroke-width'': 1.7, ''stroke-linecap'': ''round'', ...look})', &
+      'if (!mark) return', &
+      'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
+      'put_marks({d: at, v: at.map(d => value_in(curve, d))}, [0, at.length])', &
+      '}', &
       '}', &
       'function draw_panel(panel, index, width) {', &
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
@@ -247,8 +264,7 @@ module dg_page_script
       'draw_axes(svg, left, right, index)', &
       'make(svg, ''rect'', {x: left, y: up, width: right - left, height: H - up - down, class: ''frame''})', &
       'draw_label(svg, panel.label, unit(q) && `[${unit(q)}]`, left, right)', &
-      'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})']
-   character(238), parameter :: script_lines_3(100) = [character(238) :: &
+      'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
       'lists.forEach((line, k) => { if (visible(line)) draw_line(clip, line, rows[k], x_of) })', &
       'const cross = make(svg, ''g'', {class: ''cross''})', &
       'svg.cross = () => {', &
@@ -321,26 +337,31 @@ module dg_page_script
       'c.quantity)), ...(both ? [c.words ? '''' : text_of(v[1] - v[0], c.quantity)] : [])]', &
       '})]', &
       '}', &
-      'const lacks = ({curve: {d}}) => state.depth >= d[0] && state.depth <= d[d.length - 1]     // between points of'// &
-      ' a line', &
+      'const reaches = ({curve: {d}}) => state.depth >= d[0] && state.depth <= d[d.length - 1]', &
       'function cells_of_lines() {                                  // a row a line: all that reach the depth, of mar'// &
       'ks those that are near', &
-      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible)), names = [...new Set(lines.fl'// &
-      'at().filter(l => isFinite(value_of(l, state.depth)) || !l.marks && lacks(l)).map(l => l.name))]', &
-      'return [[''curve'', ...panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))], ...na'// &
-      'mes.map(n => [n, ...lines.map(list => {', &
-      'const told = list.filter(l => l.name === n).map(told_of)', &
-      'return told.find(t => t !== ''\u2013'') ?? ''\u2013''', &
-      '})])]', &
+      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
+      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l, state.depth)) : reaches(l))', &
+      'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
+      'const cell = (name, list) => list.filter(l => l.name === name).map(told_of).find(text => text !== ''\u2013'') '// &
+      '?? ''\u2013''', &
+      'return [[''curve'', ...heads], ...[...new Set(told.map(l => l.name))].map(name => [name, ...lines.map(list => '// &
+      'cell(name, list))])]', &
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), [head, ...rows] = S.profiles ? cells_of_profiles() : cells_of_lines'// &
       '()', &
-      'make(table, ''h:caption'', {}, ''At '' + place_text() + (S.rows ? '''' : '' '' + S.over))', &
+      'make(table, ''h:caption'', {}, ''At '' + place_text() + (S.rows ? '''' : '' '' + S.over))']
+   character(238), parameter :: script_lines_4(100) = [character(238) :: &
       'const heads = make(make(table, ''h:thead'', {}), ''h:tr'', {}), body = make(table, ''h:tbody'', {})', &
       'head.forEach((t, i) => make(heads, ''h:th'', {scope: ''col'', ...(i ? {} : {class: ''text''})}, t))', &
-      'for (const row of rows) { const line = make(body, ''h:tr'', {}); row.forEach((t, i) => { const [text, title] ='// &
-      ' [t].flat(); make(line, ''h:td'', {...(i ? {} : {class: ''text''}), ...(title ? {title} : {})}, text) }) }', &
+      'for (const row of rows) {', &
+      'const line = make(body, ''h:tr'', {})', &
+      'row.forEach((t, i) => {', &
+      'const [text, title] = [t].flat()', &
+      'make(line, ''h:td'', {...(i ? {} : {class: ''text''}), ...(title ? {title} : {})}, text)', &
+      '})', &
+      '}', &
       'view.readout.replaceChildren(table)', &
       '}', &
       'function draw() {', &
@@ -355,18 +376,19 @@ module dg_page_script
       'function draw_legend() {                                     // an entry in white is words alone; one without '// &
       'a line is left out', &
       'const used = new Set(panels_of().flatMap(lines_of).flatMap(l => l.keys))', &
-      'const entries = S.profiles ? shown().map(p => ({id: name_of(p), text: name_of(p), look: look_of(p), note: D.ca'// &
-      'ses[p.case].converged ? '''' : '' (no equilibrium)''}))', &
-      ': S.keys.map((k, id) => ({...k, id, look: look_in(k), note: ''''})).filter(k => k.words || used.has(k.id))', &
+      'const of_profile = p => ({id: name_of(p), text: name_of(p), look: look_of(p), note: D.cases[p.case].converged '// &
+      '? '''' : '' (no equilibrium)''})', &
+      'const entries = S.profiles ? shown().map(of_profile) : S.keys.map((k, id) => ({...k, id, look: look_in(k), not'// &
+      'e: ''''})).filter(k => k.words || used.has(k.id))', &
       'view.legend.replaceChildren()', &
       'for (const entry of entries) {', &
       'const {id, text, look, note, words} = entry', &
       'if (words) { make(view.legend, ''h:span'', {}, text); continue }', &
+      'const turn = () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }', &
       'const b = make(view.legend, ''h:button'', {type: ''button'', ''aria-pressed'': !state.hidden.has(id), onclick:'// &
-      ' () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }})', &
+      ' turn})', &
       'draw_key(b, entry, look)', &
-      'b.append(text + note)']
-   character(238), parameter :: script_lines_4(100) = [character(238) :: &
+      'b.append(text + note)', &
       '}', &
       '}', &
       'function choice(parent, label, names, list) {                // check boxes', &
@@ -390,14 +412,20 @@ module dg_page_script
       'pressed'', k === i)); draw() }', &
       'if (S.charts) S.charts.forEach((c, i) => button(c.title, () => choose(i), {''aria-pressed'': i === state.chart'// &
       ', class: ''tab''}))', &
-      'view.units = S.leads === '''' ? make(null, ''h:p'', {}) : button('''', () => { units = D.systems[(D.systems.in'// &
-      'dexOf(units) + 1) % D.systems.length]; for (const b of blocks) b.draw() })', &
+      'const next_units = () => {', &
+      'units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]', &
+      'for (const b of blocks) b.draw()', &
+      '}', &
+      'view.units = S.leads === '''' ? make(null, ''h:p'', {}) : button('''', next_units)      // once a picture', &
       'if (!S.rows) button(''whole depth'', whole)', &
       'if (S.profiles) button(lowest, () => zoom(Math.max(0, end_of() - shown_length), end_of()))', &
-      'const main = make(root, ''h:div'', {class: S.profiles ? ''main'' : ''alone''}), side = S.profiles && make(main'// &
-      ', ''h:div'', {class: ''side''}), right = make(main, ''h:div'', {class: ''right''})', &
-      'if (S.profiles) { choice(side, ''Load cases'', D.cases.map(c => c.name), state.cases); choice(side, ''Models'''// &
-      ', D.models, state.models) }', &
+      'const main = make(root, ''h:div'', {class: S.profiles ? ''main'' : ''alone''})', &
+      'if (S.profiles) {', &
+      'const side = make(main, ''h:div'', {class: ''side''})', &
+      'choice(side, ''Load cases'', D.cases.map(c => c.name), state.cases)', &
+      'choice(side, ''Models'', D.models, state.models)', &
+      '}', &
+      'const right = make(main, ''h:div'', {class: ''right''})', &
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
@@ -443,7 +471,8 @@ module dg_page_script
       'view.panels.addEventListener(''touchmove'', e => {', &
       'if (!pinch || e.touches.length !== 2) return', &
       'e.preventDefault()', &
-      'const [a, b] = fingers(e), step = (pinch.depths[1] - pinch.depths[0]) / Math.max(b - a, 20)', &
+      'const [a, b] = fingers(e), step = (pinch.depths[1] - pinch.depths[0]) / Math.max(b - a, 20)']
+   character(238), parameter :: script_lines_5(100) = [character(238) :: &
       'pinch.top = Math.max(0, pinch.depths[0] - step * (a - up)); pinch.bottom = Math.min(end_of(), pinch.top + step'// &
       ' * (H - up - down))', &
       'show_band(y_of(pinch.top), y_of(pinch.bottom))', &
@@ -489,11 +518,12 @@ module dg_page_script
       'return {root, S, state, draw}', &
       '}', &
       'function parts_of_page() {                                    // the place and the data of each block', &
-      'const list = D.figures.flatMap(f => f.blocks.map((b, i) => ({...b, keys: f.keys, place: f, leads: i ? '''' : f'// &
-      '.title, title: f.title + (i ? '' ('' + (i + 1) + '')'' : '''')})))', &
+      'const list = D.figures.flatMap(f => f.blocks.map((b, i) => {', &
+      'const title = f.title + (i ? ` (${i + 1})` : '''')', &
+      'return {...b, keys: f.keys, place: f, leads: i ? '''' : f.title, title}', &
+      '}))', &
       'if (D.profiles) list.unshift({profiles: D.profiles, charts: D.charts, over: ''measured depth'', place: null})', &
-      'return list']
-   character(238), parameter :: script_lines_5(100) = [character(238) :: &
+      'return list', &
       '}', &
       'function follow_address(all) {                                // the block that the address means', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
@@ -558,7 +588,8 @@ module dg_page_script
       ' [px]', &
       'const number = (a, t, look) => { const [x, y] = project(a); make(svg, ''text'', {x: x + look.dx, y: y + look.d'// &
       'y, ''text-anchor'': look.anchor}, t) }', &
-      'const below = {dx: 0, dy: 16, anchor: ''middle''}', &
+      'const below = {dx: 0, dy: 16, anchor: ''middle''}']
+   character(238), parameter :: script_lines_6(84) = [character(238) :: &
       'for (const t of ticks(e0 * length, e1 * length, few(e0, e1))) { line([t / length, n0, z1], [t / length, n1, z1'// &
       '], {class: ''grid''})', &
       'if (plan || Math.abs(cy) > .95 && sp < .1) number([t / length, n0, z1], t, below) }', &
@@ -617,8 +648,7 @@ module dg_page_script
       'make(svg, ''text'', {x: at, y, ''text-anchor'': ''middle''}, text)', &
       '}', &
       'const wall = [1, -1].map(sign => Array.from({length: 81}, (_, i) => { const d = bit - long + i * long / 80; re'// &
-      'turn x_of(d).toFixed(1) + '' '' + y(sign * value_at(p, ''hole'', d) / 2).toFixed(1) }).join(''L''))']
-   character(238), parameter :: script_lines_6(40) = [character(238) :: &
+      'turn x_of(d).toFixed(1) + '' '' + y(sign * value_at(p, ''hole'', d) / 2).toFixed(1) }).join(''L''))', &
       'for (const w of wall) make(svg, ''path'', {d: ''M'' + w, class: ''wall''})', &
       'for (const part of D.cases[p.case].parts) {', &
       'const from = Math.max(bit - part.to, bit - long), to = bit - part.from', &
@@ -677,7 +707,7 @@ module dg_page_script
       'return {draw: () => { draw_3d(); draw_assembly() }, draw_assembly, mark: () => { view.mark3d?.(); draw_section'// &
       '() }}', &
       '}']
-   character(238), parameter :: script_lines(540) = [ &
+   character(238), parameter :: script_lines(584) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
