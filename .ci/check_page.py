@@ -29,7 +29,7 @@ WIDTHS = (1440, 500)        # px; Chromium without a screen is no narrower
 LABELS = r"""
 setTimeout(() => {
    const found = new Set()
-   const look = view => { for (const svg of document.querySelectorAll('#live svg, .drawn svg')) {
+   const look = view => { for (const svg of document.querySelectorAll('.live svg:not(.key), .drawn svg')) {
       const whole = svg.getBoundingClientRect(), name = svg.getAttribute('aria-label') ?? svg.querySelector('title')?.textContent
       const texts = [...svg.querySelectorAll('text:not(.value)')].filter(t => t.textContent.trim() && whole.width)
          .map(t => [t.textContent.trim(), t.getBoundingClientRect()])
@@ -46,7 +46,7 @@ setTimeout(() => {
 """
 
 FINGERS = """
-const panel = document.querySelector('svg.panel'), place = panel.getBoundingClientRect()
+const {state} = blocks[0], panel = document.querySelector('svg.panel'), place = panel.getBoundingClientRect()
 const finger = (identifier, part) => new Touch({identifier, target: panel, clientX: place.left + 9, clientY: place.top + part * place.height})
 const touch = (kind, ...parts) => panel.dispatchEvent(new TouchEvent(kind, {bubbles: true, cancelable: true, touches: parts.map((p, i) => finger(i, p))}))
 const whole = state.bottom - state.top
@@ -82,7 +82,7 @@ def dom(page, view="", options=()):
 
 def readout(text):
     """Rows of the table of values: quantity -> [unit, value, value ...]."""
-    table = re.search(r'id="readout".*?</table>', text, re.S)
+    table = re.search(r'class="wide readout".*?</table>', text, re.S)
     if not table:
         return {}
     rows = re.findall(r"<tr>(.*?)</tr>", table.group(0), re.S)
@@ -160,7 +160,7 @@ def faults_without_script(page):
             copy = pathlib.Path(scratch) / f"{name}.html"
             copy.write_text(changed, encoding="utf-8")
             made, _ = dom(copy)
-            if re.search(r'<html[^>]*class="[^"]*scripted', made) or 'id="readout"' in made:
+            if re.search(r'<html[^>]*class="[^"]*scripted', made) or 'class="wide readout"' in made:
                 faults.append(f"a page with a {name} script hides its fixed pictures")
             if made.count("<svg") < 5:
                 faults.append(f"a page with a {name} script has {made.count('<svg')} pictures")
@@ -185,7 +185,7 @@ def faults_of_no_curves(page):
     """Without a load case to show there is a sentence, and no empty chart."""
     made, complaints = dom(page, "case=none")
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
-    if "No curves: choose a load case" not in made or 'class="panel"' in made:
+    if "No curves: choose a load case" not in made or 'class="panel"' in made.split("Pictures of the run")[0]:
         faults.append("no load case: the page draws empty charts, or says nothing")
     return faults
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps src/report/page/page_script.f90, the script and style that the program puts into a page, equal to page.js and page.css.
+"""Keeps src/report/page/page_script.f90, the script and style that the program puts into a page, equal to page.js, well.js and page.css.
 
 Usage: embed_page.py [--write]     --write makes the source anew
 """
@@ -16,7 +16,9 @@ PART = 100      # lines in a statement, which may have 255 lines of Fortran
 
 
 def lines_of(name):
-    return [line.rstrip() for line in (PAGE / name).read_text(encoding="ascii").splitlines()]
+    """Lines of a file, without what only its readers need: indentation, lines that are empty or a comment."""
+    lines = [line.strip() for line in (PAGE / name).read_text(encoding="ascii").splitlines()]
+    return [line for line in lines if line and not line.startswith("// ")]
 
 
 def array(name, lines):
@@ -26,19 +28,19 @@ def array(name, lines):
     text = []
     for number, part in enumerate(parts, 1):
         text += [f"   character({width}), parameter :: {name}_{number}({len(part)}) = [character({width}) :: &", *rows(part)]
-    whole = ", ".join(f"{name}_{number}" for number in range(1, len(parts) + 1))
-    return text + [f"   character({width}), parameter :: {name}({len(lines)}) = [{whole}]"]
+    whole = ", &\n      ".join(f"{name}_{number}" for number in range(1, len(parts) + 1))
+    return text + [f"   character({width}), parameter :: {name}({len(lines)}) = [ &\n      {whole}]"]
 
 
 def module():
-    script = lines_of("page.js")
+    script = lines_of("page.js") + lines_of("well.js")
     digest = hashlib.sha256("\n".join(script).encode("ascii")).digest()
     return "\n".join([
-        "!> The script and the style that a page carries: page.js and page.css, and the hash of the script by which the page lets it run.",
+        "!> The script and the style that a page carries: page.js, well.js, page.css. The hash of the script lets it run.",
         "!> Written by .ci/embed_page.py --write; change those files, not this.",
         "module dg_page_script", "   implicit none", "   private", "   public :: script_hash, script_lines, style_lines", "",
         f"   character(*), parameter :: script_hash = '{base64.b64encode(digest).decode()}'",
         *array("script_lines", script), *array("style_lines", lines_of("page.css")), "end module dg_page_script", ""])
 
 
-sys.exit(keep(SOURCE, module(), "src/report/page/page_script.f90 is not what page.js and page.css make; run .ci/embed_page.py --write"))
+sys.exit(keep(SOURCE, module(), "src/report/page/page_script.f90 is not what page.js, well.js and page.css make; run .ci/embed_page.py --write"))

@@ -2,7 +2,7 @@
 module dg_test_picture_drawing
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_chart, only: cut_text
+   use dg_readable, only: cut_text
    use dg_child_process, only: child_type, end_child, find_program, start_child, wait_for_child
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines

@@ -130,13 +130,25 @@ contains
    subroutine test_inline()
       type(line_list_type) :: page
       type(text_type), allocatable :: svg(:)
+      character(:), allocatable :: text
+      integer :: i
       allocate (svg(0))
       call append_text(svg, '<?xml version="1.0"?>')
       call append_text(svg, '<svg')
+      call append_text(svg, '<title>forces</title>')
+      call append_text(svg, '<g fill="none">')
+      call append_text(svg, '</g>')
+      call append_text(svg, '<g id="a"><title>forces_plot_1</title>')
+      call append_text(svg, '<path/>')
+      call append_text(svg, '</g>')
       call append_text(svg, "<use xlink:href='#gpPt5' id='gpPt6'/>")
-      call append_inline_svg(page, svg, 'p3')
-      call assertEqual(2, page%count)
-      call assertEqual("<use xlink:href='#p3gpPt5' id='p3gpPt6'/>", page%lines(2)%text)
+      call append_inline_svg(page, svg, 'p3', 'Torque & drag')
+      text = ''
+      do i = 1, page%count
+         text = text//page%lines(i)%text//'|'
+      end do
+      call assertEqual('<svg|<title>Torque &amp; drag</title>|<g id="a">|<path/>|</g>|'// &
+                       "<use xlink:href='#p3gpPt5' id='p3gpPt6'/>|", text)
    end subroutine test_inline
 
    !> A mark a case in the deck's units; a case that did not converge leaves none.
@@ -249,6 +261,10 @@ contains
          call assertEqual([0.0_wp, 2000.0_wp/units%length], curves(4)%points(:, 1), 1.0e-9_wp, message='at an empty hook')
          call assertEqual(200.0_wp, curves(9)%points(1, 1), 1.0e-9_wp, message='measured')
          call assertEqual(9, size(curves))
+         ! operations, one of them measured, then frictions, then what cannot be done
+         call assertEqual([1, 4], curves(1)%keys, message='entries of the legend')
+         call assertEqual([1, 5, 6], curves(4)%keys, message='cannot be done')
+         call assertEqual(1, size(curves(9)%keys), message='measured')
       end associate
       call assertEqual(2, size(chart%panels(2)%curves), message='no torque going up')
       call assertEqual(13.0_wp, chart%panels(2)%curves(1)%points(1, 1), 1.0e-9_wp)
@@ -262,8 +278,14 @@ contains
       model%rig = rig_type(given=.true., block_weight=50.0_wp*units%force, max_hookload=given(400.0_wp*units%force), &
                            max_torque=given(30.0_wp*units%moment))
       call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
-      call assertTrue(has_text(lines, 'from first 400, graph 0 to first 400, graph 1'), message='hook load')
-      call assertTrue(has_text(lines, 'from first 30, graph 0 to first 30, graph 1'), message='torque')
+      chart = sweep_chart(units, sweep, 1, model, points)
+      do i = 1, 2
+         associate (limit => chart%panels(i)%curves(size(chart%panels(i)%curves)))
+            call assertEqual('limit of the rig', limit%name)
+            call assertEqual([merge(400.0_wp, 30.0_wp, i == 1), 0.0_wp, merge(400.0_wp, 30.0_wp, i == 1), 2000.0_wp/units%length], &
+                             [limit%points(:, 1), limit%points(:, 2)], 1.0e-9_wp, message='from top to bottom')
+         end associate
+      end do
       call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
       ! what the rig shows when the string yields: the block's 50 klbf above hook load and overpull
       call assertFalse(has_text(lines, 'yield in the string'), message='no yield strength')
@@ -276,12 +298,13 @@ contains
       model%rig%lines = 8
       model%rig%sheave_efficiency = 0.98_wp
       sweep%operations = [operation_trip_out, operation_trip_in]
-      call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
-      call assertFalse(has_text(lines, 'from first 400'))
+      chart = sweep_chart(units, sweep, 1, model, points)
+      call chart_script(chart, lines)
+      call assertFalse(has_text(lines, ' 400 klbf'))
       call assertTrue(has_text(lines, 'klbf, up'' at first 3'), message='less is shown going up')
       call assertTrue(has_text(lines, 'klbf, down'' at first 4'), message='more going down')
-      call assertEqual(2, count([(index(lines(i)%text, 'from first 3') + index(lines(i)%text, 'from first 4') > 0, &
-                                  i=1, size(lines))]))
+      call assertEqual(2, count([(index(chart%panels(1)%curves(i)%name, 'limit of the rig, ') == 1, &
+                                  i=1, size(chart%panels(1)%curves))]))
    end subroutine test_sweep
 
    !> Errors of the models of the study in per cent, without torque where nothing turns.

@@ -1,8 +1,9 @@
 !> Names and words as people read them in a sentence.
 module dg_readable
+   use dg_text, only: letter_end
    implicit none
    private
-   public :: spaced, capital
+   public :: spaced, capital, cut_text
 
 contains
 
@@ -25,4 +26,25 @@ contains
       sentence = text
       if (text(:1) >= 'a' .and. text(:1) <= 'z') sentence(:1) = achar(iachar(text(:1)) - apart)
    end function capital
+
+   !> A text of at most `most` letters: of a longer one the beginning and '...'.
+   pure function cut_text(text, most) result(short)
+      character(*), intent(in) :: text
+      integer, intent(in) :: most
+      character(:), allocatable :: short
+      integer :: letters, last, kept
+      letters = 0
+      kept = 0
+      last = 0
+      do while (last < len(text))
+         letters = letters + 1
+         if (letters > most) then
+            short = text(:kept)//'...'
+            return
+         end if
+         last = max(last + 1, letter_end(text, last + 1))
+         if (letters == most - len('...')) kept = last
+      end do
+      short = text
+   end function cut_text
 end module dg_readable

@@ -7,6 +7,7 @@ module dg_html_pictures
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
+   use dg_page_figures, only: is_live
    use dg_picture_data, only: picture_data_type
    use dg_picture_list, only: folder_in, picture_list_type, picture_type
    use dg_text, only: text_type, to_text
@@ -14,6 +15,9 @@ module dg_html_pictures
    implicit none
    private
    public :: append_pictures
+
+   !> Of a fixed picture that stands beside a chart of the script.
+   integer, parameter :: most_letters = 150000
 
 contains
 
@@ -25,6 +29,7 @@ contains
       type(model_type), intent(in) :: model
       type(picture_list_type), intent(in) :: list
       integer, intent(in) :: shown               !< that load case; 0: none has a picture
+      logical :: of_run(size(list%pictures))
       integer :: k
       if (.not. all(list%pictures%drawn)) &
          call add_line(lines, '<p class="note warn">'//to_text(count(.not. list%pictures%drawn))//' of '// &
@@ -32,7 +37,7 @@ contains
                        'stand in the folder of results.</p>')
       if (shown > 0) then
          call add_line(lines, '<h2>Along the string</h2>')
-         call add_line(lines, '<div id="live"></div><div class="static">')
+         call add_line(lines, '<div class="live"></div><div class="static">')
          call add_line(lines, '<p>Load case '//html_safe(model%cases(shown)%name)//'. Pictures of all load cases stand in the '// &
                           'folder <code>pictures</code>.</p>')
          do k = 1, size(list%pictures)
@@ -41,33 +46,49 @@ contains
          end do
          call add_line(lines, '</div>')
       end if
-      if (any(list%pictures%case_index == 0 .and. list%pictures%drawn)) call add_line(lines, '<h2>Pictures of the run</h2>')
+      of_run = list%pictures%case_index == 0 .and. (list%pictures%drawn .or. is_live(list%pictures))
+      if (any(of_run)) call add_line(lines, '<h2>Pictures of the run</h2>')
       do k = 1, size(list%pictures)
-         if (list%pictures(k)%case_index == 0 .and. list%pictures(k)%drawn) call append_picture(lines, job, list%pictures(k), k)
+         if (of_run(k)) call append_picture(lines, job, list%pictures(k), k)
       end do
       if (list%empty /= '') call add_line(lines, '<p class="note">Not drawn, as no value is known: '// &
                                           html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
       if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
    end subroutine append_pictures
 
+   !> A picture: the place of a chart, where the script draws one, and the fixed picture.
    subroutine append_picture(lines, job, picture, number)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(picture_type), intent(in) :: picture
+      integer, intent(in) :: number
+      call add_line(lines, '<figure>')
+      if (is_live(picture)) call add_line(lines, '<div class="live"></div><div class="static">')
+      if (picture%drawn) call append_fixed(lines, job, picture, number)
+      if (is_live(picture)) call add_line(lines, '</div>')
+      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
+      call append_data(lines, job, picture%data)
+      call add_line(lines, '</figure>')
+   end subroutine append_picture
+
+   !> The picture itself. One of the run that is too large is named instead.
+   subroutine append_fixed(lines, job, picture, number)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(picture_type), intent(in) :: picture
       integer, intent(in) :: number
       type(text_type), allocatable :: svg(:)
       character(:), allocatable :: failure
+      integer :: i
       call read_lines(folder_in(job)//'/'//picture%name//'.svg', svg, failure)
-      call add_line(lines, '<figure>')
-      if (failure == '') then
-         call append_inline_svg(lines, svg, 'p'//to_text(number))
-      else
+      if (failure /= '') then
          call add_line(lines, '<p class="note warn">Picture '//html_safe(failure)//'</p>')
+      else if (is_live(picture) .and. sum([(len(svg(i)%text), i=1, size(svg))]) > most_letters) then
+         call add_line(lines, '<p class="note">A large picture: pictures/'//html_safe(picture%name)//'.svg</p>')
+      else
+         call append_inline_svg(lines, svg, 'p'//to_text(number), picture%caption)
       end if
-      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
-      call append_data(lines, job, picture%data)
-      call add_line(lines, '</figure>')
-   end subroutine append_picture
+   end subroutine append_fixed
 
    !> The numbers of a picture, in a table that opens beneath it; the file that has all.
    subroutine append_data(lines, job, data)

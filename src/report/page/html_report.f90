@@ -21,6 +21,7 @@ module dg_html_report
    use dg_column, only: row_type
    use dg_results_h5, only: time_stamp
    use dg_page_data, only: append_page_data, governing_case
+   use dg_page_figures, only: is_live
    use dg_page_script, only: script_hash, script_lines
    use dg_printed_text, only: printed_text_type
    use dg_summary_file, only: summary_row
@@ -108,8 +109,8 @@ contains
       call append_deck(lines, job%deck_text)
       call close_fold(lines)
       call add_line(lines, '</main>')
-      if (shown > 0) then
-         call append_page_data(lines, job, model, results, alongs, shown)
+      if (shown > 0 .or. any(is_live(pictures%pictures))) then
+         call append_page_data(lines, job, model, results, alongs, pictures, shown)
          call append_script(lines)
       end if
       call add_line(lines, '</body></html>')

@@ -36,7 +36,7 @@ module dg_html_style
       '@media screen and (max-width:700px){body{padding:.6em}td.long{min-width:12em}', &
       'th:first-child,td:first-child{position:sticky;left:0;background:#fff}', &
       'td.text:first-child{white-space:normal;min-width:5em;max-width:9em}td,th{overflow-wrap:break-word}', &
-      'figure{overflow-x:auto;margin:1em 0}figure>svg{min-width:46em}#live figure>svg{min-width:0}}']
+      'figure{overflow-x:auto;margin:1em 0}figure svg{min-width:46em}.live svg{min-width:0}}']
 
    !> Paper lies broad, so that all columns have room; what is longer is wrapped, for paper does not scroll. A heading stays with
    !> what it stands over. 135 mm leave room for two headings and a caption on A4 and Letter.

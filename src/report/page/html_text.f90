@@ -214,19 +214,46 @@ contains
       call add_line(lines, '</pre>')
    end subroutine append_preformatted
 
-   !> A picture within the page: what stands before <svg> left out, names of its marks made its own by `prefix`.
-   pure subroutine append_inline_svg(lines, svg, prefix)
+   !> A picture within the page: what stands before <svg> left out, groups without content too; names of its marks made its own by
+   !> `prefix`, its title in place of gnuplot's names.
+   pure subroutine append_inline_svg(lines, svg, prefix, title)
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: svg(:)      !< lines of the file
       character(*), intent(in) :: prefix         !< other for each picture of a page
+      character(*), intent(in) :: title
       integer :: i
-      logical :: inside
+      logical :: inside, named
       inside = .false.
-      do i = 1, size(svg)
-         if (index(svg(i)%text, '<svg') > 0) inside = .true.
-         if (inside .and. svg(i)%text /= '') call add_line(lines, own(svg(i)%text))
+      named = .false.
+      i = 0
+      do while (i < size(svg))
+         i = i + 1
+         associate (text => svg(i)%text)
+            if (index(text, '<svg') > 0) inside = .true.
+            if (.not. inside .or. text == '') cycle
+            if (is_empty_group(i)) then
+               i = i + 1
+            else if (index(text, '<title>') == 0) then
+               call add_line(lines, own(text))
+            else
+               if (.not. named) call add_line(lines, '<title>'//html_safe(title)//'</title>')
+               named = .true.
+               if (index(text, '<title>') > 1) call add_line(lines, text(:index(text, '<title>') - 1))
+            end if
+         end associate
       end do
    contains
+      !> Whether a group begins there and ends in the next line. gnuplot writes one for each change of a pen.
+      pure function is_empty_group(i) result(is)
+         integer, intent(in) :: i
+         logical :: is
+         is = .false.
+         if (i == size(svg)) return
+         associate (text => svg(i)%text)
+            is = index(text, '<g ') == 1 .and. index(text, '>') == len_trim(text) .and. svg(i + 1)%text == '</g>'
+         end associate
+      end function is_empty_group
+
       !> With the names that gnuplot gives in every picture.
       pure function own(text) result(changed)
          character(*), intent(in) :: text

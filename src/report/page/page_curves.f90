@@ -17,7 +17,7 @@ module dg_page_curves
    use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: curve_series, profile_curves
+   public :: curve_series, curve_text, profile_curves
 
    character(*), parameter :: clock = 'clock', joint_force = 'side_force_on_joint'
    !> Length of string that the extra curve adds up side force on, a joint of pipe, and places of it.
@@ -78,7 +78,7 @@ contains
       end do
    end subroutine profile_curves
 
-   !> A curve of numbers.
+   !> A curve of numbers. With a tolerance of zero all points stand, in any order.
    pure function curve_text(md, values, unit, length, tolerance) result(text)
       real(wp), intent(in) :: md(:), values(:)      !< [SI]
       real(wp), intent(in) :: unit, length          !< of values and depths [SI]
@@ -90,7 +90,9 @@ contains
       text = ''
       if (.not. any(there)) return
       range = maxval(values, mask=there) - minval(values, mask=there)
-      if (all(there) .and. range <= alike*maxval(abs(values))) then
+      if (tolerance <= 0.0_wp) then
+         kept = .true.
+      else if (all(there) .and. range <= alike*maxval(abs(values))) then
          kept = .false.
          kept([1, size(kept)]) = .true.
       else

@@ -8,12 +8,15 @@ module dg_page_data
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, leading_model, model_name
    use dg_line_list, only: add_line, line_list_type
+   use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_series, profile_curves
+   use dg_page_figures, only: append_figures, figure_quantities
+   use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_force, quantity_length, quantity_width, system_base, system_name
    use dg_readable, only: spaced
    use dg_series, only: series_list_type
-   use dg_text, only: text_type, to_text, plain_utf8, put_piece
+   use dg_text, only: text_type, to_text
    use dg_trajectory, only: top_md
    use dg_units, only: system_of, unit_system_type
    use dg_verdict, only: answer_no
@@ -47,8 +50,6 @@ module dg_page_data
    integer, parameter :: most_letters = 4000000
    integer, parameter :: digits = 7, contact_digits = 4
 
-   integer, parameter :: last_control = 31
-
 contains
 
    !> Whether a result has curves.
@@ -79,43 +80,66 @@ contains
       end do
    end function governing_case
 
-   !> The data, in an element of the page.
-   subroutine append_page_data(lines, job, model, results, alongs, shown)
+   !> The data, in an element of the page: what stands along the string of the load cases where one is shown, figures of the run.
+   subroutine append_page_data(lines, job, model, results, alongs, pictures, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(along_string_type), intent(in) :: alongs(:)      !< as many
-      integer, intent(in) :: shown                          !< load case that is shown first
+      type(picture_list_type), intent(in) :: pictures
+      integer, intent(in) :: shown                          !< load case that is shown first; 0: none
       type(text_type), allocatable :: curves(:, :)
       type(series_list_type) :: list
+      real(wp) :: tolerance
+      integer :: i
+      tolerance = tolerances(1)
+      if (shown > 0) then
+         i = findloc(has_curves(results), .true., dim=1)
+         list = curve_series(results(i)%profile, alongs(i))    ! for their names
+         call find_curves(job, results, alongs, list%count, curves, tolerance)
+      else
+         allocate (list%items(0))
+      end if
+      call add_line(lines, '<script type="application/json" id="data">')
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
+                       to_text(tolerance, 2)//',')
+      call append_quantities(lines, job%units, [quantity_length, quantity_width, quantity_force, &
+                                                list%items(:list%count)%column%quantity, figure_quantities(pictures)])
+      if (shown > 0) then
+         call add_line(lines, '"start":'//to_text(shown - 1)//',')
+         call append_columns(lines, list)
+         call append_cases(lines, job, model, results)
+         call add_line(lines, '"charts":[')
+         do i = 1, size(charts)
+            call add_line(lines, trim(charts(i)))
+         end do
+         call add_line(lines, '],"profiles":[')
+         call append_profiles(lines, job, results, list, curves)
+         call add_line(lines, '],')
+      end if
+      call append_figures(lines, pictures, tolerance)
+      call add_line(lines, '}</script>')
+   end subroutine append_page_data
+
+   !> Curves of all results, thinned as little as their size allows.
+   subroutine find_curves(job, results, alongs, columns, curves, tolerance)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)          !< as many
+      integer, intent(in) :: columns                            !< their number
+      type(text_type), allocatable, intent(out) :: curves(:, :) !< by column and result
+      real(wp), intent(out) :: tolerance                        !< to which they are thinned
       integer :: i, k
-      i = findloc(has_curves(results), .true., dim=1)
-      list = curve_series(results(i)%profile, alongs(i))    ! for their names
-      allocate (curves(list%count, size(results)))
+      allocate (curves(columns, size(results)))
       do k = 1, size(tolerances)
+         tolerance = tolerances(k)
          do i = 1, size(results)
-            if (has_curves(results(i))) &
-               call profile_curves(results(i)%profile, alongs(i), job%units, tolerances(k), curves(:, i))
+            if (has_curves(results(i))) call profile_curves(results(i)%profile, alongs(i), job%units, tolerance, curves(:, i))
          end do
          if (letters_of(curves) <= most_letters) exit
       end do
-      k = min(k, size(tolerances))
-      call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
-                       to_text(tolerances(k), 2)//',"start":'// &
-                       to_text(shown - 1)//',')
-      call append_quantities(lines, job%units, list)
-      call append_columns(lines, list)
-      call append_cases(lines, job, model, results)
-      call add_line(lines, '"charts":[')
-      do i = 1, size(charts)
-         call add_line(lines, trim(charts(i)))
-      end do
-      call add_line(lines, '],"profiles":[')
-      call append_profiles(lines, job, results, list, curves)
-      call add_line(lines, ']}</script>')
-   end subroutine append_page_data
+   end subroutine find_curves
 
    !> Letters of all curves.
    pure function letters_of(curves) result(number)
@@ -131,13 +155,12 @@ contains
    end function letters_of
 
    !> Unit and factor of each quantity in each system, from the deck's units.
-   subroutine append_quantities(lines, units, list)
+   subroutine append_quantities(lines, units, wanted)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
-      type(series_list_type), intent(in) :: list
+      integer, intent(in) :: wanted(:)      !< quantities; one may stand twice
       character(:), allocatable :: text
-      integer :: wanted(list%count + 3), i, k
-      wanted = [quantity_length, quantity_width, quantity_force, list%items(:list%count)%column%quantity]
+      integer :: i, k
       text = '"quantities":{'
       do i = 1, size(wanted)
          if (any(wanted(:i - 1) == wanted(i))) cycle
@@ -163,18 +186,6 @@ contains
          text = text//json_string(trim(system_name(k)))
       end do
    end function systems_text
-
-   !> Name of a quantity in the data: words for those that the script asks for.
-   pure function quantity_key(quantity) result(key)
-      integer, intent(in) :: quantity
-      character(:), allocatable :: key
-      select case (quantity)
-      case (quantity_length); key = 'length'
-      case (quantity_width); key = 'width'
-      case (quantity_force); key = 'force'
-      case default; key = 'q'//to_text(quantity)
-      end select
-   end function quantity_key
 
    !> Label, quantity and meaning of each column; of states their words.
    subroutine append_columns(lines, list)
@@ -307,30 +318,4 @@ contains
          end associate
       end do
    end function contacts_text
-
-   !> A text with its quotes. Bytes that make no UTF-8 become '?'. Put in place piece by piece, as html_safe does.
-   pure function json_string(text) result(json)
-      character(*), intent(in) :: text
-      character(:), allocatable :: json
-      character(:), allocatable :: room
-      character(len(text)) :: plain
-      character(6) :: code
-      integer :: i, filled
-      plain = plain_utf8(text)
-      allocate (character(len(code)*len(text) + 2) :: room)
-      filled = 0
-      call put_piece(room, filled, '"')
-      do i = 1, len(text)
-         if (scan(plain(i:i), '"\') == 1) then
-            call put_piece(room, filled, '\'//plain(i:i))
-         else if (scan(plain(i:i), '<>&') == 1 .or. iachar(plain(i:i)) <= last_control) then
-            write (code, '(a, z4.4)') '\u', iachar(plain(i:i))
-            call put_piece(room, filled, code)
-         else
-            call put_piece(room, filled, plain(i:i))
-         end if
-      end do
-      call put_piece(room, filled, '"')
-      json = room(:filled)
-   end function json_string
 end module dg_page_data

@@ -3,7 +3,8 @@
 module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_chart, only: add_curve, add_key, add_label, add_panel, add_points, chart_type, cut_text, new_chart, round_step
+   use dg_chart, only: add_curve, add_key, add_label, add_panel, add_points, chart_type, new_chart, round_step
+   use dg_readable, only: cut_text
    use dg_quantity, only: quantity_moment, quantity_width
    use dg_component, only: contact_diameter, has_blades, has_joints
    use dg_curve_look, only: colour_of, line_style

@@ -5,13 +5,15 @@ module dg_chart
    use dg_curve_look, only: colour_grey, letter_width
    use dg_hole_section, only: hole_section_type
    use dg_missing, only: is_missing, missing
-   use dg_text, only: letter_end, text_type, to_text
+   use dg_quantity, only: quantity_length, quantity_none
+   use dg_readable, only: cut_text
+   use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: chart_type, panel_type, axis_type, curve_type
    public :: new_chart, beside, add_panel, add_rows, set_depth, add_depth_panel, add_points, add_curve, add_depth_curve, add_key, &
-             add_label, add_upright, fit_range, is_empty, round_step, cut_text
+             key_of, add_label, fit_range, is_empty, round_step
 
    !> Points that are joined, marked or filled.
    type :: curve_type
@@ -20,6 +22,8 @@ module dg_chart
       character(:), allocatable :: look         !< gnuplot's `with`
       logical :: along_depth = .false.          !< points that cannot be seen are left out
       character(7) :: band = ''                 !< colour of the band that a curve of too many turns becomes; '': none
+      integer, allocatable :: keys(:)           !< entries of the legend that it belongs to
+      character(:), allocatable :: name         !< where it is pointed at; '': the texts of its entries
    end type curve_type
 
    type :: note_type
@@ -28,15 +32,15 @@ module dg_chart
       logical :: of_panel(2) = .false.          !< in parts of the panel, not in its units
    end type note_type
 
-   !> A line across a panel.
+   !> A level line across a panel.
    type :: line_type
       real(wp) :: at = 0.0_wp
-      logical :: upright = .false.
       character(:), allocatable :: look
    end type line_type
 
    type :: axis_type
       character(:), allocatable :: label        !< '': none
+      integer :: quantity = quantity_none       !< of its numbers; its unit stands behind the label
       real(wp) :: ends(2) = missing             !< `missing`: as the curves have it
       character(:), allocatable :: tics         !< gnuplot's step or list; '': as it thinks
       logical :: numbered = .true.              !< numbers stand beside the tics
@@ -123,13 +127,15 @@ contains
    end subroutine add_panel
 
    !> Appends a panel with rows that have names, the first on top.
-   pure subroutine add_rows(chart, place, x_label, names, room)
+   pure subroutine add_rows(chart, place, x_label, quantity, names, room)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: place(4)
       character(*), intent(in) :: x_label
+      integer, intent(in) :: quantity   !< of the horizontal axis
       type(text_type), intent(in) :: names(:)
       real(wp), intent(in) :: room      !< to the left of the panel for the names; 0: those of the panel to the left hold here
       call add_panel(chart, place, x_label)
+      chart%panels(size(chart%panels))%x%quantity = quantity
       associate (axis => chart%panels(size(chart%panels))%y)
          axis%ends = [real(size(names), wp) + 0.6_wp, 0.4_wp]
          axis%tics = '1'
@@ -153,7 +159,8 @@ contains
       real(wp) :: high, named
       integer :: i, most
       associate (depth => chart%depth, length => chart%units%length)
-         depth%y%label = label//' ['//trim(chart%units%length_label)//']'
+         depth%y%label = label
+         depth%y%quantity = quantity_length
          depth%y%ends = [deepest/length, 0.0_wp]
          depth%y%tics = ''
          allocate (depth%lines(0), depth%notes(0))
@@ -164,7 +171,7 @@ contains
          do i = size(holes) - 1, 1, -1
             associate (md => holes(i)%md_bottom)
                if (md >= deepest) cycle
-               call append_line(depth, md/length, .false., "lw 1 dt (12,4,2,4) lc rgb '"//colour_grey//"'")
+               call append_line(depth, md/length, "lw 1 dt (12,4,2,4) lc rgb '"//colour_grey//"'")
                if (named - md < high .or. md < high) cycle
                named = md
                call append_label(depth, cut_text(holes(i)%name, most), [merge(0.02_wp, 0.98_wp, left), md/length], side, &
@@ -175,12 +182,14 @@ contains
    end subroutine set_depth
 
    !> Appends a panel over depth.
-   pure subroutine add_depth_panel(chart, place, x_label)
+   pure subroutine add_depth_panel(chart, place, x_label, quantity)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: place(4)
       character(*), intent(in) :: x_label
+      integer, intent(in) :: quantity   !< of the horizontal axis
       call add_panel(chart, place, x_label)
       associate (panel => chart%panels(size(chart%panels)))
+         panel%x%quantity = quantity
          panel%lines = chart%depth%lines
          panel%y%ends = chart%depth%y%ends
          if (size(chart%panels) > 1) return
@@ -190,31 +199,46 @@ contains
    end subroutine add_depth_panel
 
    !> Appends points of any kind to the last panel.
-   pure subroutine add_points(chart, points, look)
+   pure subroutine add_points(chart, points, look, keys, name)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: points(:, :)      !< see curve_type
       character(*), intent(in) :: look
+      integer, intent(in), optional :: keys(:)          !< see curve_type; absent: none
+      character(*), intent(in), optional :: name        !< see curve_type; absent: ''
       type(curve_type), allocatable :: longer(:)
       associate (panel => chart%panels(size(chart%panels)))
          allocate (longer(size(panel%curves) + 1))
          longer(:size(panel%curves)) = panel%curves
          longer(size(longer))%points = points
-         longer(size(longer))%look = look
+         associate (curve => longer(size(longer)))
+            curve%look = look
+            allocate (curve%keys(0))
+            if (present(keys)) curve%keys = keys
+            curve%name = ''
+            if (present(name)) curve%name = name
+         end associate
          call move_alloc(longer, panel%curves)
       end associate
    end subroutine add_points
 
    !> Appends a curve to the last panel, and to the legend under its name.
-   pure subroutine add_curve(chart, x, y, look, name)
+   pure subroutine add_curve(chart, x, y, look, name, keys)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: x(:), y(:)
       character(*), intent(in) :: look
       character(*), intent(in) :: name      !< '': it has none
+      integer, intent(in), optional :: keys(:)      !< entries of the legend that a curve without a name belongs to
       real(wp) :: points(2, size(x))
       points(1, :) = x
       points(2, :) = y
-      call add_points(chart, points, look)
-      if (name /= '') call add_key(chart, look, name)
+      if (name /= '') then
+         call add_key(chart, look, name)
+         call add_points(chart, points, look, [size(chart%keys)])
+      else if (present(keys)) then
+         call add_points(chart, points, look, keys)
+      else
+         call add_points(chart, points, look)
+      end if
    end subroutine add_curve
 
    !> Appends a curve along the string to the last panel, from SI units.
@@ -249,6 +273,16 @@ contains
       call move_alloc(longer, chart%keys)
    end subroutine add_key
 
+   !> Place of an entry of the legend with a text; none where no entry has it.
+   pure function key_of(chart, text) result(number)
+      type(chart_type), intent(in) :: chart
+      character(*), intent(in) :: text
+      integer, allocatable :: number(:)       !< one or none
+      integer :: i
+      number = pack([(i, i=1, size(chart%keys))], [(chart%keys(i)%text == text, i=1, size(chart%keys))])
+      number = number(:min(1, size(number)))
+   end function key_of
+
    !> Appends a text to the last panel.
    pure subroutine add_label(chart, text, at, look, of_panel)
       type(chart_type), intent(inout) :: chart
@@ -276,25 +310,15 @@ contains
       call move_alloc(longer, panel%notes)
    end subroutine append_label
 
-   !> Appends an upright line across the last panel.
-   pure subroutine add_upright(chart, at, look)
-      type(chart_type), intent(inout) :: chart
-      real(wp), intent(in) :: at
-      character(*), intent(in) :: look
-      call append_line(chart%panels(size(chart%panels)), at, .true., look)
-   end subroutine add_upright
-
-   pure subroutine append_line(panel, at, upright, look)
+   pure subroutine append_line(panel, at, look)
       type(panel_type), intent(inout) :: panel
       real(wp), intent(in) :: at
-      logical, intent(in) :: upright
       character(*), intent(in) :: look
       type(line_type), allocatable :: longer(:)
       allocate (longer(size(panel%lines) + 1))
       longer(:size(panel%lines)) = panel%lines
       associate (line => longer(size(longer)))
          line%at = at
-         line%upright = upright
          line%look = look
       end associate
       call move_alloc(longer, panel%lines)
@@ -367,25 +391,4 @@ contains
          if (least <= step) return
       end do
    end function round_step
-
-   !> A text of at most `most` letters: of a longer one the beginning and '...'.
-   pure function cut_text(text, most) result(short)
-      character(*), intent(in) :: text
-      integer, intent(in) :: most
-      character(:), allocatable :: short
-      integer :: letters, last, kept
-      letters = 0
-      kept = 0
-      last = 0
-      do while (last < len(text))
-         letters = letters + 1
-         if (letters > most) then
-            short = text(:kept)//'...'
-            return
-         end if
-         last = max(last + 1, letter_end(text, last + 1))
-         if (letters == most - len('...')) kept = last
-      end do
-      short = text
-   end function cut_text
 end module dg_chart

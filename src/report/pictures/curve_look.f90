@@ -6,7 +6,7 @@ module dg_curve_look
    implicit none
    private
    public :: colour_of, dash_of, line_style, mark_style, marked_line_style, band_look
-   public :: style_count, colour_grey, colour_black, limit_dash, letter_width
+   public :: look_part, style_count, colour_grey, colour_black, colour_white, limit_dash, letter_width
 
    !> Looks that differ. The next curve looks like the first again.
    integer, parameter :: style_count = 7
@@ -16,7 +16,7 @@ module dg_curve_look
       '(12,3,3,3,3,3)']
    integer, parameter :: marks(style_count) = [7, 5, 9, 13, 11, 15, 3]
    !> Black is also the colour of what was measured, whatever the curves.
-   character(*), parameter :: colour_grey = '#999999', colour_black = '#000000'
+   character(*), parameter :: colour_grey = '#999999', colour_black = '#000000', colour_white = '#ffffff'
    !> Of limits, whatever the curves.
    character(*), parameter :: limit_dash = '(3,3)'
    !> Width of a letter of the font [px], a little more than the mean.
@@ -78,4 +78,17 @@ contains
       character(:), allocatable :: look
       look = "with filledcurves closed fs solid 0.35 noborder fc rgb '"//colour//"'"
    end function band_look
+
+   !> What stands behind a word of a look, without quotes; '' where the look has not the word.
+   pure function look_part(look, word) result(text)
+      character(*), intent(in) :: look, word
+      character(:), allocatable :: text
+      integer :: first
+      text = ''
+      first = index(' '//look, ' '//word//' ')
+      if (first == 0) return
+      text = look(first + len(word) + 1:)//' '
+      text = text(:index(text, ' ') - 1)
+      if (index(text, "'") == 1) text = text(2:len(text) - 1)
+   end function look_part
 end module dg_curve_look

@@ -6,7 +6,7 @@ module dg_forces_picture
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_depth_curve, add_depth_panel, add_key, add_points, beside, chart_type, fit_range, new_chart, &
                        set_depth
-   use dg_quantity, only: quantity_force, quantity_moment
+   use dg_quantity, only: quantity_angle, quantity_force, quantity_moment
    use dg_component, only: has_joints
    use dg_curve_look, only: colour_black, colour_grey, colour_of, limit_dash, line_style, mark_style
    use dg_depth_curve, only: force_on_length, kept_points, least_around, lone_angles
@@ -18,7 +18,6 @@ module dg_forces_picture
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type, side_above, state_free
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: forces_chart
@@ -49,12 +48,12 @@ contains
          call set_depth(chart, 'measured depth', load_case%bit_depth, model%holes, place(1), .false.)
          call add_axial(chart, results, alongs)
          if (rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp) then
-            call add_depth_panel(chart, place(2), 'torque ['//unit_label(units, quantity_moment)//']')
+            call add_depth_panel(chart, place(2), 'torque', quantity_moment)
             do k = 1, size(results)
                call add(results(k)%profile%torque)
             end do
          else
-            call add_depth_panel(chart, place(2), 'bending moment ['//unit_label(units, quantity_moment)//']')
+            call add_depth_panel(chart, place(2), 'bending moment', quantity_moment)
             do k = 1, size(results)
                call add(results(k)%profile%bending)
             end do
@@ -83,7 +82,7 @@ contains
       type(along_string_type), intent(in) :: alongs(:)
       real(wp) :: ends(2)
       integer :: k, shown
-      call add_depth_panel(chart, place(1), 'effective axial force ['//unit_label(chart%units, quantity_force)//']')
+      call add_depth_panel(chart, place(1), 'effective axial force', quantity_force)
       do k = 1, size(results)
          call add_depth_curve(chart, results(k)%profile%md, results(k)%profile%axial, chart%units%force, line_style(k), &
                               trim(model_name(results(k)%model)), '')
@@ -165,7 +164,7 @@ contains
       integer :: k, i, n
       associate (units => chart%units)
          call add_depth_panel(chart, place(3), 'side force on '//to_text(joint/units%length, 3)//' '// &
-                              trim(units%length_label)//' ['//unit_label(units, quantity_force)//']')
+                              trim(units%length_label), quantity_force)
          do k = 1, size(results)
             associate (profile => results(k)%profile)
                length = chart%depth%y%ends(1)*units%length - profile%md(1)
@@ -185,7 +184,7 @@ contains
       type(chart_type), intent(inout) :: chart
       type(case_result_type), intent(in) :: results(:)
       integer :: k
-      call add_depth_panel(chart, place(4), 'clock angle of contact [deg]')
+      call add_depth_panel(chart, place(4), 'clock angle of contact', quantity_angle)
       associate (axis => chart%panels(4)%x)
          axis%ends = [-90.0_wp, 270.0_wp]
          axis%tics = '("" -90, "0 high" 0, "90" 90, "180 low" 180, "270" 270)'

@@ -3,13 +3,17 @@
 !> No text of a deck becomes part of a script but through `spelled`: gnuplot runs what stands in its scripts.
 module dg_gnuplot_script
    use dg_kinds, only: wp
-   use dg_chart, only: axis_type, chart_type, curve_type, cut_text, panel_type
+   use dg_chart, only: axis_type, chart_type, curve_type, panel_type
    use dg_curve_look, only: band_look, colour_of, letter_width
    use dg_depth_curve, only: bands_of, kept_points
    use dg_missing, only: is_missing
    use dg_number_text, only: put_csv_number
+   use dg_quantity, only: quantity_none
+   use dg_readable, only: cut_text
    use dg_ten_digits, only: longest_number
    use dg_text, only: append_text, plain_utf8, put_piece, text_type, to_text
+   use dg_unit_kind, only: unit_label
+   use dg_units, only: unit_system_type
    implicit none
    private
    public :: chart_script, row_tics, spelled, ending_variable
@@ -41,7 +45,7 @@ contains
       allocate (lines(0), panels(0))
       banded = .false.
       do i = 1, size(chart%panels)
-         call put_panel(panels, chart%panels(i), chart%width, banded)
+         call put_panel(panels, chart%panels(i), chart%units, chart%width, banded)
       end do
       associate (name => chart%name)
          call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
@@ -88,9 +92,10 @@ contains
    end subroutine put_legend
 
    !> A panel with all that is in it.
-   pure subroutine put_panel(lines, panel, width, banded)
+   pure subroutine put_panel(lines, panel, units, width, banded)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(panel_type), intent(in) :: panel
+      type(unit_system_type), intent(in) :: units
       integer, intent(in) :: width               !< of the picture [px]
       logical, intent(inout) :: banded           !< a curve is drawn as a band
       type(text_type), allocatable :: plots(:)
@@ -106,12 +111,7 @@ contains
       call append_text(lines, 'unset label; unset arrow; set autoscale; '//margins(panel%place))
       do i = 1, size(panel%lines)
          at = 'first '//to_text(panel%lines(i)%at, digits)
-         if (panel%lines(i)%upright) then
-            at = 'from '//at//', graph 0 to '//at//', graph 1'
-         else
-            at = 'from graph 0, '//at//' to graph 1, '//at
-         end if
-         call append_text(lines, 'set arrow '//at//' nohead '//panel%lines(i)%look)
+         call append_text(lines, 'set arrow from graph 0, '//at//' to graph 1, '//at//' nohead '//panel%lines(i)%look)
       end do
       do i = 1, size(panel%notes)
          associate (note => panel%notes(i))
@@ -120,8 +120,8 @@ contains
                              to_text(note%at(2), digits)//' '//note%look)
          end associate
       end do
-      call put_axis(lines, panel%x, 'x', width)
-      call put_axis(lines, panel%y, 'y', width)
+      call put_axis(lines, panel%x, 'x', units, width)
+      call put_axis(lines, panel%y, 'y', units, width)
       if (panel%logarithmic) then
          call append_text(lines, "set logscale xy; set format xy '%g'")
          ! gnuplot fails at a panel without a number
@@ -140,21 +140,29 @@ contains
       call append_text(lines, '     NaN notitle')
    end subroutine put_panel
 
-   pure subroutine put_axis(lines, axis, letter, width)
+   pure subroutine put_axis(lines, axis, letter, units, width)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(axis_type), intent(in) :: axis
       character, intent(in) :: letter            !< x or y
+      type(unit_system_type), intent(in) :: units
       integer, intent(in) :: width               !< of the picture [px]
       character(:), allocatable :: tics, label
       tics = axis%tics
       if (tics == '') tics = 'autofreq'
       if (allocated(axis%rows)) tics = '('//row_tics(axis%rows, axis%room, width)//')'
       label = 'unset '//letter//'label'
-      if (axis%label /= '') label = 'set '//letter//'label '//spelled(axis%label)
+      if (axis%label /= '') label = 'set '//letter//'label '//spelled(axis%label//unit_text())
       call append_text(lines, label//'; set format '//letter//' '//spelled(trim(merge('% h', '   ', axis%numbered)))// &
                        '; set '//letter//'range ['//ending(axis%ends(1))//':'//ending(axis%ends(2))//']; set '//letter// &
                        'tics '//tics)
    contains
+      !> The unit of the axis in brackets.
+      pure function unit_text() result(text)
+         character(:), allocatable :: text
+         text = ''
+         if (axis%quantity /= quantity_none) text = ' ['//unit_label(units, axis%quantity)//']'
+      end function unit_text
+
       pure function ending(value) result(text)
          real(wp), intent(in) :: value
          character(:), allocatable :: text

@@ -3,10 +3,10 @@
 module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, new_chart
-   use dg_quantity, only: quantity_moment
+   use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, key_of, new_chart
+   use dg_quantity, only: quantity_force, quantity_moment, quantity_percent
    use dg_comparison, only: as_measured, percent_error
-   use dg_curve_look, only: colour_black, letter_width, mark_style
+   use dg_curve_look, only: colour_black, colour_white, letter_width, mark_style
    use dg_job, only: job_type, model_name
    use dg_load_case, only: load_case_type, rotates
    use dg_missing, only: is_missing, missing, optional_real
@@ -14,7 +14,6 @@ module dg_hookload_picture
    use dg_rig, only: indicated_load
    use dg_text, only: text_type
    use dg_verdict_text, only: mark_meaning, row_mark
-   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: hookload_chart
@@ -28,7 +27,7 @@ module dg_hookload_picture
    real(wp), parameter :: most_names = 0.3_wp
    character(*), parameter :: measured_look = "with points pt 2 ps 1.1 lw 1.6 lc rgb '"//colour_black//"'", &
                               reference_look = "with points pt 6 ps 1.3 lw 1.2 lc rgb '"//colour_black//"'", &
-                              no_look = "with lines lc rgb '#ffffff'"
+                              no_look = "with lines lc rgb '"//colour_white//"'"
 
 contains
 
@@ -64,7 +63,7 @@ contains
       chart = new_chart('hookload', 'Hook load of all cases', job%units, height_px, &
                         [top + 8.0_wp/height, 1.0_wp - 40.0_wp/height])
       call add_rows(chart, place(), trim(merge('hook load as the rig shows it', 'hook load                    ', &
-                                               model%rig%given))//' ['//trim(job%units%force_label)//']', names, left)
+                                               model%rig%given)), quantity_force, names, left)
       chart%panels(1)%air(1) = 0.04_wp         ! no mark on the frame
       do i = 1, size(job%models)
          call add_marks(hookload(:, i), i, trim(model_name(job%models(i))))
@@ -77,7 +76,7 @@ contains
       if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
       if (any(marked)) call add_key(chart, no_look, mark_meaning)
       if (with_error) then
-         call add_rows(chart, place(), 'error against measurement [%]', names, 0.0_wp)
+         call add_rows(chart, place(), 'error against measurement', quantity_percent, names, 0.0_wp)
          do i = 1, size(job%models)
             call add_marks(error(:, i), i, '')
          end do
@@ -85,7 +84,7 @@ contains
          chart%panels(2)%air(1) = 0.04_wp
       end if
       if (with_torque) then
-         call add_rows(chart, place(), 'torque at the top ['//unit_label(job%units, quantity_moment)//']', names, 0.0_wp)
+         call add_rows(chart, place(), 'torque at the top', quantity_moment, names, 0.0_wp)
          do i = 1, size(job%models)
             call add_marks(torque(:, i), i, '')
          end do
@@ -110,7 +109,8 @@ contains
          character(*), intent(in) :: name
          real(wp) :: beside_line
          beside_line = spread*(real(number, wp)/real(size(job%models) + 1, wp) - 0.5_wp)
-         call add_curve(chart, values, [(real(i, wp) + beside_line, i=1, n)], mark_style(number, 0.8_wp), name)
+         call add_curve(chart, values, [(real(i, wp) + beside_line, i=1, n)], mark_style(number, 0.8_wp), name, &
+                        key_of(chart, trim(model_name(job%models(number)))))
       end subroutine add_marks
 
       !> Marks of what the deck gives, on the lines of the cases.
@@ -118,7 +118,8 @@ contains
          type(optional_real), intent(in) :: values(:)
          real(wp), intent(in) :: unit
          character(*), intent(in) :: look, name
-         call add_curve(chart, merge(values%value/unit, missing, values%present), [(real(i, wp), i=1, n)], look, name)
+         call add_curve(chart, merge(values%value/unit, missing, values%present), [(real(i, wp), i=1, n)], look, name, &
+                        key_of(chart, 'measured'))
       end subroutine add_given
    end function hookload_chart
 

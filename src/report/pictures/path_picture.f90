@@ -2,7 +2,7 @@
 module dg_path_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_chart, only: add_curve, add_label, add_panel, chart_type, cut_text, new_chart
+   use dg_chart, only: add_curve, add_label, add_panel, chart_type, new_chart
    use dg_curve_look, only: colour_black, colour_grey, letter_width, mark_style
    use dg_drillstring, only: component_tops
    use dg_hole_section, only: hole_section_type
@@ -11,6 +11,7 @@ module dg_path_picture
    use dg_missing, only: missing
    use dg_model, only: model_type, string_index
    use dg_profile, only: profile_type, state_elastic, state_rigid
+   use dg_readable, only: cut_text
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none

@@ -20,6 +20,7 @@ module dg_picture_list
       integer :: case_index = 0             !< load case that it belongs to; 0: the run
       logical :: drawn = .false.            !< it is there, not only its script
       type(picture_data_type) :: data       !< what it shows, in numbers
+      type(chart_type), allocatable :: chart   !< of a picture of the run: the page draws it
    end type picture_type
 
    type :: picture_list_type
@@ -42,6 +43,7 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       type(picture_type), allocatable :: longer(:)
       type(chart_type) :: named
+      type(chart_type), allocatable :: kept
       type(text_type), allocatable :: lines(:)
       type(row_type), allocatable :: rows(:)
       integer :: n, i, number
@@ -64,14 +66,18 @@ contains
       if (.not. allocated(error)) call write_text_file(folder_in(job)//'/'//named%name//'.gp', lines, error)
       allocate (longer(n + 1))
       do i = 1, n
-         call move_alloc(list%pictures(i)%data%rows, rows)      ! many: not copied for each picture that is added
+         ! many rows and points: not copied for each picture that is added
+         call move_alloc(list%pictures(i)%data%rows, rows)
+         call move_alloc(list%pictures(i)%chart, kept)
          longer(i) = list%pictures(i)
          call move_alloc(rows, longer(i)%data%rows)
+         call move_alloc(kept, longer(i)%chart)
       end do
       longer(n + 1)%name = named%name
       longer(n + 1)%caption = caption
       longer(n + 1)%case_index = case_index
       longer(n + 1)%data = data
+      if (case_index == 0) longer(n + 1)%chart = chart
       call move_alloc(longer, list%pictures)
    end subroutine add_picture
 

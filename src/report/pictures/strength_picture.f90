@@ -5,7 +5,7 @@ module dg_strength_picture
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_depth_curve, add_depth_panel, beside, chart_type, fit_range, new_chart, set_depth
-   use dg_quantity, only: quantity_moment, quantity_stress
+   use dg_quantity, only: quantity_moment, quantity_none, quantity_stress
    use dg_component, only: component_type
    use dg_curve_look, only: colour_black, colour_of, line_style
    use dg_drillstring, only: component_at, component_tops
@@ -16,7 +16,6 @@ module dg_strength_picture
    use dg_path_picture, only: case_title
    use dg_profile, only: piece_depths
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_label
    implicit none
    private
    public :: strength_chart
@@ -51,7 +50,7 @@ contains
          end associate
          chart = new_chart('strength_'//load_case%name, case_title(units, load_case)//': strength', units, 580, [0.83_wp, 0.92_wp])
          call set_depth(chart, 'measured depth', load_case%bit_depth, model%holes, place(), .false.)
-         call add_depth_panel(chart, place(), 'von Mises'' stress ['//unit_label(units, quantity_stress)//']')
+         call add_depth_panel(chart, place(), 'von Mises'' stress', quantity_stress)
          do k = 1, size(results)
             call add(alongs(k)%von_mises, units%stress, trim(model_name(results(k)%model)), colour_of(k))
          end do
@@ -63,7 +62,7 @@ contains
          end if
          call fit_range(chart)
          if (strong) then
-            call add_depth_panel(chart, place(), 'safety factor')
+            call add_depth_panel(chart, place(), 'safety factor', quantity_none)
             least = huge(least)
             do k = 1, size(results)
                call add(alongs(k)%safety_factor, 1.0_wp, '', colour_of(k))
@@ -73,14 +72,14 @@ contains
                                  'design factor '//to_text(job%design%von_mises, 3), '')
             call fit_range(chart, most=max(most_of_least*least, most_factor))
          end if
-         call add_depth_panel(chart, place(), trim(merge('range of bending in a turn', 'bending stress            ', turns))// &
-                              ' ['//unit_label(units, quantity_stress)//']')
+         call add_depth_panel(chart, place(), trim(merge('range of bending in a turn', 'bending stress            ', turns)), &
+                              quantity_stress)
          do k = 1, size(results)
             call add(merge(2.0_wp, 1.0_wp, turns)*alongs(k)%bending_stress, units%stress, '', colour_of(k))
          end do
          call fit_range(chart)
          if (.not. twisted) return
-         call add_depth_panel(chart, place(), 'torque ['//unit_label(units, quantity_moment)//']')
+         call add_depth_panel(chart, place(), 'torque', quantity_moment)
          do k = 1, size(results)
             call add(results(k)%profile%torque, units%moment, '', '')
          end do

@@ -11,6 +11,7 @@ module dg_calibration_picture
    use dg_job, only: model_name
    use dg_least_squares, only: fit_done
    use dg_missing, only: given, is_missing, missing, optional_real
+   use dg_quantity, only: quantity_force, quantity_none, quantity_percent
    use dg_model, only: model_type
    use dg_text, only: text_type
    use dg_units, only: unit_system_type
@@ -18,6 +19,7 @@ module dg_calibration_picture
    private
    public :: calibration_chart
 
+   integer, parameter :: before = 1, after = 2, interval = 3
    character(*), parameter :: deck_look = "with points pt 6 ps 1.1 lw 1.4 lc rgb '"//colour_grey//"'"
 
 contains
@@ -40,6 +42,7 @@ contains
       found_look = "with points pt 7 ps 0.9 lc rgb '"//colour_of(1)//"'"
       chart = new_chart(name, 'Calibration '//calibration%name//', model '//trim(model_name(found%model)), units, 560, &
                         [top, 0.92_wp])
+      ! entries of the legend: before, after, interval
       call add_key(chart, deck_look, 'before')
       call add_key(chart, found_look, 'after')
       call add_key(chart, "with lines lw 1.4 lc rgb '"//colour_of(1)//"'", '95 % interval')
@@ -50,57 +53,59 @@ contains
          share = real(offsets, wp)/real(size(calibration%unknowns), wp)
          middle = bottom + share*(top - bottom - axis_height) + axis_height
       end if
-      call add_factors('friction factor', .false., 1.0_wp, middle, top)
-      call add_factors('offset of the gauge ['//trim(units%force_label)//']', .true., units%force, bottom, middle - axis_height)
+      call add_factors('friction factor', quantity_none, 1.0_wp, middle, top)
+      call add_factors('offset of the gauge', quantity_force, units%force, bottom, middle - axis_height)
       n = size(names)
       do i = 1, n
          names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
       end do
-      call add_rows(chart, [left(2), right(2), bottom, top], 'error against measurement [%]', names, left(2) - right(1))
+      call add_rows(chart, [left(2), right(2), bottom, top], 'error against measurement', quantity_percent, names, &
+                    left(2) - right(1))
       chart%panels(size(chart%panels))%x%ends(1) = 0.0_wp
-      call add_errors(found%before, deck_look)
-      if (found%fit%status == fit_done) call add_errors(found%fit%values, found_look)
+      call add_errors(found%before, deck_look, before)
+      if (found%fit%status == fit_done) call add_errors(found%fit%values, found_look, after)
 
    contains
 
       !> Factors of one kind, their intervals and, of friction, what the deck has.
-      subroutine add_factors(label, is_offset, unit, low, high)
+      subroutine add_factors(label, quantity, unit, low, high)
          character(*), intent(in) :: label
-         logical, intent(in) :: is_offset
+         integer, intent(in) :: quantity                   !< a force: of offsets
          real(wp), intent(in) :: unit
          real(wp), intent(in) :: low, high                 !< ends of the panel
-         type(text_type) :: shown(count(calibration%unknowns%is_offset .eqv. is_offset))
+         type(text_type) :: shown(count(calibration%unknowns%is_offset .eqv. quantity == quantity_force))
          integer :: rows(size(shown))
          real(wp) :: bars(4, size(shown))
          type(unknown_type) :: unknown
          if (size(shown) == 0) return
-         rows = pack([(i, i=1, size(calibration%unknowns))], calibration%unknowns%is_offset .eqv. is_offset)
+         rows = pack([(i, i=1, size(calibration%unknowns))], calibration%unknowns%is_offset .eqv. quantity == quantity_force)
          do i = 1, size(rows)
             unknown = calibration%unknowns(rows(i))
             unknown%is_offset = .false.    ! the axis says so
             shown(i)%text = unknown_text(units, model, unknown)
          end do
-         call add_rows(chart, [left(1), right(1), low, high], label, shown, left(1))
+         call add_rows(chart, [left(1), right(1), low, high], label, quantity, shown, left(1))
          bars(2, :) = [(real(i, wp), i=1, size(rows))]
-         if (.not. is_offset) call add_curve(chart, found%start(rows), bars(2, :), deck_look, '')
+         if (quantity == quantity_none) call add_curve(chart, found%start(rows), bars(2, :), deck_look, '', [before])
          associate (values => found%fit%unknowns(rows), half => found%statistics%half_width(rows))
-            call add_curve(chart, values/unit, bars(2, :), found_look, '')
+            call add_curve(chart, values/unit, bars(2, :), found_look, '', [after])
             bars(1, :) = values/unit
             bars(3, :) = (values - half)/unit
             bars(4, :) = (values + half)/unit
             call add_points(chart, bars(:, pack([(i, i=1, size(rows))], .not. is_missing(half))), &
-                            "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'")
+                            "with xerrorbars pt 0 lw 1.4 lc rgb '"//colour_of(1)//"'", [interval])
          end associate
       end subroutine add_factors
 
       !> Errors of what was calculated against what was measured.
-      subroutine add_errors(calculated, look)
+      subroutine add_errors(calculated, look, key)
          real(wp), intent(in) :: calculated(:)
          character(*), intent(in) :: look
+         integer, intent(in) :: key                        !< entry of the legend
          type(optional_real) :: errors(n)
          errors = percent_error(calculated, given(calibration%data%measured))
          call add_curve(chart, merge(errors%value, missing, errors%present .and. .not. is_missing(calculated)), &
-                        [(real(i, wp), i=1, n)], look, '')
+                        [(real(i, wp), i=1, n)], look, '', [key])
       end subroutine add_errors
    end function calibration_chart
 end module dg_calibration_picture

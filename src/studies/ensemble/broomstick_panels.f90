@@ -2,7 +2,7 @@
 !> was measured.
 module dg_broomstick_panels
    use dg_kinds, only: wp
-   use dg_chart, only: add_curve, add_depth_panel, add_label, add_upright, beside, chart_type, new_chart, set_depth
+   use dg_chart, only: add_curve, add_depth_panel, add_label, add_points, beside, chart_type, key_of, new_chart, set_depth
    use dg_quantity, only: quantity_force, quantity_moment
    use dg_curve_look, only: colour_black
    use dg_hole_section, only: hole_section_type
@@ -14,7 +14,8 @@ module dg_broomstick_panels
    use dg_unit_kind, only: unit_label
    implicit none
    private
-   public :: begin_broomstick, add_broomstick_panel, add_measured, add_rig_limits, measured_look, panel_count, turns
+   public :: begin_broomstick, add_broomstick_panel, add_measured, add_rig_limits, measured_look, measured_name, &
+             panel_count, turns
 
    !> Of limits: none of the curves is so wide and red.
    character(*), parameter :: limit_look = "lw 2.5 lc rgb '#c00000'"
@@ -65,9 +66,9 @@ contains
       associate (number => size(chart%panels) + 1)
          if (number == 1) then
             call add_depth_panel(chart, place(1, sweep), trim(merge('hook load as the rig shows it', &
-                                 'hook load                    ', rig%given))//' ['//unit_label(chart%units, quantity_force)//']')
+                                 'hook load                    ', rig%given)), quantity_force)
          else
-            call add_depth_panel(chart, place(2, sweep), 'torque at the top ['//unit_label(chart%units, quantity_moment)//']')
+            call add_depth_panel(chart, place(2, sweep), 'torque at the top', quantity_moment)
          end if
       end associate
    end subroutine add_broomstick_panel
@@ -91,9 +92,16 @@ contains
          real(wp), intent(in) :: values(:)
          logical, intent(in) :: there(:)
          if (any(there)) call add_curve(chart, pack(values, there), pack(sweep%measured%bit_depth/chart%units%length, there), &
-                                        measured_look(i), '')
+                                        measured_look(i), '', key_of(chart, measured_name(sweep%operations(i))))
       end subroutine add
    end subroutine add_measured
+
+   !> Entry of the legend of measured points of an operation.
+   pure function measured_name(operation) result(name)
+      integer, intent(in) :: operation     !< its number
+      character(:), allocatable :: name
+      name = trim(operation_label(operation))//', measured'
+   end function measured_name
 
    !> Look of measured points: open forms, one an operation.
    pure function measured_look(operation) result(look)
@@ -116,7 +124,7 @@ contains
       integer :: i, k
       if (size(chart%panels) == 2) then
          if (rig%max_torque%present) call add_limit(chart, rig%max_torque%value/chart%units%moment, &
-                                                    unit_label(chart%units, quantity_moment))
+                                                    unit_label(chart%units, quantity_moment), '')
          return
       end if
       if (.not. rig%max_hookload%present) return
@@ -128,19 +136,21 @@ contains
          do k = i, size(shown)
             if (same(k) .and. .not. all(same)) operations = operations//', '//trim(operation_label(sweep%operations(k)))
          end do
-         call add_limit(chart, shown(i)/chart%units%force, trim(chart%units%force_label)//operations)
+         call add_limit(chart, shown(i)/chart%units%force, trim(chart%units%force_label), operations)
       end do
    end subroutine add_rig_limits
 
-   !> A line from top to bottom with its name along it. A point of it makes the axis reach as far.
-   subroutine add_limit(chart, limit, name)
+   !> A line from top to bottom with its name along it.
+   subroutine add_limit(chart, limit, unit, operations)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: limit          !< as it is shown
-      character(*), intent(in) :: name       !< unit and operations
+      character(*), intent(in) :: unit
+      character(*), intent(in) :: operations !< each after a comma; '': all
+      character(*), parameter :: name = 'limit of the rig'
       integer, parameter :: few = 4
-      call add_curve(chart, [limit], chart%depth%y%ends(1:1), 'with lines '//limit_look, '')
-      call add_upright(chart, limit, limit_look)
-      call add_label(chart, 'limit of the rig, '//to_text(limit, few)//' '//name, [limit, 0.98_wp], &
+      call add_points(chart, reshape([limit, chart%depth%y%ends(2), limit, chart%depth%y%ends(1)], [2, 2]), &
+                      'with lines '//limit_look, name=name//operations)
+      call add_label(chart, name//', '//to_text(limit, few)//' '//unit//operations, [limit, 0.98_wp], &
                     "right rotate by 90 offset -1.2,0 font ',10' textcolor rgb '#c00000'", [.false., .true.])
    end subroutine add_limit
 end module dg_broomstick_panels

@@ -7,7 +7,7 @@ module dg_legacy_picture
    use dg_job, only: job_type, model_name
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_count, quantity_of
    use dg_model, only: model_type
-   use dg_unit_kind, only: unit_factor, unit_label
+   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: legacy_chart
@@ -46,19 +46,19 @@ contains
             unit = unit_factor(job%units, dimension)
             do k = 0, 1
                call add_depth_panel(chart, place(), trim(axis_name(quantity))//trim(merge(', theirs less ours', &
-                                    '                  ', k == 1))//' ['//unit_label(job%units, dimension)//']')
+                                    '                  ', k == 1)), dimension)
                do m = 1, size(job%models)
                   associate (one => comparisons(m))
                      if (.not. allocated(one%md)) cycle
                      if (k == 0) then
-                        call add(one%md, one%ours(:, quantity), line_style(m))
+                        call add(one%md, one%ours(:, quantity), line_style(m), m)
                      else
-                        call add(one%md, one%theirs(:, quantity) - one%ours(:, quantity), line_style(m))
+                        call add(one%md, one%theirs(:, quantity) - one%ours(:, quantity), line_style(m), m)
                      end if
                   end associate
                end do
                associate (one => comparisons(1))
-                  if (k == 0 .and. allocated(one%md)) call add(one%md, one%theirs(:, quantity), their_look)
+                  if (k == 0 .and. allocated(one%md)) call add(one%md, one%theirs(:, quantity), their_look, size(chart%keys))
                end associate
             end do
          end associate
@@ -72,10 +72,11 @@ contains
          place = beside(size(chart%panels) + 1, 2*count(table%has), [0.075_wp, 0.985_wp, 0.125_wp, 0.84_wp], 0.025_wp)
       end function place
 
-      subroutine add(md, values, look)
+      subroutine add(md, values, look, key)
          real(wp), intent(in) :: md(:), values(:)     !< [SI]
          character(*), intent(in) :: look
-         call add_curve(chart, values/unit, md/job%units%length, look, '')
+         integer, intent(in) :: key                   !< entry of the legend
+         call add_curve(chart, values/unit, md/job%units%length, look, '', [key])
       end subroutine add
    end function legacy_chart
 end module dg_legacy_picture

@@ -190,7 +190,7 @@ contains
       do i = 1, size(self%tables)
          associate (table => self%tables(i))
             call add_picture(list, run%job, legacy_chart(run%job, run%model, table, run%results), &
-                             'Our results and those of '//table%label, table%case_index, &
+                             'Our results of '//run%model%cases(table%case_index)%name//' and those of '//table%label, 0, &
                              page_rows(table, run), error)
          end associate
       end do

@@ -3,9 +3,9 @@
 module dg_sweep_picture
    use dg_kinds, only: wp
    use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, begin_broomstick, measured_look, &
-                                   panel_count, turns
+                                   measured_name, panel_count, turns
    use dg_case_result, only: result_converged, result_locked_up
-   use dg_chart, only: add_curve, add_key, chart_type
+   use dg_chart, only: add_curve, add_key, chart_type, key_of
    use dg_comparison, only: as_measured
    use dg_curve_look, only: colour_black, colour_of, dash_of, marked_line_style, style_count
    use dg_job, only: model_name
@@ -23,6 +23,7 @@ module dg_sweep_picture
    public :: sweep_chart
 
    integer, parameter :: digits = 8
+   character(*), parameter :: impossible_name = 'cannot be done'
 
 contains
 
@@ -43,12 +44,12 @@ contains
       do i = 1, size(sweep%operations)
          call add_key(chart, marked_line_style(i, 1, 2.2_wp, dash_of(1)), trim(operation_label(sweep%operations(i))))
          if (any(sweep%measured%operation == sweep%operations(i))) &
-            call add_key(chart, measured_look(i), trim(operation_label(sweep%operations(i)))//', measured')
+            call add_key(chart, measured_look(i), measured_name(sweep%operations(i)))
       end do
       do k = 1, size(sweep%frictions)
          call add_key(chart, 'with lines lw 1.5 dt '//dash_of(k)//" lc rgb '"//colour_black//"'", friction_label(sweep, k))
       end do
-      call add_key(chart, locked_look(style_count), 'cannot be done')
+      call add_key(chart, locked_look(style_count), impossible_name)
       call add_broomstick_panel(chart, sweep, model%rig)
       do i = 1, size(sweep%operations)
          do k = 1, size(sweep%frictions)
@@ -68,7 +69,8 @@ contains
             if (.not. turns(sweep, i)) cycle
             associate (these => points(first(i, k):first(i, k) + n - 1))
                call add_curve(chart, merge(these%torque/units%moment, missing, these%status == result_converged), &
-                              sweep%depths/units%length, marked_line_style(i, n, 1.6_wp, dash_of(k)), '')
+                              sweep%depths/units%length, marked_line_style(i, n, 1.6_wp, dash_of(k)), '', &
+                              keys_of(chart, sweep, i, k))
             end associate
          end do
       end do
@@ -96,11 +98,13 @@ contains
       loads = as_measured(points%hookload, points%weight_indicator)/chart%units%force
       associate (depths => sweep%depths/chart%units%length, impossible => answer_of(points) == answer_no)
          call add_curve(chart, merge(loads, missing, points%status == result_converged), depths, &
-                        marked_line_style(operation, size(depths), 1.6_wp, dash_of(friction)), '')
+                        marked_line_style(operation, size(depths), 1.6_wp, dash_of(friction)), '', &
+                        keys_of(chart, sweep, operation, friction))
          slack = 0.0_wp
          if (model%rig%given) slack = indicated_load(model%rig, sweep%operations(operation), 0.0_wp)/chart%units%force
          where (points%status == result_locked_up) loads = slack
-         call add_curve(chart, pack(loads, impossible), pack(depths, impossible), locked_look(operation), '')
+         call add_curve(chart, pack(loads, impossible), pack(depths, impossible), locked_look(operation), '', &
+                        [keys_of(chart, sweep, operation, friction), key_of(chart, impossible_name)])
       end associate
    end subroutine add_hookloads
 
@@ -125,6 +129,15 @@ contains
                      'yield in the string, '//trim(operation_label(sweep%operations(operation)))//', '// &
                      friction_label(sweep, friction))
    end subroutine add_yield
+
+   !> Entries of the legend that a curve belongs to: its operation and its friction factor.
+   pure function keys_of(chart, sweep, operation, friction) result(keys)
+      type(chart_type), intent(in) :: chart
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: operation, friction       !< places in the sweep
+      integer, allocatable :: keys(:)
+      keys = [key_of(chart, trim(operation_label(sweep%operations(operation)))), key_of(chart, friction_label(sweep, friction))]
+   end function keys_of
 
    !> Look of marks where an operation cannot be done.
    pure function locked_look(operation) result(look)

@@ -7,12 +7,13 @@ module dg_tornado_picture
    use dg_job, only: model_name
    use dg_load_case, only: operation_label, rotates
    use dg_missing, only: is_missing
+   use dg_quantity, only: quantity_force, quantity_moment
    use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, point_statistics_type
    use dg_sweep, only: point_number, point_type
    use dg_text, only: text_type
    use dg_uncertainty, only: uncertainty_type
-   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    use dg_variance_shares, only: input_count, input_name, varies
    implicit none
@@ -55,15 +56,15 @@ contains
                               ': what matters most at '//trim(in_units(units, unit_length, range%depths(size(range%depths)), &
                                                                        depth_digits)), units, nint(height), &
                               [top, 1.0_wp - 38.0_wp/height])
-            call add_rows(chart, [left(1), right(1), bottom, top], 'hook load by one standard deviation ['// &
-                          trim(units%force_label)//']', names(:rows), left(1))
+            call add_rows(chart, [left(1), right(1), bottom, top], 'hook load by one standard deviation', quantity_force, &
+                          names(:rows), left(1))
             do i = 1, rows
                associate (point => statistics(point_number(range, point_type(place, operations(i), 1, size(range%depths)))))
                   call add_bar(point%hookload, point%hookload_shares(inputs(i)), units%force)
                end associate
             end do
-            call add_rows(chart, [left(2), right(2), bottom, top], 'torque by one standard deviation ['// &
-                          unit_label(units, unit_moment)//']', names(:rows), 0.0_wp)
+            call add_rows(chart, [left(2), right(2), bottom, top], 'torque by one standard deviation', quantity_moment, &
+                          names(:rows), 0.0_wp)
             do i = 1, rows
                if (.not. rotates(range%operations(operations(i)))) cycle
                associate (point => statistics(point_number(range, point_type(place, operations(i), 1, size(range%depths)))))
@@ -86,7 +87,8 @@ contains
          effect = distribution%deviation*sqrt(share)/unit
          row = real(i, wp)
          call add_points(chart, reshape([mean, row, mean - effect, mean + effect, row - half_a_bar, row + half_a_bar], [6, 1]), &
-                         "with boxxyerror fs solid 0.75 noborder lc rgb '"//colour_of(inputs(i))//"'")
+                         "with boxxyerror fs solid 0.75 noborder lc rgb '"//colour_of(inputs(i))//"'", &
+                         name='mean, one standard deviation')
       end subroutine add_bar
    end function tornado_chart
 end module dg_tornado_picture

@@ -3,8 +3,8 @@
 module dg_uncertainty_picture
    use dg_kinds, only: wp
    use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, begin_broomstick, measured_look, &
-                                   panel_count, turns
-   use dg_chart, only: add_curve, add_key, chart_type
+                                   measured_name, panel_count, turns
+   use dg_chart, only: add_key, add_points, chart_type
    use dg_curve_look, only: colour_of, dash_of, marked_line_style
    use dg_job, only: model_name
    use dg_load_case, only: operation_label
@@ -16,6 +16,8 @@ module dg_uncertainty_picture
    implicit none
    private
    public :: uncertainty_chart
+
+   character(*), parameter :: quantile_names(p10:p90) = ['P10', 'P50', 'P90']
 
 contains
 
@@ -34,11 +36,11 @@ contains
                             range, model%holes)
       do i = 1, size(range%operations)
          call add_key(chart, look(i, p50, 1), trim(operation_label(range%operations(i)))//', P50')
-         call add_key(chart, look(i, p10, 1), 'P10 and P90')
+         call add_key(chart, look(i, p10, 1), 'P10 and P90')       ! entry 2 i
       end do
       do i = 1, size(range%operations)
          if (any(range%measured%operation == range%operations(i))) &
-            call add_key(chart, measured_look(i), trim(operation_label(range%operations(i)))//', measured')
+            call add_key(chart, measured_look(i), measured_name(range%operations(i)))
       end do
       do panel = 1, panel_count(range)
          call add_broomstick_panel(chart, range, model%rig)
@@ -69,7 +71,9 @@ contains
                end if
             end associate
             where (.not. is_missing(values)) values = values/merge(units%moment, units%force, panel == 2)
-            call add_curve(chart, values, range%depths/units%length, look(operation, k, size(range%depths)), '')
+            call add_points(chart, transpose(reshape([values, range%depths/units%length], [size(values), 2])), &
+                            look(operation, k, size(range%depths)), [2*operation - merge(1, 0, k == p50)], &
+                            trim(operation_label(range%operations(operation)))//', '//quantile_names(k))
          end do
       end subroutine add_quantiles
    end function uncertainty_chart

@@ -1,0 +1,301 @@
+#!/usr/bin/env python3
+"""Asks the charts of studies on report.html in a real browser: what they read off must be what the CSV files have.
+
+A deck of its own has two sweeps, with measured points, limits of the rig, points that lock up and one that fails; a calibration
+with a name that would end a script; a Monte Carlo. Checked: five depths of each sweep and of the Monte Carlo, rows of the calibration
+and of the hook loads, one of them in other units; switches of the legend, zoom by dragging, the slider's words; that the
+address holds the view; that no label is cut or lies on another, a phone need not scroll sideways, names stay text, the browser does
+not complain, and fixed pictures and tables stand without a script.
+
+Usage: check_figures.py PATH_TO_DRILLGAP
+"""
+import csv
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import urllib.parse
+
+from check_page import CLOSE, dom, faults_of_labels, faults_of_phone
+
+HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
+DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
+&trajectory md = 0, 600, 1500, 2400, inc = 0, 0, 80, 92, azi = 0, 0, 20, 40 /
+&hole name = 'cased <i>"', md_bottom = 1500, diameter = 220.5, friction = 0.25, cased = .true. /
+&hole name = 'open', diameter = 215.9, friction = 0.35 /
+&fluid density = 1200 /
+&solver max_iterations = 40 /
+&rig block_weight = 200, max_hookload = 1300, max_torque = 20 /
+&component name = 'collars', kind = 'collar', length = 60, od = 165, id = 71.4 /
+&component name = 'pipe', od = 127, id = 108.6, mass = 31.9, joint_od = 165, joint_spacing = 9.5, yield = 724 /
+&load_case name = 'pull_A', operation = 'up', bit_depth = 2000, measured_hookload = 700 /
+&load_case name = 'push_A', operation = 'down', bit_depth = 2000, measured_hookload = 380 /
+&load_case name = 'turn', operation = 'rotate_off_bottom', bit_depth = 2000, measured_hookload = 540, measured_torque = 6 /
+&load_case name = 'pull_B', operation = 'up', bit_depth = 2400, measured_hookload = 760 /
+&load_case name = 'push_B', operation = 'down', bit_depth = 2400, measured_hookload = 330 /
+&sweep name = 'beams', model = 'mcge', operations = 'up', 'down', 'rotate_off_bottom', bit_depth_from = 300, bit_depth_step = 100,
+  frictions = 0.3, 0.8, measured_depths = 1250, 1750, measured_operations = 'up', measured_hookloads = 620, 660 /
+&sweep name = 'locked', model = 'soft', operations = 'sliding', wob = 100, bit_depth_from = 300, bit_depth_step = 100,
+  frictions = 0.3, 0.8 /
+&calibrate name = '{HOSTILE.replace("'", "''")}', parameter = 'friction', separate = 'holes', offset = 'depths', model = 'soft' /
+&uncertainty name = 'spread', model = 'soft', operations = 'up', 'rotate_off_bottom', bit_depth_from = 600, bit_depth_step = 300,
+  samples = 100, seed = 1, friction_deviation = 0.05, density_deviation = 20 /
+"""
+LOST = 3                                # exit status: solutions that did not converge
+NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
+MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 2400): 330}
+DEPTHS = (300, 850, 1250, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
+FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
+DASH = "\u2013"
+FEWEST = 180                            # values that must have been compared
+
+FRAMES = "<script>requestAnimationFrame = f => setTimeout(f, 0)</script>"        # without a screen there are none
+ACTIONS = """
+setTimeout(() => {
+   const b = blocks.find(b => b.S.title === TITLE), root = b.root, told = []
+   const names = () => [...root.querySelectorAll('.readout td.text')].map(c => c.textContent)
+   const press = text => [...root.querySelectorAll('button')].find(c => c.textContent === text).click()
+   const later = () => new Promise(done => setTimeout(done, 50))
+   const panel = () => root.querySelector('svg.panel'), paths = () => panel().querySelectorAll('g > path').length
+   const point = (kind, part) => { const p = panel().getBoundingClientRect()
+      panel().dispatchEvent(new PointerEvent(kind, {bubbles: true, pointerType: 'mouse', clientX: p.left + 90, clientY: p.top + part * p.height})) }
+   const run = async () => {
+      const slider = root.querySelector('[type=range]')
+      slider.value = 1000; slider.dispatchEvent(new Event('input', {bubbles: true})); await later()
+      told.push(slider.getAttribute('aria-valuetext'), names().length, paths())
+      press('down'); await later()
+      told.push(names().some(n => n.startsWith('down, friction')), paths())
+      press('down'); await later()
+      const whole = b.state.bottom - b.state.top
+      point('pointerdown', .4); point('pointermove', .6); point('pointerup', .6); await later()
+      told.push((b.state.bottom - b.state.top) / whole, document.querySelectorAll('img').length)
+      panel().dispatchEvent(new MouseEvent('dblclick', {bubbles: true})); await later()
+      told.push((b.state.bottom - b.state.top) / whole)
+      document.title = 'TOLD' + JSON.stringify(told)
+   }
+   run()
+}, 300)
+"""
+
+
+ADDRESSES = """
+setTimeout(async () => {
+   const told = [], later = wait => new Promise(done => setTimeout(done, wait))
+   const captions = () => [0, 2].map(i => blocks[i].root.querySelector('caption').textContent)
+   document.querySelectorAll('a[href^="#case"]')[1].click(); await later(100)
+   told.push(captions(), blocks[0].state.cases)
+   location.hash = '#chart=' + encodeURIComponent(TITLE) + '&depth=1250'; await later(100)
+   blocks[2].root.querySelector('.bar button').click(); await later(600)
+   told.push(captions(), location.hash)
+   document.title = 'TOLD' + JSON.stringify(told)
+}, 300)
+"""
+
+
+def rows_of(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def readouts(text, title):
+    """Tables of the blocks of a figure: name of a line -> values by panel."""
+    part = text.split(f"<h3>{html.escape(title, quote=False)}</h3>")[1].split("</figure>")[0]
+    tables = []
+    for table in re.findall(r'class="wide readout".*?</table>', part, re.S):
+        cells = [[html.unescape(re.sub(r"<[^>]*>", "", c)) for c in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.S)]
+                 for row in re.findall(r"<tr>(.*?)</tr>", table, re.S)]
+        tables.append({row[0]: row[1:] for row in cells})
+    return tables
+
+
+def view(page, title, depth, faults, units=""):
+    query = urllib.parse.urlencode({"chart": title, "depth": depth} | ({"units": units} if units else {}))
+    text, complaints = dom(page, query)
+    faults += [f"{title}: the browser complains: {c}" for c in complaints]
+    return readouts(text, title)
+
+
+def line_at(points, depth):
+    """Value of a line there: None where a point beside it is missing."""
+    for (a, va), (b, vb) in zip(points, points[1:]):
+        if a <= depth <= b:
+            if depth in (a, b):
+                return va if depth == a else vb
+            return None if va is None or vb is None else va + (vb - va) * (depth - a) / (b - a)
+    return None
+
+
+def differs(shown, value, extent, factor=1.0):
+    if value is None or shown == DASH:
+        return (value is None) != (shown == DASH)
+    digits = len(shown.partition(".")[2])
+    return not abs(float(shown) - value * factor) <= (CLOSE * extent + 6e-5 * abs(value)) * factor + 0.51 * 10 ** -digits
+
+
+def lines_of_sweep(path):
+    """Name of a line -> its points with hook load as the rig shows it and torque; marks where it cannot be done."""
+    lines, marks = {}, {}
+    for row in rows_of(path):
+        name = f"{NAMES[row['operation']]}, friction {float(row['friction']):g}"
+        solved = row["status"] == "converged"
+        load, torque = (float(row[k]) if solved else None for k in ("weight_indicator_kN", "torque_kNm"))
+        lines.setdefault(name, []).append((float(row["bit_depth_m"]), load, torque))
+        if row["can_be_done"] == "no":
+            marks[f"{name}, cannot be done", float(row["bit_depth_m"])] = load if solved else 200.0      # the empty hook
+    return lines, marks
+
+
+def faults_of_sweep(folder, name, model, count):
+    faults = []
+    lines, marks = lines_of_sweep(folder / f"sweep_{name}.csv")
+    title = f"Sweep {name}, model {model}"
+    for depth in DEPTHS:
+        units = "field" if depth == DEPTHS[1] else ""
+        f = FIELD if units else dict.fromkeys(FIELD, 1.0)
+        (told,) = view(folder / "report.html", title, depth, faults, units)
+        wanted = {}
+        for line, points in lines.items():
+            extents = [max(v) - min(v) for v in ([p[k] for p in points if p[k] is not None] for k in (1, 2))]
+            wanted[line] = [(line_at([(p[0], p[k]) for p in points], depth), extents[k - 1]) for k in (1, 2)]
+            if not line.startswith("rotating"):
+                wanted[line][1] = (None, 0.0)
+        wanted |= {line: [(v, 0.0), (None, 0.0)] for (line, d), v in marks.items() if d == depth}
+        if name == "beams":
+            wanted |= {f"{line}, measured": [(v, 0.0), (None, 0.0)] for (line, d), v in MEASURED.items() if d == depth}
+            wanted |= {f"{line}, measured": [(v, 0.0), (t, 0.0)] for line, v, t in (("up", 700, None), ("down", 380, None), ("rotating", 540, 6)) if depth == 2000}
+        wanted["limit of the rig"] = [(1300, 0.0), (20 if name == "beams" else None, 0.0)]
+        for line, values in wanted.items():
+            shown = told.get(line)
+            if shown is None:
+                faults.append(f"{title} at {depth}: nothing of {line}")
+                continue
+            for text, (value, extent), factor in zip(shown, values, (f["kN"], f["kN.m"])):
+                count[0] += 1
+                if differs(text, value, extent, factor):
+                    faults.append(f"{title} at {depth}: {line} is shown as {text}, the file has {value}")
+        extra = set(told) - set(wanted) - {"curve"}
+        if any(not line.startswith("yield") for line in extra):
+            faults.append(f"{title} at {depth}: {extra} should not be told")
+    return faults
+
+
+def faults_of_spread(folder, count):
+    faults, points = [], {}
+    for row in rows_of(folder / "uncertainty_spread.csv"):
+        for k in ("p10", "p50", "p90"):
+            points.setdefault(f"{NAMES[row['operation']]}, {k.upper()}", []).append((float(row["bit_depth_m"]), float(row[f"weight_indicator_{k}_kN"]), float(row[f"torque_{k}_kNm"])))
+    for depth in (600, 1000, 1500, 2000, 2400):
+        (told,) = view(folder / "report.html", "Uncertainty spread, model soft", depth, faults)
+        for line, these in points.items():
+            for k in (1, 2) if line.startswith("rotating") else (1,):
+                count[0] += 1
+                extent = max(p[k] for p in these) - min(p[k] for p in these)
+                if differs(told.get(line, [DASH, DASH])[k - 1], line_at([(p[0], p[k]) for p in these], depth), extent):
+                    faults.append(f"uncertainty at {depth}: {line} is shown as {told.get(line)}")
+    return faults
+
+
+def faults_of_rows(folder, count):
+    """The calibration's factors and the hook loads of all cases, a row each."""
+    faults = []
+    title = f"Calibration {HOSTILE}, model soft"
+    factors = [row for row in rows_of(folder / "calibration.csv") if row["parameter"] == "friction"]
+    for number, row in enumerate(factors, 1):
+        told = view(folder / "report.html", title, number, faults)[0]
+        interval = f"{float(row['value']):.3f} ({float(row['lower']):.3f} to {float(row['upper']):.3f})"
+        for name, text in (("before", f"{float(row['start']):.3f}"), ("after", f"{float(row['value']):.3f}"), ("95 % interval", interval)):
+            count[0] += 1
+            if told.get(name) != [text]:
+                faults.append(f"calibration, row {number}: {name} is shown as {told.get(name)}, the file has {text}")
+    cases = list(dict.fromkeys(row["case"] for row in rows_of(folder / "summary.csv")))
+    for row in rows_of(folder / "summary.csv"):
+        (told,) = view(folder / "report.html", "Hook load of all cases", cases.index(row["case"]) + 1, faults)
+        values = [float(row["weight_indicator_kN"]), float(row["error_pct"]), float(row["torque_kNm"]) if row["case"] == "turn" else None]
+        for text, value in zip(told.get(row["model"], []), values):
+            count[0] += 1
+            if differs(text, value, 0.0):
+                faults.append(f"hook loads, {row['case']}: {row['model']} is shown as {text}, the file has {value}")
+    return faults
+
+
+def acted(folder, script, title):
+    """What a script tells that acts on the page."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', FRAMES, (folder / "report.html").read_text(encoding="utf-8"))
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = pathlib.Path(scratch) / "actions.html"
+        copy.write_text(text.replace("</body>", f"<script>{script.replace('TITLE', json.dumps(title))}</script></body>"), encoding="utf-8")
+        made, complaints = dom(copy)
+    found = re.search(r"<title>TOLD(.*?)</title>", made, re.S)
+    return json.loads(html.unescape(found.group(1))) if found else None, [f"actions: the browser complains: {c}" for c in complaints]
+
+
+def faults_of_addresses(folder):
+    """An answer's link opens its load case at the depth of its limit, here the surface; an address opens a sweep at a depth."""
+    title = "Sweep beams, model mcge"
+    told, faults = acted(folder, ADDRESSES, title)
+    query = urllib.parse.urlencode({"chart": title, "depth": 1250, "units": "field"})
+    wanted = [["At 0.000 m measured depth", "At 2400 m bit depth"], [1], ["At 0.000 ft measured depth", "At 4101 ft bit depth"], "#" + query]
+    return faults if told == wanted else [*faults, f"links lead to {told}"]
+
+
+def faults_of_actions(folder):
+    """Slider, legend, zoom and back."""
+    told, faults = acted(folder, ACTIONS, "Sweep beams, model mcge")
+    if not told:
+        return [*faults, "nothing was done on a sweep"]
+    words, lines, paths, left, fewer, zoomed, images, whole = told
+    if "1000 m" not in words or "up, friction 0.3" not in words or lines < 7:
+        faults.append(f"the slider says '{words}', the box has {lines} lines")
+    if left or not fewer < paths:
+        faults.append("the legend does not switch lines off")
+    if not 0.15 < zoomed < 0.35 or whole != 1:
+        faults.append(f"dragging leaves {zoomed} of the depth, a double click {whole}")
+    if images:
+        faults.append("a name became an element")
+    return faults
+
+
+def faults_without_script(page):
+    """Fixed pictures of all studies and their tables."""
+    text = re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", page.read_text(encoding="utf-8"), count=1)
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = pathlib.Path(scratch) / "refused.html"
+        copy.write_text(text, encoding="utf-8")
+        made, _ = dom(copy)
+    part = made.split("Pictures of the run")[1]
+    found = part.count("<svg"), part.count("<summary>Numbers")
+    return [] if found == (6, 6) else [f"without a script {found[0]} pictures and {found[1]} tables of the run stand"]
+
+
+def main():
+    program = pathlib.Path(sys.argv[1]).resolve()
+    count = [0]
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch) / "results"
+        deck = pathlib.Path(scratch) / "figures.nml"
+        deck.write_text(DECK, encoding="utf-8")
+        run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
+        if run.returncode != LOST:
+            print("FAULT exit status", run.returncode, run.stdout[-500:], run.stderr)
+            return 1
+        page = folder / "report.html"
+        states = {row["status"] for row in rows_of(folder / "sweep_beams.csv")}
+        faults = [] if states == {"converged", "locked_up", "not_converged"} else [f"the sweep has only {states}"]
+        faults += faults_of_sweep(folder, "beams", "mcge", count) + faults_of_sweep(folder, "locked", "soft", count)
+        faults += faults_of_spread(folder, count) + faults_of_rows(folder, count)
+        faults += faults_of_actions(folder) + faults_of_addresses(folder)
+        text = page.read_text(encoding="utf-8")
+        faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page)
+    print(f"{count[0]} values read off the page")
+    if count[0] < FEWEST:
+        faults.append(f"only {count[0]} values could be compared")
+    for fault in faults:
+        print("FAULT", fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

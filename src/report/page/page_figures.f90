@@ -1,0 +1,174 @@
+!> Pictures of the whole run as the script of the page draws them (page.js), as JSON: blocks of panels over one axis, curves,
+!> legend. Numbers are in the deck's units.
+module dg_page_figures
+   use dg_kinds, only: wp
+   use dg_chart, only: chart_type, curve_type, panel_type
+   use dg_curve_look, only: colour_black, colour_white, look_part
+   use dg_json, only: json_string, quantity_key
+   use dg_line_list, only: add_line, line_list_type
+   use dg_missing, only: is_missing
+   use dg_page_curves, only: curve_text
+   use dg_picture_list, only: picture_list_type, picture_type
+   use dg_text, only: to_text
+   implicit none
+   private
+   public :: append_figures, figure_quantities, is_live
+
+   integer, parameter :: digits = 7
+
+contains
+
+   !> Whether the script draws a picture: one of the run, whose panels stand over depth or rows.
+   elemental function is_live(picture) result(is)
+      type(picture_type), intent(in) :: picture
+      logical :: is
+      integer :: i
+      is = picture%case_index == 0 .and. allocated(picture%chart)
+      if (.not. is) return
+      do i = 1, size(picture%chart%panels)
+         associate (panel => picture%chart%panels(i))
+            is = is .and. .not. panel%logarithmic .and. .not. any(is_missing(panel%y%ends))
+         end associate
+      end do
+   end function is_live
+
+   !> Quantities of all panels.
+   pure function figure_quantities(list) result(quantities)
+      type(picture_list_type), intent(in) :: list
+      integer, allocatable :: quantities(:)
+      integer :: i
+      allocate (quantities(0))
+      do i = 1, size(list%pictures)
+         if (is_live(list%pictures(i))) quantities = [quantities, list%pictures(i)%chart%panels%x%quantity]
+      end do
+   end function figure_quantities
+
+   !> A list of all such pictures. Panels with an axis of their own begin a block.
+   subroutine append_figures(lines, list, tolerance)
+      type(line_list_type), intent(inout) :: lines
+      type(picture_list_type), intent(in) :: list
+      real(wp), intent(in) :: tolerance          !< of curves, see page_curves
+      character(:), allocatable :: text
+      integer :: i, k
+      logical :: begins
+      call add_line(lines, '"figures":[')
+      text = ''
+      do i = 1, size(list%pictures)
+         if (.not. is_live(list%pictures(i))) cycle
+         if (text /= '') call add_line(lines, text//',')
+         associate (chart => list%pictures(i)%chart)
+            call add_line(lines, '{"title":'//json_string(chart%title)//',"keys":['//keys_text(chart)//'],"blocks":[')
+            do k = 1, size(chart%panels)
+               begins = k == 1 .or. allocated(chart%panels(k)%y%rows)
+               if (begins) then
+                  if (k > 1) call add_line(lines, ']},')
+                  call add_line(lines, '{'//axis_text(chart%panels(k))//',"panels":[')
+               else
+                  call add_line(lines, ',')
+               end if
+               call append_panel(lines, chart%panels(k), tolerance)
+            end do
+         end associate
+         text = ']}]}'
+      end do
+      call add_line(lines, text//']')
+   end subroutine append_figures
+
+   !> Entries of the legend; one that is white tells something in words alone.
+   pure function keys_text(chart) result(text)
+      type(chart_type), intent(in) :: chart
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, size(chart%keys)
+         if (i > 1) text = text//','
+         text = text//'{"text":'//json_string(chart%keys(i)%text)//look_text(chart%keys(i)%look)//'}'
+      end do
+   end function keys_text
+
+   !> What stands at the vertical axis: names of rows, or what it counts and where it ends.
+   pure function axis_text(panel) result(text)
+      type(panel_type), intent(in) :: panel
+      character(:), allocatable :: text
+      integer :: i
+      if (.not. allocated(panel%y%rows)) then
+         text = '"over":'//json_string(panel%y%label)//',"end":'//to_text(panel%y%ends(1), digits)
+         return
+      end if
+      text = '"rows":['
+      do i = 1, size(panel%y%rows)
+         if (i > 1) text = text//','
+         text = text//json_string(panel%y%rows(i)%text)
+      end do
+      text = text//']'
+   end function axis_text
+
+   subroutine append_panel(lines, panel, tolerance)
+      type(line_list_type), intent(inout) :: lines
+      type(panel_type), intent(in) :: panel
+      real(wp), intent(in) :: tolerance
+      character(:), allocatable :: text
+      integer :: i
+      text = '{"label":'//json_string(panel%x%label)//',"quantity":'//json_string(quantity_key(panel%x%quantity))
+      if (.not. is_missing(panel%x%ends(1))) text = text//',"low":'//to_text(panel%x%ends(1), digits)
+      call add_line(lines, text//',"lines":[')
+      do i = 1, size(panel%curves)
+         text = curve_json(panel%curves(i), tolerance)
+         if (i < size(panel%curves)) text = text//','
+         call add_line(lines, text)
+      end do
+      call add_line(lines, ']}')
+   end subroutine append_panel
+
+   !> A curve: its name, entries of the legend, look and points; of bars both ends, too.
+   pure function curve_json(curve, tolerance) result(text)
+      type(curve_type), intent(in) :: curve
+      real(wp), intent(in) :: tolerance
+      character(:), allocatable :: text
+      integer :: i
+      text = '{"name":'//json_string(curve%name)//',"keys":['
+      do i = 1, size(curve%keys)
+         if (i > 1) text = text//','
+         text = text//to_text(curve%keys(i) - 1)
+      end do
+      text = text//']'//look_text(curve%look)//',"points":"'
+      associate (x => curve%points(1, :), y => curve%points(2, :))
+         select case (look_part(curve%look, 'with'))
+         case ('lines', 'linespoints')
+            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, tolerance)//'"'
+         case ('xerrorbars', 'boxxyerror')
+            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, 0.0_wp)//'","low":"'// &
+                   curve_text(y, curve%points(3, :), 1.0_wp, 1.0_wp, 0.0_wp)//'","high":"'// &
+                   curve_text(y, curve%points(4, :), 1.0_wp, 1.0_wp, 0.0_wp)//'"'
+         case default
+            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, 0.0_wp)//'"'
+         end select
+      end associate
+      text = text//'}'
+   end function curve_json
+
+   !> Colour, dash and mark of a look, whether its points are not joined. Black is the page's own ink.
+   pure function look_text(look) result(text)
+      character(*), intent(in) :: look
+      character(:), allocatable :: text
+      character(:), allocatable :: colour, dash
+      integer :: i
+      colour = look_part(look, 'rgb')
+      if (colour == colour_black) colour = 'currentColor'
+      text = ',"stroke":'//json_string(colour)
+      if (colour == colour_white) text = ',"words":true'
+      dash = look_part(look, 'dt')
+      if (index(dash, '(') == 1) then
+         do i = 1, len(dash)
+            if (scan(dash(i:i), '(,)') == 1) dash(i:i) = ' '
+         end do
+         text = text//',"dash":'//json_string(trim(adjustl(dash)))
+      end if
+      if (look_part(look, 'pt') /= '') text = text//',"mark":'//look_part(look, 'pt')
+      select case (look_part(look, 'with'))
+      case ('points', 'xerrorbars'); text = text//',"marks":true'
+      case ('boxxyerror'); text = text//',"marks":true,"thick":true'
+      case default             ! a line
+      end select
+   end function look_text
+end module dg_page_figures

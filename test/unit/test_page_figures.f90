@@ -1,0 +1,81 @@
+!> Pictures of a run as data of the page: blocks, looks, points, and names that would end a script.
+module dg_test_page_figures
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
+   use dg_kinds, only: wp
+   use dg_chart, only: add_curve, add_points, add_rows, chart_type, new_chart
+   use dg_curve_look, only: look_part, marked_line_style
+   use dg_line_list, only: line_list_type
+   use dg_missing, only: missing
+   use dg_page_figures, only: append_figures, figure_quantities, is_live
+   use dg_picture_list, only: picture_list_type
+   use dg_quantity, only: quantity_force, quantity_none
+   use dg_text, only: text_type
+   use dg_units, only: field_units
+   implicit none
+   private
+   public :: page_figures_suite
+
+contains
+
+   function page_figures_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('page_figures')
+      call suite%addTest(TestMethod('looks', test_looks))
+      call suite%addTest(TestMethod('blocks', test_blocks))
+   end function page_figures_suite
+
+   !> What a word of a look stands before; a word within another is none.
+   subroutine test_looks()
+      character(:), allocatable :: look
+      look = marked_line_style(2, 80, 1.6_wp, '(8,4)')
+      call assertEqual('linespoints', look_part(look, 'with'))
+      call assertEqual('(8,4)', look_part(look, 'dt'))
+      call assertEqual('#D55E00', look_part(look, 'rgb'))
+      call assertEqual('5', look_part(look, 'pt'))
+      call assertEqual('', look_part(look, 'points'))
+      call assertEqual('', look_part('', 'pt'))
+   end subroutine test_looks
+
+   !> Rows of their own begin a block; a value that lacks is empty; a black curve has the ink of the page.
+   subroutine test_blocks()
+      type(picture_list_type) :: list
+      type(line_list_type) :: lines
+      type(chart_type) :: chart
+      type(text_type) :: names(2)
+      character(:), allocatable :: text
+      real(wp), parameter :: place(4) = [0.2_wp, 0.9_wp, 0.1_wp, 0.9_wp]
+      integer :: i
+      names(1)%text = 'first'
+      names(2)%text = '</script>'
+      chart = new_chart('fit', 'Fit', field_units(), 400, [0.8_wp, 0.9_wp])
+      call add_rows(chart, place, 'friction', quantity_none, names, 0.2_wp)
+      call add_curve(chart, [0.25_wp, missing], [1.0_wp, 2.0_wp], "with points pt 6 lc rgb '#000000'", 'before')
+      call add_points(chart, reshape([0.3_wp, 2.0_wp, 0.2_wp, 0.4_wp], [4, 1]), "with xerrorbars pt 0 lc rgb '#0072B2'", &
+                      name='interval')
+      call add_rows(chart, place, 'offset', quantity_force, names, 0.2_wp)
+      call add_curve(chart, [4.0_wp, 5.0_wp], [1.0_wp, 2.0_wp], "with lines dt (8,4) lc rgb '#0072B2'", '', [1])
+      allocate (list%pictures(3))
+      list%pictures(1)%chart = chart
+      list%pictures(2)%chart = chart
+      list%pictures(2)%case_index = 1
+      list%pictures(3)%chart = chart
+      list%pictures(3)%chart%panels(2)%logarithmic = .true.
+      call assertTrue(is_live(list%pictures(1)))
+      call assertFalse(is_live(list%pictures(2)), message='of a load case')
+      call assertFalse(is_live(list%pictures(3)), message='logarithms')
+      call assertEqual([quantity_none, quantity_force], figure_quantities(list))
+      call append_figures(lines, list, 3.0e-4_wp)
+      text = ''
+      do i = 1, lines%count
+         text = text//lines%lines(i)%text
+      end do
+      call assertEqual('"figures":[{"title":"Fit","keys":['// &
+         '{"text":"before","stroke":"currentColor","mark":6,"marks":true}],"blocks":['// &
+         '{"rows":["first","\u003C/script\u003E"],"panels":[{"label":"friction","quantity":"q0","lines":['// &
+         '{"name":"","keys":[0],"stroke":"currentColor","mark":6,"marks":true,"points":"1000 0.25 1000 "},'// &
+         '{"name":"interval","keys":[],"stroke":"#0072B2","mark":0,"marks":true,"points":"2000 0.3",'// &
+         '"low":"2000 0.2","high":"2000 0.4"}]}]},{"rows":["first","\u003C/script\u003E"],"panels":['// &
+         '{"label":"offset","quantity":"force","lines":[{"name":"","keys":[0],"stroke":"#0072B2","dash":"8 4",'// &
+         '"points":"1000 4 1000 5"}]}]}]}]', text)
+   end subroutine test_blocks
+end module dg_test_page_figures
