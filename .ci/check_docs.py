@@ -212,7 +212,7 @@ def key_table(group, rules, labels, factors, numerics):
             default = f"`{default}`"
         choices = unquoted(text_of(named.get("choices", "")))
         if choices == "*":
-            legal = "see &load_case"
+            legal = "table below" if group == "load_case" else "see &load_case"
         elif choices:
             legal = ", ".join(f"`'{word}'`" for word in choices.split())
         elif kind == "kind_text":

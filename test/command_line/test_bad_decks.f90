@@ -82,7 +82,7 @@ contains
    end subroutine test_good
 
    subroutine test_form()
-      call refuse("&job title", "title &job title", 1, "text outside any group: 'title'")
+      call refuse("&job title", "title &job title", 1, "text outside any group: 'title'; a group begins with &")
       call refuse("'a deck'", "'a deck", 1, 'is not closed on its line')
       call refuse("&solver element_length = 10.0 /", "&solver element_length = 10.0", 20, 'group &solver: not closed')
       call refuse("azi = 3*10.0 /", "azi = 3*10.0", 2, 'group &trajectory: not closed before &hole in line 6')
@@ -246,7 +246,7 @@ contains
                   'bend_position = 120 is greater than length = 100')
       call refuse("od = 171.45", "od = 171.45, bend = 9, bend_position = 1", 12, 'bend = 9 is out of range')
       call refuse("joint_od = 168.3", "length = 700.0", 17, "string 'main' is 800 m long and does not reach surface")
-      call refuse("density = 1200.0", "density = 8000.0", 13, 'floats: the mud, 8000')
+      call refuse("density = 1200.0", "density = 8000.0", 11, 'floats: the mud, 8000')
    end subroutine test_components
 
    subroutine test_load_cases()

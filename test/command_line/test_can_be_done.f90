@@ -61,6 +61,10 @@ contains
       call assertTrue(index(run%output, newline//'slide  NO       Sliding drilling at 15000 ft. String weight alone brings ') > 0, &
                       message=run%output)
       call assertTrue(index(run%output, newline//'up     yes ') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Can it be done?'//newline//'1 of 2: yes. NO: slide. Nearest to a limit: up, ') > 0, &
+                      message=run%output)
+      call assertTrue(index(run%output, 'WOB where buckling begins   0.0 klbf (slide, buckles without WOB)') > 0, &
+                      message=run%output)
       call assertTrue(index(run%output, newline//'! cannot be done') > 0, message=run%output)
       allocate (rows, source=lines_of(results_path//'/summary.csv'))
       if (anyExceptions()) return

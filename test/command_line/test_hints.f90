@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('fractions_and_units', test_values))
       call suite%addTest(TestMethod('short_string', test_short_string))
       call suite%addTest(TestMethod('all_sections_too_narrow', test_sections))
+      call suite%addTest(TestMethod('said_once', test_once))
    end function hints_suite
 
    !> The deck with a change is refused with these words.
@@ -35,6 +36,14 @@ contains
       call assertEqual(2, run%status, message=new)
       call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
    end subroutine refuse
+
+   !> The deck with a change is sound.
+   subroutine pass(text, old, new)
+      character(*), intent(in) :: text, old, new
+      type(run_type) :: run
+      run = run_deck_text(replaced(text, old, new), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine pass
 
    subroutine refuse_operation(name, expected)
       character(*), intent(in) :: name, expected
@@ -49,6 +58,7 @@ contains
       call refuse_operation('pool', "did you mean 'trip_out'?")
       call refuse_operation('trip_up', "did you mean 'trip_out' or 'trip_in'?")
       call refuse_operation('run_out', 'legal: trip_out, ')
+      call refuse_operation('pickup hole', "did you mean 'trip_out'? legal")
       call refuse_operation('tripping', "write 'trip_out' or 'trip_in'")
       call refuse_operation('overpull', "write 'trip_out' with a wob below 0")
    end subroutine test_operations
@@ -94,6 +104,9 @@ contains
       call refuse(field_deck, 'yield = 135', 'yield = 135 ksi', '; write the number alone; its unit is ksi')
       call refuse(field_deck, 'yield = 135', 'yield = 135000', '; 135000 psi is written 135')
       call refuse(field_deck, 'density = 10', 'density = 75', 'a mud of 75 pcf (lbm/ft3) is written 10.03')
+      call refuse(field_deck, 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 10.52')
+      call pass(field_deck, 'density = 10', 'density = 10.52')
+      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 1.26')
    end subroutine test_values
 
    !> A string of tools alone needs pipe; no tool is made longer.
@@ -114,4 +127,26 @@ contains
       call assertTrue(index(run%diagnostics, 'does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'with 8.6 in does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
    end subroutine test_sections
+
+   !> One mistake that touches all components has one message. With its advice the deck is sound.
+   subroutine test_once()
+      type(run_type) :: run
+      character(*), parameter :: unitless = "&job models = 'soft' /", catalogue = "catalogue = 'DP 5 19.50 NC50 S135'"
+      character(:), allocatable :: text
+      run = run_deck_text(replaced(field_deck, 'density = 10', 'density = 75'), '--check')
+      call assertEqual(2, run%status)
+      call assertEqual(index(run%diagnostics, 'floats'), index(run%diagnostics, 'floats', back=.true.), message=run%diagnostics)
+      text = replaced(replaced(field_deck, "&job units = 'field' /", unitless), 'od = 5, id = 4.276, yield = 135', catalogue)
+      text = replaced(text, "kind = 'collar', length = 90, od = 6.75, id = 3.25", &
+                      "catalogue = 'DC 6-3/4 2-13/16 NC50', length = 90")
+      run = run_deck_text(text, '--check')
+      call assertEqual(2, run%status)
+      call assertTrue(index(run%diagnostics, "are these inches? Write units = 'field' in &job") > 0, message=run%diagnostics)
+      call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
+      call pass(text, "models = 'soft'", "units = 'field'")
+      ! With pipe typed in, the deck runs.
+      run = run_deck_text(replaced(field_deck, "&job units = 'field' /", unitless), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'the widest hole has 8.681 mm: are these inches?') > 0, message=run%output)
+   end subroutine test_once
 end module dg_test_hints

@@ -58,6 +58,9 @@ contains
    subroutine test_survey()
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 1.5708, 1.5708, 1.5708', 'Are the inclinations in radians?')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 9, 90', 'from 90 to 9 and back to 90 deg at 12000 ft')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 91, 9', &
+                   'from 91 to 9 deg over 3000 ft without a station between')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 50, 90, 91, 90', 'from 0 to 50 deg over 6200 ft without a station')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
                    'the dogleg is 30 deg/100 ft at 8500 ft')
    end subroutine test_survey
@@ -65,6 +68,9 @@ contains
    !> A bar, the wrong order, too long, yield in MPa.
    subroutine test_string()
       call mistake('od = 5, id = 4.276, mass = 20.87', 'od = 5', '''DP'' is a solid bar of 66.82 lbm/ft')
+      call mistake('od = 5, id = 4.276, mass = 20.87', 'od = 5, mass = 20.87', &
+                   '''DP'': it has no id. Stiffness and strength are those of a solid bar, which has 66.82 lbm/ft')
+      call mistake('od = 6.75, id = 3.25', 'od = 6.75', '''MWD'' is a solid bar of')
       call mistake("'DP', od", "'DP', length = 16000, od", 'is 16091 ft long, the hole ends at 15000 ft')
       call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi')
       call mistake("&component name = 'bit', kind = 'bit', length = 1,", &

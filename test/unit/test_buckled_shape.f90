@@ -80,5 +80,11 @@ contains
       md = depths()
       call look(wave_number*min(md, 50.0_wp), -force, 1.0_wp, shape, turns)
       call assertEqual(wave_number*50.0_wp/(2.0_wp*pi), turns, 1.0e-12_wp, message='turns')
+      call assertEqual(buckling_helical, minval(shape(:50)), message='the coil')
+      call assertEqual(buckling_none, maxval(shape(53:)), message='string that lies is no part of the coil')
+      call look(0.1_wp*wave_number*md, -force, 1.0_wp, shape, turns)
+      call assertEqual(0.0_wp, turns, message='goes round slowly: half a turn')
+      call look(0.25_wp*wave_number*md, -force, 1.0_wp, shape, turns)
+      call assertEqual(buckling_none, maxval(shape), message='goes round once in four pitches')
    end subroutine test_half_and_half
 end module dg_test_buckled_shape

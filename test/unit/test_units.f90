@@ -164,15 +164,20 @@ contains
    subroutine test_smaller()
       character(20) :: name
       real(wp) :: count
-      call smaller_unit(unit_system('metric'), quantity_density, name, count)
+      call smaller_unit(unit_system('metric'), quantity_density, 90.0_wp, name, count)
       call assertEqual('kg/m3', trim(name))
       call assertEqual(1000.0_wp, count)
-      call smaller_unit(unit_system('metric'), quantity_stress, name, count)
+      call smaller_unit(unit_system('metric'), quantity_stress, 90.0_wp, name, count)
       call assertEqual('kPa', trim(name))
       call assertEqual(100.0_wp, count)
-      call smaller_unit(field_units(), quantity_density, name, count)
+      call smaller_unit(field_units(), quantity_density, 90.0_wp, name, count)
       call assertRelativelyEqual(7.48052_wp, count, 1.0e-6_wp, message='gallons in a cubic foot')
-      call smaller_unit(si_units(), quantity_length, name, count)
+      call smaller_unit(field_units(), quantity_density, 1260.0_wp, name, count)
+      call assertEqual('kg/m3', trim(name), message='heavier than any mud in pcf')
+      call assertRelativelyEqual(119.826_wp, count, 1.0e-5_wp)
+      call smaller_unit(field_units(), quantity_density, 12600.0_wp, name, count)
+      call assertEqual('', trim(name), message='heavier than any mud')
+      call smaller_unit(si_units(), quantity_length, 90.0_wp, name, count)
       call assertEqual('', trim(name))
    end subroutine test_smaller
 end module dg_test_units

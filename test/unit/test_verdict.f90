@@ -23,8 +23,8 @@ module dg_test_verdict
    use dg_units, only: si_units
    use dg_utilisation, only: find_utilisation, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, &
                              limit_top_drive
-   use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, limit_code, limit_fatigue, limit_lock_up, &
-                         limit_string_weight, verdict_type
+   use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, limit_code, limit_fatigue, &
+                         limit_lock_up, limit_string_weight, verdict_type
    use dg_verdict_text, only: task_text, unchecked_codes, unchecked_text, verdict_reason, verdict_sentences
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
@@ -286,7 +286,8 @@ contains
       call judge(model, given(0.99_wp*loads(2)), verdict, upper)
       call assertEqual(answer_yes, verdict%answer)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'The 95 % interval of the calibrated friction is unknown') > 0, message=text)
+      call assertTrue(index(text, 'times the calibrated friction') > 0, message=text)
+      call assertEqual(friction_calibrated, verdict%friction)
    end subroutine test_upper_end
 
    !> A string that rests has no friction and no lock-up: weight on bit takes 0.3/cos a of its weight along the hole.

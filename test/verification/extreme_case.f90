@@ -36,7 +36,7 @@ module dg_extreme_case
    character(*), parameter :: another = 'From another start', other_hookload = ' the hook load is', &
                               other_moment = 'the largest bending moment is'
    !> What stands before the per cent by which contact force, and with it hook load and torque, may be off.
-   character(*), parameter :: one_of_them = 'Contact force: allow '
+   character(*), parameter :: one_of_them = 'Contact force uncertain by '
    !> Told errors have two digits [-].
    real(wp), parameter :: rounded = 1.05_wp
    !> Stands for an error that has no figure [-].

@@ -13,7 +13,7 @@ module dg_test_contact_sums
    public :: contact_sums_suite
 
    !> Words of the message that contact forces differ.
-   character(*), parameter :: said = 'Contact force: allow '
+   character(*), parameter :: said = 'Contact force uncertain by '
    !> The walls of the rod.
    character(*), parameter :: walls = '&solver gk_contact = 1.0e5, gk_max = 1.0e6 /'
 

@@ -1,6 +1,6 @@
 !> What a buckled string was found to do, read off its shape: it snakes where its angle about the hole swings to and fro within
-!> about the length of a buckling wave, and coils where it goes round without return. Without enough compression to buckle it does
-!> neither: then its angle follows a hole that turns from station to station.
+!> about the length of a buckling wave. It coils where it goes round without return, about as fast as a free helix. Without enough
+!> compression to buckle it does neither: then its angle follows a hole that turns from station to station.
 module dg_buckled_shape
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
@@ -19,6 +19,9 @@ module dg_buckled_shape
    !> A swing or coil is one of buckling where compression is this part of the sinusoidal load, over half of a swing's length or
    !> half of a coil's turns [-]. Snakes begin at 0.97 to 1.06 of it.
    real(wp), parameter :: enough = 0.95_wp
+   !> A coil begins and ends where it goes round at this part of the rate of a free helix, sqrt(F/(2 EI)) [-]: next to it the string
+   !> lies along the low side, or climbs the wall of a bend.
+   real(wp), parameter :: least_rate = 0.4_wp
 
 contains
 
@@ -67,11 +70,12 @@ contains
       real(wp), intent(inout) :: turns
       real(wp) :: angle(size(md)), swing, wave
       integer :: pivots(size(md) + 1), i, n, extreme, from, to
-      logical :: waves
+      logical :: waves, winding(size(md))
       angle(1) = 0.0_wp
       do i = 2, size(md)
          angle(i) = angle(i - 1) + modulo(clock(i) - clock(i - 1) + pi, 2.0_wp*pi) - pi
       end do
+      winding = winds(md, angle, -axial, ei)
       n = 1
       pivots(1) = 1
       extreme = 1
@@ -94,7 +98,11 @@ contains
          to = pivots(i + 1)
          swing = abs(angle(to) - angle(from))
          if (swing >= 2.0_wp*pi) then
-            if (.not. mostly(angle(from:to), pressed(from:to))) cycle
+            if (.not. (any(winding(from:to)) .and. mostly(angle(from:to), pressed(from:to)))) cycle
+            to = from - 1 + findloc(winding(from:to), .true., dim=1, back=.true.)
+            from = from + findloc(winding(from:to), .true., dim=1) - 1
+            swing = abs(angle(to) - angle(from))
+            if (swing < 2.0_wp*pi) cycle
             turns = turns + swing/(2.0_wp*pi)
             shape(from:to) = buckling_helical
             cycle
@@ -105,6 +113,21 @@ contains
          if (waves) shape(from:to) = max(shape(from:to), buckling_sinusoidal)
       end do
    end subroutine look_at
+
+   !> Rows where the string goes round as fast as a coil, from the row before to the row behind.
+   pure function winds(md, angle, compression, ei) result(fast)
+      real(wp), intent(in) :: md(:)            !< [m]
+      real(wp), intent(in) :: angle(:)         !< without jumps [rad]
+      real(wp), intent(in) :: compression(:)   !< > 0 [N]
+      real(wp), intent(in) :: ei(:)            !< [N.m2]
+      logical :: fast(size(md))
+      integer :: i, from, to
+      do i = 1, size(md)
+         from = max(i - 1, 1)
+         to = min(i + 1, size(md))
+         fast(i) = abs(angle(to) - angle(from)) >= least_rate*sqrt(0.5_wp*compression(i)/ei(i))*(md(to) - md(from))
+      end do
+   end function winds
 
    !> Whether that holds over half of the way that a number goes from row to row; a step between two rows counts by half for each.
    pure function mostly(number, holds) result(yes)

@@ -19,7 +19,7 @@ module dg_whole_string
    use dg_profile, only: piece_depths
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_trajectory, only: top_md
-   use dg_utilisation, only: utilisation_type
+   use dg_utilisation, only: as_much, utilisation_type
    use dg_verdict, only: verdict_type
    use dg_weight_on_bit, only: most_weight_on_bit
    implicit none
@@ -276,8 +276,8 @@ contains
          associate (part => model%strings(string)%components(component_at(tops, bit - depths(i))))
             if (.not. part%makeup_torque > 0.0_wp) cycle
             margin = part%makeup_torque - abs(result%profile%torque(i))
+            if (whole%makeup_margin%present .and. margin >= whole%makeup_margin%value - as_much*part%makeup_torque) cycle
          end associate
-         if (whole%makeup_margin%present .and. margin >= whole%makeup_margin%value) cycle
          whole%makeup_margin = given(margin)
          whole%makeup_margin_md = given(result%profile%md(i))
       end do

@@ -13,11 +13,13 @@ module dg_unit_kind
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit
+   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
 
+   !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
+   real(wp), parameter :: heaviest_mud = 2700.0_wp
    !> Room for a number and the name of its unit.
    integer, parameter :: told_width = 40
 
@@ -58,16 +60,23 @@ contains
       label = padded_label(units, quantity)
    end function unit_label
 
-   !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none.
-   pure subroutine smaller_unit(units, quantity, name, count)
+   !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none. A density that
+   !> no mud has in that unit is one in kg/m3, if a mud has that.
+   pure subroutine smaller_unit(units, quantity, number, name, count)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
+      real(wp), intent(in) :: number        !< as written
       character(*), intent(out) :: name
       real(wp), intent(out) :: count        !< of them in one of the quantity's own
       type(unit_type) :: unit
       unit = unit_in(units, quantity)
       name = unit%alike
       count = unit%alike_count
+      if (quantity /= unit_density .or. name == '' .or. number*unit%factor/count <= heaviest_mud) return
+      name = ''
+      if (number > heaviest_mud) return
+      name = 'kg/m3'
+      count = unit%factor
    end subroutine smaller_unit
 
    !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name and blanks behind it. Of a

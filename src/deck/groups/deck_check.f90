@@ -14,13 +14,14 @@ module dg_deck_check
    use dg_model, only: hold_free
    use dg_opening_check, only: set_opened_depth
    use dg_string_check, only: check_in_string
+   use dg_unusual_input, only: holes_in_inches, inches_meant
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
    implicit none
    private
    public :: close_holes, check_draft, check_case, report_faults
 
-   !> Words of check_passage, up to the case.
-   character(*), parameter :: passes_not = 'does not pass', case_mark = ') in '
+   !> Words of check_passage, up to the case, and of check_in_string.
+   character(*), parameter :: passes_not = 'does not pass', case_mark = ') in ', sinks_not = ' floats: '
 
 contains
 
@@ -274,14 +275,32 @@ contains
                line = merge(item%line_string, item%line_depth, key_of(fault) == 'string')
             end if
             call whole_message(fault, 'line '//to_text(line_of_part(draft, other_of(fault), other_place_of(fault), '')), words)
-            ! one case is enough to show that a component is too wide for a hole section
+            ! one case is enough to show that a component is too wide for a hole section, one component that the mud is too heavy
             if (index(words, passes_not) > 0) then
                if (is_listed(faults, line, words(:index(words, case_mark) + len(case_mark) - 1))) cycle
+            end if
+            if (index(words, sinks_not) > 0 .and. said(sinks_not)) cycle
+            if (index(words, passes_not) > 0 .and. holes_in_inches(draft)) then
+               if (said(inches_meant)) cycle
+               words = words(:index(words, ';'))//' '//inches_meant
             end if
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
       call clear_errors(found)
+
+   contains
+
+      !> Whether words stand in a message already.
+      function said(piece)
+         character(*), intent(in) :: piece
+         logical :: said
+         integer :: k
+         said = .false.
+         do k = 1, faults%count
+            if (index(faults%items(k)%message, piece) > 0) said = .true.
+         end do
+      end function said
    end subroutine report_faults
 
    !> Line of a quantity of a part; key '': of its group.

@@ -14,7 +14,7 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_modulus
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
    implicit none
    private
    public :: note_oddities
@@ -202,9 +202,17 @@ contains
             trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
-         if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) call note( &
-            'mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and density has '// &
-            to_text(tube/units%mass_per_length, few_digits)//'; mind the units, and the density of what is not steel')
+         if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) then
+            if (part%id > 0.0_wp) then
+               call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
+                  'density has '//to_text(tube/units%mass_per_length, few_digits)// &
+                  '; mind the units, and the density of what is not steel')
+            else
+               call note('it has no id. Stiffness and strength are those of a solid bar, which has '// &
+                  trim(in_units(units, unit_mass, tube, few_digits))//', not mass = '// &
+                  to_text(part%mass/units%mass_per_length, digits)//'. Give the inside diameter')
+            end if
+         end if
          if (part%youngs < softest .or. part%youngs > stiffest) call note('youngs = '// &
             to_text(part%youngs/unit_factor(units, unit_modulus), digits)//'; steel has '// &
             to_text(steel/unit_factor(units, unit_modulus), few_digits))

@@ -10,11 +10,11 @@ module dg_unusual_input
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length, unit_mass, unit_moment, &
-                           unit_pressure, unit_stress
+   use dg_unit_kind, only: heaviest_mud, in_units, unit_curvature, unit_diameter, unit_force, unit_label, unit_length, unit_mass, &
+                           unit_moment, unit_pressure, unit_stress
    implicit none
    private
-   public :: note_unusual
+   public :: note_unusual, holes_in_inches, inches_meant
 
    !> Usual range of a key.
    type :: usual_type
@@ -30,17 +30,24 @@ module dg_unusual_input
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
-      usual_type('density', 0, 0.0_wp, 2700.0_wp, 'heaviest kill mud 22.5 lbm/gal'), &
+      usual_type('density', 0, 0.0_wp, heaviest_mud, 'heaviest kill mud 22.5 lbm/gal'), &
       usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
                  'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi'), &
       usual_type('block_weight', unit_force, 0.0_wp, 1.5e6_wp, 'block, compensator and top drive of 1,250 t rigs: 120 t'), &
       usual_type('max_torque', unit_moment, 0.0_wp, 200.0e3_wp, 'strongest top drives 130 kN.m')]
 
    !> Longest solid bar among drill tools [m].
-   real(wp), parameter :: longest_bar = 15.0_wp
+   real(wp), parameter :: longest_bar = 5.0_wp
+   !> Widest hole that is drilled, 36, as a number of inches that is read as one of millimetres [m].
+   real(wp), parameter :: widest_of_inches = 36.5e-3_wp
+   !> Advice on a deck with such holes.
+   character(*), parameter :: inches_meant = "are these inches? Write units = 'field' in &job"
    !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
    !> 16 to 20 deg/30 m, short radius in 6 in: 60.
    real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp
+   !> Inclination that changes slowly by much between two stations, or falls by more than it does in planned wells: a mistyped
+   !> angle, or a station left out [rad, rad/m].
+   real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 1.0_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
    !> Angle to both neighbours from which a station that points another way is a slip [rad].
    real(wp), parameter :: spike = 25.0_wp*degree
    !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
@@ -56,9 +63,13 @@ contains
       type(draft_type), intent(in) :: draft
       logical, intent(in) :: fitted       !< a study of the deck finds the friction
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i
+      integer :: i, before
       call note_inclinations(draft, notes)
+      before = size(notes)
       call note_doglegs(draft, notes)
+      if (size(notes) == before) call note_steps(draft, notes)
+      if (holes_in_inches(draft)) call append_text(notes, 'group &hole: the widest hole has '//trim(in_units(draft%units, &
+         unit_diameter, maxval(draft%holes%section%diameter), digits))//': '//inches_meant)
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
@@ -121,6 +132,15 @@ contains
          if (number /= usual_density) text = trim(in_units(draft%units, usual(number)%unit, value, digits))
       end function value_text
    end subroutine note_unusual
+
+   !> Whether diameters of holes in millimetres are none of a well.
+   pure function holes_in_inches(draft) result(inches)
+      type(draft_type), intent(in) :: draft
+      logical :: inches
+      inches = .false.
+      if (size(draft%holes) == 0 .or. trim(unit_label(draft%units, unit_diameter)) /= 'mm') return
+      inches = all(draft%holes%section%diameter < widest_of_inches)
+   end function holes_in_inches
 
    !> Inclinations that look like radians.
    subroutine note_inclinations(draft, notes)
@@ -205,6 +225,32 @@ contains
          text = to_text(draft%stations%inclination(station)/degree, digits)
       end function degrees
    end subroutine note_doglegs
+
+   !> The largest change of inclination between two stations that is hardly meant.
+   subroutine note_steps(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: step, length, worst
+      integer :: i, place
+      place = 0
+      worst = long_build
+      associate (stations => draft%stations, units => draft%units)
+         do i = 2, size(stations%md)
+            step = stations%inclination(i) - stations%inclination(i - 1)
+            if (abs(step) <= worst .or. &
+                (abs(step) >= slow_build*(stations%md(i) - stations%md(i - 1)) .and. step > -long_drop)) cycle
+            worst = abs(step)
+            place = i
+         end do
+         if (place == 0) return
+         length = stations%md(place) - stations%md(place - 1)
+         call append_text(notes, 'group &trajectory: inclination goes from '// &
+            to_text(stations%inclination(place - 1)/degree, digits)//' to '// &
+            to_text(stations%inclination(place)/degree, digits)//' deg over '// &
+            trim(in_units(units, unit_length, length, digits))//' without a station between, down to '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is one of them mistyped or missing?')
+      end associate
+   end subroutine note_steps
 
    !> Hole sections without any friction that a moving case relies on.
    subroutine note_friction(draft, notes)

@@ -6,7 +6,7 @@ module dg_deck_advice
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
    use dg_load_case, only: alike, operation_aliases, operation_count, operation_from_name, operation_name
    use dg_text, only: nearest_name, suggestion, edit_distance, joined, lower_case, to_text
-   use dg_unit_kind, only: smaller_unit, unit_factor, unit_label, unit_none
+   use dg_unit_kind, only: smaller_unit, unit_density, unit_factor, unit_label, unit_none
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -65,7 +65,7 @@ module dg_deck_advice
    character(*), parameter :: both_ways(4) = [character(12) :: 'trip', 'tripping', 'reciprocate', 'washing']
 
    !> Significant digits of a number that is advised.
-   integer, parameter :: digits_told = 7
+   integer, parameter :: digits_told = 7, density_digits = 4
    integer, parameter :: longest_name = 20
    character(*), parameter :: digits = '0123456789'
 
@@ -132,7 +132,7 @@ contains
    end function operation_advice
 
    !> Operations that have the nearest of all names. Of short names one slip counts, of long ones two; else a name that goes on
-   !> where this one ends.
+   !> where this one ends, or that begins this one.
    pure subroutine find_near(name, near)
       character(*), intent(in) :: name       !< as `alike` gives it, without blanks
       logical, intent(out) :: near(operation_count)
@@ -148,6 +148,11 @@ contains
       if (any(near) .or. len(name) < shortest_stem) return
       do i = 1, size(names)
          if (index(alike(names(i)), name) == 1) near(operation_from_name(trim(names(i)))) = .true.
+      end do
+      if (any(near)) return
+      do i = 1, size(names)
+         if (len_trim(alike(names(i))) >= shortest_stem .and. index(name, trim(alike(names(i)))) == 1) &
+            near(operation_from_name(trim(names(i)))) = .true.
       end do
    end subroutine find_near
 
@@ -188,14 +193,15 @@ contains
       logical :: legal
       advice = ''
       if (rule%kind /= kind_real) return
-      call smaller_unit(units, rule%unit, smaller, of_them)
-      if (smaller == '') return
       call read_real(text, number, legal)
       if (.not. legal) return
+      call smaller_unit(units, rule%unit, number, smaller, of_them)
+      if (smaller == '') return
       number = number/of_them
       held = number*unit_factor(units, rule%unit)
       call hold_in_range(rule, held, legal)
-      if (legal) advice = '; '//text//' '//trim(smaller)//' is written '//to_text(number, digits_told)
+      if (legal) advice = '; '//text//' '//trim(smaller)//' is written '// &
+         to_text(number, merge(density_digits, digits_told, rule%unit == unit_density))
    end function unit_advice
 
    !> A text without a mark of inches at its end, in quotes or as a word.

@@ -53,7 +53,7 @@ contains
                call add_fault(faults, path, token%line, quoted(token%text)//' closes no group; remove it')
             case default
                if (token%line /= stray_line) call add_fault(faults, path, token%line, 'text outside any group: '// &
-                  quoted(token%text)//'; start a comment with !, put a text that holds a / into quotes')
+                  quoted(token%text)//'; a group begins with &, a comment with !; put a text that holds a / into quotes')
                stray_line = token%line
             end select
          end associate

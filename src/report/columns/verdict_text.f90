@@ -12,7 +12,7 @@ module dg_verdict_text
    use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
-   use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_calibrated, friction_given, friction_upper_end, &
+   use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_given, friction_upper_end, &
                          friction_upper_end_alone, limit_code, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
                          limit_string_weight, limit_title, verdict_type
    implicit none
@@ -24,6 +24,8 @@ module dg_verdict_text
 
    !> Digits of loads, depths and factors.
    integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3
+   !> Digits of a factor next to 1.
+   integer, parameter :: close_factor = 4
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
@@ -113,7 +115,6 @@ contains
          text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
          if (verdict%reserve_limit > 0) text = text//' ('//trim(limit_title(verdict%reserve_limit))//')'
       end if
-      if (verdict%friction == friction_calibrated) text = text//'. The 95 % interval of the calibrated friction is unknown'
    end function reserve_text
 
    !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
@@ -121,7 +122,9 @@ contains
       type(verdict_type), intent(in) :: verdict
       real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
-      text = to_text(rounded_down(factor, shown_factor), shown_factor)//' times the '// &
+      integer :: digits
+      digits = merge(close_factor, shown_factor, abs(factor - 1.0_wp) < little_reserve - 1.0_wp)
+      text = to_text(rounded_down(factor, digits), digits)//' times the '// &
              trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 
@@ -216,8 +219,10 @@ contains
                                                                      load_case%wob > 0.0_wp))//' '
          text = text//takers
       end if
+      if (verdict%limit == limit_lock_up) text = text//'WOB '
       if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
-         load_text(units, verdict%limit, verdict%allowed%value)//', '
+         load_text(units, verdict%limit, verdict%allowed%value)//trim(merge(' possible', '         ', &
+                                                                            verdict%limit == limit_lock_up))//', '
       text = text//to_text(verdict%used%value/percent, shown_factor)//' % used'
       if (verdict%allowed%present) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'

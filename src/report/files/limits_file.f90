@@ -94,7 +94,7 @@ contains
       call put(row, 'largest_side_force', quantity_line_load, 'along the string', whole%side_force)
       call put(row, 'largest_side_force_md', quantity_length, 'where', whole%side_force_md)
       call put(row, 'wob_buckling', quantity_force, &
-               'weight on bit at which the string begins to buckle somewhere (soft string); 0: it does without any; empty '// &
+               'weight on bit at which the string begins to buckle somewhere (soft string); 0: it buckles without WOB; empty '// &
                'for operations that pull', whole%wob_buckling)
       call put(row, 'wob_no_hookload', quantity_force, &
                'weight on bit that leaves no hook load (soft string, friction of buckled string left out: a bound of the '// &
@@ -130,8 +130,8 @@ contains
       call put(row, 'largest_bending', quantity_moment, 'moment along the string', whole%bending)
       call put(row, 'largest_bending_md', quantity_length, 'where', whole%bending_md)
       call put(row, 'bending_error', quantity_percent, &
-               'how far moments may be off, of the largest: what two recoveries or two meshes differ by, and half a per '// &
-               'cent; empty where they were not looked at closely', in_percent(whole%bending_error))
+               'estimated error of bending moments, of the largest: difference of two ways to compute them, or of two meshes, '// &
+               'plus 0.5 %; empty where they were not solved on shorter elements', in_percent(whole%bending_error))
       call put(row, 'largest_von_mises', quantity_stress, 'equivalent stress along the string', whole%von_mises)
       call put(row, 'von_mises_error', quantity_percent, 'how far it may be off for that', in_percent(whole%von_mises_error))
       call put(row, 'wob_yield', quantity_force, &
@@ -169,8 +169,8 @@ contains
       call put(row, 'governing_utilisation', quantity_percent, 'how much of it', governing_used)
       call put(row, 'governing_md', quantity_length, 'where', governing_md)
       call put(row, 'contact_difference', quantity_percent, &
-               'by how much the contact force of a part of the string differs between the long elements of hook load and '// &
-               'the short ones of moments, of the contact force of the whole string; the largest of all parts', &
+               'contact force is uncertain by this: largest difference over a part of the string between long elements (hook '// &
+               'load) and short ones (moments), over the contact force of the whole string', &
                in_percent(whole%contact_difference))
       call put(row, 'used_top_drive', quantity_percent, &
                'of max_torque of &rig, by the torque at the top of a string that turns', used(limit_top_drive))

@@ -149,6 +149,7 @@ contains
             do k = 1, size(results)
                if (results(k)%model /= job%models(m) .or. results(k)%case_index /= results(rows(i))%case_index .or. &
                    results(k)%status /= result_converged) cycle
+               if (min(results(k)%hookload, results(rows(i))%hookload) < 0.0_wp) cycle     ! the string must be pushed
                apart = abs(results(k)%hookload - results(rows(i))%hookload)
                if (apart > worst) then
                   worst = apart

@@ -7,7 +7,7 @@ module dg_html_verdict
    use dg_model, only: model_type
    use dg_text, only: to_text
    use dg_verdict, only: answer_no, verdict_type
-   use dg_verdict_table, only: answer_word, unchecked_line, unlike_text, verdict_heading
+   use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -29,6 +29,8 @@ contains
       integer :: i, k
       if (size(results) == 0) return
       call add_line(lines, '<h2>'//verdict_heading(job)//'</h2>')
+      other = summary_line(job, model, results, wholes)
+      if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
       call add_line(lines, '<div class="wide"><table><tbody>')
       do k = 1, size(results)
          if (results(k)%model /= leading_model(job)) cycle
@@ -43,6 +45,7 @@ contains
       call add_line(lines, '</tbody></table></div>')
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
+      if (interval_line(wholes) /= '') call add_line(lines, '<p class="note warn">'//html_safe(interval_line(wholes))//'</p>')
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')

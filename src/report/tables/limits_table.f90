@@ -2,7 +2,7 @@
 !> model. The rest is in limits.csv.
 module dg_limits_table
    use dg_kinds, only: wp
-   use dg_named_states, only: buckling_name, buckling_none
+   use dg_named_states, only: buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_casing_wear, only: groove_type
    use dg_quantity, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns
@@ -27,6 +27,8 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: number_width = 16, few = 3
+   !> Turns of a helix from which on they are told to three digits.
+   real(wp), parameter :: many_turns = 100.0_wp
    character(*), parameter :: jar_kind = 'jar'
 
    !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
@@ -104,20 +106,22 @@ contains
       depths = wholes%buckling_margin_md
       call append_least(lines, units, names, 'Least margin to buckling', quantity_force, 1, numbers, depths, .false.)
       numbers = wholes%wob_buckling
+      do i = 1, size(results)
+         if (numbers(i)%present .and. .not. numbers(i)%value > 0.0_wp) names(i)%text = names(i)%text//', buckles without WOB'
+      end do
       call append_least(lines, units, names, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
+         names(i)%text = model%cases(results(i)%case_index)%name
+      end do
+      do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
-         call append_text(lines, '  By formula, beyond the '//trim(buckling_name(wholes(i)%buckling))//' buckling load in '// &
-                          names(i)%text//': '// &
-                          to_text(anint((wholes(i)%sinusoidal_length + wholes(i)%helical_length)/units%length))//' '// &
-                          trim(units%length_label)//' of string')
+         call append_text(lines, '  By formula, buckled in '//names(i)%text//': '// &
+                          lengths_text(units, wholes(i)%sinusoidal_length, wholes(i)%helical_length))
       end do
       do i = 1, size(results)
          if (wholes(i)%shape == buckling_none) cycle
-         call append_text(lines, '  By mcge, buckled in '//names(i)%text//': sinusoidal '// &
-                          to_text(anint(wholes(i)%snaking_length/units%length))//' '//trim(units%length_label)//', helical '// &
-                          to_text(anint(wholes(i)%coiled_length/units%length))//' '//trim(units%length_label)//' ('// &
-                          to_text(anint(wholes(i)%coil_turns))//' turns)')
+         call append_text(lines, '  By mcge, buckled in '//names(i)%text//': '// &
+                          lengths_text(units, wholes(i)%snaking_length, wholes(i)%coiled_length)//turns_text(wholes(i)%coil_turns))
       end do
       do i = 1, size(results)
          if (.not. wholes(i)%sag_correction%present) cycle
@@ -143,6 +147,23 @@ contains
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> Lengths of buckled string.
+   pure function lengths_text(units, sinusoidal, helical) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: sinusoidal, helical     !< [m]
+      character(:), allocatable :: text
+      text = 'sinusoidal '//to_text(anint(sinusoidal/units%length))//' '//trim(units%length_label)//', helical '// &
+             to_text(anint(helical/units%length))//' '//trim(units%length_label)
+   end function lengths_text
+
+   !> Turns of a helix; '' for none.
+   pure function turns_text(turns) result(text)
+      real(wp), intent(in) :: turns
+      character(:), allocatable :: text
+      text = ''
+      if (turns > 0.0_wp) text = ' ('//to_text(turns, merge(2, 3, turns < many_turns))//' turns)'
+   end function turns_text
 
    !> Pull that may be added at the top of each case: what the rig may lift or what the pipe bears, the smaller, and which it is.
    pure subroutine find_overpull(wholes, pulls, deciders)

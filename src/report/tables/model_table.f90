@@ -21,6 +21,7 @@ module dg_model_table
    integer, parameter :: share_width = 9
    integer, parameter :: seconds_width = 10
    real(wp), parameter :: one = 1.0_wp
+   !> A larger difference than the number itself has no share in per cent.
    !> Torque under which a difference in per cent says nothing [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
 
@@ -91,8 +92,10 @@ contains
       if (.not. is_reference .and. has_numbers(result%status) .and. has_numbers(reference%status)) then
          pull = given(result%hookload - reference%hookload)
          turn = given(result%torque - reference%torque)
-         if (abs(reference%hookload) > 0.0_wp) pull_share = given(100.0_wp*pull%value/abs(reference%hookload))
-         if (abs(reference%torque) > least_torque) turn_share = given(100.0_wp*turn%value/abs(reference%torque))
+         if (abs(reference%hookload) > 0.0_wp .and. abs(pull%value) <= abs(reference%hookload)) &
+            pull_share = given(100.0_wp*pull%value/abs(reference%hookload))
+         if (abs(reference%torque) > max(abs(turn%value), least_torque)) &
+            turn_share = given(100.0_wp*turn%value/abs(reference%torque))
       end if
       row = name//left_aligned(trim(model_name(result%model)), model_width)// &
          fixed_cell(optional_real(has_numbers(result%status), result%hookload), units%force, number_width, 3)// &

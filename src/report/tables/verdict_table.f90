@@ -1,23 +1,28 @@
 !> The block 'Can it be done?' on standard output: one entry a load case, before all tables.
 module dg_verdict_table
+   use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped, page_width
    use dg_text, only: append_text, text_type, to_text
-   use dg_verdict, only: answer_name, answer_no, answer_yes, every_limit_count
+   use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
+                         limit_title
    use dg_verdict_text, only: task_text, unchecked_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: verdict_table, unchecked_line, verdict_heading, unlike_text, answer_word
+   public :: verdict_table, unchecked_line, interval_line, summary_line, verdict_heading, unlike_text, answer_word
 
    character(*), parameter :: verdict_title = 'Can it be done?'
    !> Width of names, and of the answer.
    integer, parameter :: most_name = 26, answer_width = 9
    !> Names of cases in one line.
    integer, parameter :: most_names = 6
+   !> Digits of a share in per cent.
+   integer, parameter :: digits = 3
+   real(wp), parameter :: percent = 0.01_wp
 
 contains
 
@@ -41,6 +46,8 @@ contains
       shown = leading_model(job)
       call append_text(lines, '')
       call append_text(lines, verdict_heading(job))
+      other = summary_line(job, model, results, wholes)
+      if (other /= '') call append_wrapped(lines, '', other, page_width)
       do k = 1, size(results)
          if (results(k)%model /= shown) cycle
          associate (load_case => model%cases(results(k)%case_index))
@@ -52,11 +59,64 @@ contains
       end do
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call append_wrapped(lines, '', other, page_width)
+      if (interval_line(wholes) /= '') call append_wrapped(lines, '', interval_line(wholes), page_width)
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call append_wrapped(lines, '', other, page_width)
       end do
    end function verdict_table
+
+   !> Answers in one line: how many are yes, which are not, which case is nearest to a limit. '' for one case.
+   pure function summary_line(job, model, results, wholes) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      character(:), allocatable :: text
+      logical :: shown(size(results)), near(size(results))
+      integer :: k
+      text = ''
+      shown = results%model == leading_model(job)
+      if (count(shown) < 2) return
+      near = shown .and. wholes%verdict%answer == answer_yes
+      text = to_text(count(near))//' of '//to_text(count(shown))//': yes.'//named('NO', answer_no)// &
+             named('No solution', answer_unknown)
+      do k = 1, size(results)
+         near(k) = near(k) .and. wholes(k)%verdict%used%present
+      end do
+      if (.not. any(near)) return
+      k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
+      text = text//' Nearest to a limit: '//model%cases(results(k)%case_index)%name//', '// &
+             to_text(wholes(k)%verdict%used%value/percent, digits)//' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
+   contains
+      !> Names of the cases with an answer; '' where there are none.
+      pure function named(word, answer) result(part)
+         character(*), intent(in) :: word
+         integer, intent(in) :: answer
+         character(:), allocatable :: part
+         integer :: i, names
+         part = ''
+         names = 0
+         do i = 1, size(results)
+            if (.not. shown(i) .or. wholes(i)%verdict%answer /= answer) cycle
+            names = names + 1
+            if (names > most_names) cycle
+            part = part//trim(merge(':', ',', names == 1))//' '//model%cases(results(i)%case_index)%name
+         end do
+         if (part == '') return
+         if (names > most_names) part = part//' and '//to_text(names - most_names)//' more'
+         part = ' '//word//part//'.'
+      end function named
+   end function summary_line
+
+   !> Says that answers go by calibrated friction without an interval; '' where none does.
+   pure function interval_line(wholes) result(text)
+      type(whole_string_type), intent(in) :: wholes(:)
+      character(:), allocatable :: text
+      text = ''
+      if (any(wholes%verdict%friction == friction_calibrated)) text = 'Answers hold for the friction found. Not every hole '// &
+         'section has a 95 % interval of it, so its upper end is not tried.'
+   end function interval_line
 
    !> Limits that count for cases with a yes and have no rating in the deck: those of all these cases, then what some have
    !> besides.

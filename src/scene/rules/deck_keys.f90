@@ -65,7 +65,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run; input/README.md tells what rigid and mixed are worth'), &
+         meaning='models to run; compared below this table in input/README.md'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
@@ -144,7 +144,7 @@ module dg_deck_keys
       key_rule_type('hole', 'casing_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
          meaning='yield strength of the casing, for burst and collapse of what wear leaves'), &
       key_rule_type('hole', 'wear_factor', unit=unit_wear, low=0.0_wp, open=.true., high=most_wear, &
-         meaning='volume worn off the casing over side force times way; water-base mud 7 to 30 (5 to 20e-10/psi)')]
+         meaning='volume worn off the casing over side force times sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
 
    type(key_rule_type), parameter :: fluid_keys(7) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
@@ -370,7 +370,7 @@ module dg_deck_keys
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
       key_rule_type('solver', 'friction_range', kind_logical, default='.true.', &
-         meaning='a sliding string that coils is solved from the low side, too, and the range of hook loads told'), &
+         meaning='a sliding string that coils is also solved from a second start, which gives the range of hook loads'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
          meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &

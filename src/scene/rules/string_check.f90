@@ -101,7 +101,7 @@ contains
       function dense(density) result(text)
          real(wp), intent(in) :: density
          character(:), allocatable :: text
-         text = to_text(density/units%density, diameter_digits)
+         text = trim(in_units(units, unit_density, density, diameter_digits))
       end function dense
 
       !> Advice on a mud in a smaller unit than that of the deck.
@@ -110,9 +110,9 @@ contains
          character(longest_name) :: smaller
          real(wp) :: of_them
          text = ''
-         call smaller_unit(units, unit_density, smaller, of_them)
-         if (smaller /= '') text = '; a mud of '//dense(heaviest)//' '//trim(smaller)//' is written '// &
-            to_text(heaviest/units%density/of_them, advised_digits)
+         call smaller_unit(units, unit_density, heaviest/units%density, smaller, of_them)
+         if (smaller /= '') text = '; a mud of '//to_text(heaviest/units%density, diameter_digits)//' '//trim(smaller)// &
+            ' is written '//to_text(heaviest/units%density/of_them, advised_digits)
       end function advice
    end subroutine check_in_string
 

@@ -230,14 +230,14 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
-         call add_message(result, 'Contact force: allow '// &
+         call add_message(result, 'Contact force uncertain by '// &
                           to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
                           ' %, mostly between '// &
                           trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
-                          trim(in_units(units, unit_length, found%md(2), shown_depth))//'. It is '// &
+                          trim(in_units(units, unit_length, found%md(2), shown_depth))//': '// &
                           trim(in_units(units, unit_force, found%by_analysis, shown))//' by the elements of hook load and '// &
                           'torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' by the shorter ones of '// &
-                          'moments and side forces. Which is nearer is not known')
+                          'moments and side forces')
       end associate
    end subroutine warn_of_contact
 

@@ -23,7 +23,7 @@ module dg_calibrate_keys
       key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
          meaning='what has a factor of its own; default holes'), &
       key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
-         meaning='what the gauge shows beyond string and block is looked for too: one for all, or one a bit depth'), &
+         meaning='also find the error of the weight indicator: one for all, or one per bit depth'), &
       key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several; default soft'), &
       key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
@@ -35,7 +35,7 @@ module dg_calibrate_keys
       key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
          meaning='of the string at surface from one pull to the other; needed by free_point'), &
       key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
-         meaning='all that follows uses the friction found; with &rig the one offset too, as block weight'), &
+         meaning='all that follows uses the friction found; with &rig, the one offset is added to block_weight'), &
       key_rule_type('calibrate', 'predict', kind_text, array=.true., &
          meaning='names of load cases that are predicted from what is found; their measurements have no part in it')]
 end module dg_calibrate_keys

@@ -2,8 +2,8 @@
 !> after, and in plain words what the data cannot tell. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
-   use dg_calibration, only: apply_factors, apply_offset, calibration_type, hookload_datum, parameter_name, torque_datum, &
-                             unknown_type
+   use dg_calibration, only: apply_factors, apply_offset, calibration_type, hookload_datum, offset_one, parameter_name, &
+                             torque_datum, unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
    use dg_comparison, only: percent_error
@@ -14,7 +14,7 @@ module dg_calibration_table
    use dg_load_case, only: operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: append_wrapped, fixed_cell, left_aligned, page_width, right_aligned
    use dg_prediction_table, only: append_predictions, quantity_words
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_force
@@ -120,7 +120,7 @@ contains
       integer :: d, counted(2), decimals
       head = left_aligned('Load case', name_width)//left_aligned('Quantity', 18)//right_aligned('Measured', cell_width)// &
              right_aligned('Before', cell_width)//right_aligned('Error %', cell_width)//right_aligned('After', cell_width)// &
-             right_aligned('Error %', cell_width)//right_aligned('Residual', cell_width)
+             right_aligned('Error %', cell_width)//right_aligned('Diff.', cell_width)
       rule = repeat('-', len(head))
       call append_text(lines, head)
       call append_text(lines, rule)
@@ -183,9 +183,10 @@ contains
       do k = 1, size(calibration%unknowns)
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
             'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
-         if (verdict_of(result, k) == verdict_at_bound) call append_text(lines, 'Warning: '// &
+         if (verdict_of(result, k) == verdict_at_bound) call append_wrapped(lines, '', 'Warning: '// &
             unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction beyond '// &
-            to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, gauge')
+            to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, '// &
+            'gauge, or one section that takes the friction of another (separate = ''none'' finds one factor for all)', page_width)
          if (verdict_of(result, k) /= verdict_not_felt .and. calibration%unknowns(k)%is_offset) then
             if (abs(result%fit%unknowns(k) + model%rig%block_weight) < near_block*model%rig%block_weight) &
                call append_text(lines, 'Warning: the offset is about minus the block weight: are the measured hook loads '// &
@@ -265,15 +266,31 @@ contains
       call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, model%cases, applied%holes)
       call apply_offset(calibration, result%fit%unknowns, .not. result%fit%unfelt, applied%rig, weighed)
       head = 'Applied to all that follows:'
-      if (any(calibration%unknowns%is_offset) .and. .not. weighed) head = 'Applied to all that follows, without the offset:'
+      if (any(calibration%unknowns%is_offset) .and. .not. weighed) then
+         head = 'Applied to all that follows, without the offset:'
+         if (calibration%offset == offset_one) call append_text(lines, 'The offset is not applied: it is added to the weight '// &
+            'of the block, and the deck has no &rig block_weight.')
+      end if
       call append_text(lines, head)
       do i = 1, size(calibration%holes)
          associate (hole => applied%holes(calibration%holes(i)))
-            call append_text(lines, '  '//hole%name//': '//hole_friction_text(hole))
+            call append_text(lines, '  '//hole%name//': '//hole_friction_text(hole)//bound_text(calibration%holes(i)))
          end associate
       end do
       if (weighed) call append_text(lines, '  &rig: block_weight '// &
          trim(in_units(units, unit_force, applied%rig%block_weight, depth_digits))//', the offset counted in')
+   contains
+      !> Says that the factor of a section lies at its bound.
+      function bound_text(hole) result(text)
+         integer, intent(in) :: hole
+         character(:), allocatable :: text
+         integer :: u
+         text = ''
+         do u = 1, size(calibration%unknowns)
+            if (calibration%unknowns(u)%is_offset .or. verdict_of(result, u) /= verdict_at_bound) cycle
+            if (any(calibration%unknowns(u)%hole == [0, hole])) text = ', at its bound: no measured friction'
+         end do
+      end function bound_text
    end subroutine append_applied
 
    !> What a &uncertainty of another deck may repeat.

@@ -192,7 +192,7 @@ contains
       type(table_type), intent(inout) :: table
       type(error_list_type), intent(inout) :: faults
       character(heading_length) :: names(size(headings))
-      character(:), allocatable :: name, unit
+      character(:), allocatable :: name, unit, advice
       integer :: i, k
       do i = 1, size(headings)
          names(i) = headings(i)%text
@@ -214,9 +214,12 @@ contains
             columns(k)%number = i
             call check_unit(k, columns(k), unit, table, faults)
          end do
-         if (columns(k)%number == 0 .and. columns(k)%required) &
-            call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
-                       '; '//suggestion(columns(k)%place, names), faults)
+         if (columns(k)%number > 0 .or. .not. columns(k)%required) cycle
+         advice = suggestion(columns(k)%place, names)
+         if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. If they stand lower, give the number of '// &
+            'lines above them as skip'
+         call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
+                    '; '//advice, faults)
       end do
    end subroutine find_columns
 

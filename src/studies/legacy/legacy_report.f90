@@ -7,6 +7,7 @@ module dg_legacy_report
    use dg_job, only: model_name
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type, legacy_table_type, quantity_axial, quantity_count, &
                                    quantity_of, quantity_side_force
+   use dg_legacy_file, only: column_name
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length, unit_factor, unit_label
@@ -23,6 +24,10 @@ module dg_legacy_report
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
    real(wp), parameter :: per_cent = 100.0_wp
+   !> Growth that is zero but for round-off, over the largest [-].
+   real(wp), parameter :: round_off = 1.0e-9_wp
+   !> Difference over our largest from which on theirs is hardly in the unit that is read [-].
+   real(wp), parameter :: other_unit = 5.0_wp
 
 contains
 
@@ -130,6 +135,8 @@ contains
          call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
          return
       end if
+      if (abs(parting%largest) > other_unit*parting%scale) call append_text(lines, 'Theirs is much larger than ours: check the '// &
+         'unit of its column ('//trim(column_name(k + 1))//'_unit) and the load case.')
       if (abs(parting%at_bottom) > agreement*parting%scale) &
          call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
                           ' already.')
@@ -147,7 +154,7 @@ contains
          return
       end if
       associate (worst => comparison%intervals(parting%worst))
-         call append_text(lines, 'They part at '//depth(parting%parting_md)//'; '// &
+         call append_text(lines, 'They part above '//depth(parting%parting_md)//'; '// &
                           to_text(per_cent*parting%share, 3)//' % of the difference in '//what//' arises in the '// &
                           trim(interval_name(worst%kind))//' section, '//depth(worst%md_top)//' to '//depth(worst%md_bottom)//'.')
       end associate
@@ -163,10 +170,13 @@ contains
       pure function growth_text(growth) result(text)
          real(wp), intent(in) :: growth
          character(:), allocatable :: text
+         real(wp) :: shown_growth
+         shown_growth = growth
+         if (abs(growth) < round_off*maxval(abs(parting%growth))) shown_growth = 0.0_wp
          if (k == quantity_side_force) then     ! an integral along the hole
-            text = signed(growth/units%force)//' '//trim(units%force_label)
+            text = signed(shown_growth/units%force)//' '//trim(units%force_label)
          else
-            text = signed(growth/factor)//' '//unit
+            text = signed(shown_growth/factor)//' '//unit
          end if
       end function growth_text
 

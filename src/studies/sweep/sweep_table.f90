@@ -158,7 +158,8 @@ contains
       integer :: i, k, n
       call append_text(lines, '')
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
-                       quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors')
+                       quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors'// &
+                       trim(merge(' cased/open', '           ', index(factor_text(sweep, 1), '/') > 0)))
       head = right_aligned('Bit depth', depth_width)
       factors = right_aligned(trim(units%length_label), depth_width)
       i = 1
@@ -294,7 +295,7 @@ contains
       logical, intent(in) :: indicated     !< as the rig shows it
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
-      if (indicated) text = 'hook load as the rig shows it, '//trim(units%force_label)
+      if (indicated) text = 'hook load as the rig shows it, block included, '//trim(units%force_label)
       if (quantity == quantity_torque) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_text
 end module dg_sweep_table
