@@ -87,6 +87,7 @@ module dg_case_result
    type :: without_load_type
       integer :: status = result_not_converged   !< that, too, where it was not looked at
       real(wp) :: hookload = 0.0_wp              !< of a converged one [N]
+      real(wp) :: friction_scale = 1.0_wp        !< of all friction, with which the soft string has that hook load [-]
    end type without_load_type
 
    type :: case_result_type

@@ -4,21 +4,49 @@
 !> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
 module dg_case_without_load
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
+   use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
    use dg_error, only: error_type
-   use dg_load_case, only: block_way
+   use dg_load_case, only: block_way, rotates
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_stopping, only: stop_type
+   use dg_unit_kind, only: at_most_in_units, unit_force
+   use dg_weight_on_bit, only: matching_friction, most_weight_on_bit
    implicit none
    private
-   public :: solve_without_load
+   public :: solve_without_load, weight_that_arrives
+
+   !> Digits in a message.
+   integer, parameter :: shown = 4
 
 contains
 
-   !> Sets `result%without_load` of a string that goes down under weight on bit and locks up or must be pushed. Iterations and
-   !> seconds are added.
+   !> Sets `result%without_load` of a string that goes down under weight on bit and locks up or must be pushed, but for one that
+   !> turns. Iterations and seconds are added. A lock-up says how much weight comes to the bit.
    subroutine solve_without_load(model, case_index, stop, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      associate (load_case => model%cases(case_index))
+         if (.not. load_case%wob > 0.0_wp .or. block_way(load_case%operation) >= 0) return
+         select case (result%status)
+         case (result_converged)
+            if (.not. is_pushed(result%hookload, result%profile%axial)) return
+         case (result_locked_up)
+            continue
+         case default
+            return
+         end select
+         if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
+      end associate
+      if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &
+         'Without a push '//trim(at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown))//' reach it')
+   end subroutine solve_without_load
+
+   !> The solution without weight on bit, and the factor of friction that it shows.
+   subroutine solve_bare(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
@@ -26,17 +54,7 @@ contains
       type(model_type) :: bare
       type(case_result_type) :: found
       type(error_type), allocatable :: error
-      associate (load_case => model%cases(case_index))
-         if (.not. load_case%wob > 0.0_wp .or. block_way(load_case%operation) >= 0) return
-      end associate
-      select case (result%status)
-      case (result_converged)
-         if (.not. is_pushed(result%hookload, result%profile%axial)) return
-      case (result_locked_up)
-         continue
-      case default
-         return
-      end select
+      real(wp) :: scale
       bare = model
       bare%cases(case_index)%wob = 0.0_wp
       bare%cases(case_index)%tob = 0.0_wp       ! the bit is off bottom
@@ -45,5 +63,20 @@ contains
       result%iterations = result%iterations + found%iterations
       result%seconds = result%seconds + found%seconds
       result%without_load = without_load_type(found%status, found%hookload)
-   end subroutine solve_without_load
+      if (found%status /= result_converged) return
+      scale = matching_friction(model, case_index, 0.0_wp, found%hookload)
+      if (scale > 0.0_wp) result%without_load%friction_scale = scale
+   end subroutine solve_bare
+
+   !> Largest weight on bit that string weight brings [N], with the friction of coils and the factor that beams have beside the soft
+   !> string; not more than beams bear of a string that locks up.
+   pure function weight_that_arrives(model, result) result(most)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      real(wp) :: most
+      most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
+                                friction_scale=result%without_load%friction_scale)
+      if (result%status == result_locked_up .and. .not. is_missing(result%lock_up_load)) &
+         most = min(most, max(result%lock_up_load, 0.0_wp))
+   end function weight_that_arrives
 end module dg_case_without_load

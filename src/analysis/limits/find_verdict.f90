@@ -6,6 +6,7 @@
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
+   use dg_case_without_load, only: weight_that_arrives
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
@@ -40,15 +41,12 @@ contains
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
       type(verdict_type), intent(out) :: verdict
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
-      real(wp) :: most
       associate (load_case => model%cases(result%case_index))
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
             if (block_way(load_case%operation) <= 0) then
-               most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false.)
-               if (.not. is_missing(result%lock_up_load)) most = min(most, max(result%lock_up_load, 0.0_wp))
-               verdict%most_wob = given(most)
+               verdict%most_wob = given(weight_that_arrives(model, result))
             end if
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
@@ -86,32 +84,21 @@ contains
       type(verdict_type), intent(inout) :: verdict
       real(wp) :: scale, part
       associate (wob => model%cases(result%case_index)%wob, bare => result%without_load, i => result%case_index)
-         scale = 0.0_wp
+         scale = bare%friction_scale
          if (bare%status == result_converged) then
-            scale = matching_friction(model, i, 0.0_wp, bare%hookload)
             verdict%limit_without_load = merge(limit_string_weight, 0, bare%hookload < 0.0_wp)
             verdict%excess_without_load = -bare%hookload
          else if (bare%status == result_locked_up) then
             verdict%limit_without_load = limit_lock_up
          else if (result%status == result_converged .and. result%model == model_mcge) then
             scale = matching_friction(model, i, wob, result%hookload)
+            if (.not. scale > 0.0_wp) scale = 1.0_wp
          end if
-         if (.not. scale > 0.0_wp) scale = 1.0_wp
-         if (wob > 0.0_wp) verdict%most_wob = given(most_of(scale))
+         if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
          call find_reach(model, i, verdict%reach, scale)
          part = matching_friction(model, i, wob, 0.0_wp)/scale
          verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
       end associate
-
-   contains
-
-      !> Largest weight on bit [N]; not more than beams bear of a string that locks up.
-      pure function most_of(factor) result(most)
-         real(wp), intent(in) :: factor    !< of friction [-]
-         real(wp) :: most
-         most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., friction_scale=factor)
-         if (.not. is_missing(result%lock_up_load)) most = min(most, max(result%lock_up_load, 0.0_wp))
-      end function most_of
    end subroutine find_ways_down
 
    !> Judges what can be done once more, with friction that was found at the upper end of its interval.

@@ -19,9 +19,9 @@ module dg_static_result
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
-   use dg_unit_kind, only: at_most_in_units, in_units, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_weight_on_bit, only: most_load_at_bit, most_weight_on_bit
+   use dg_weight_on_bit, only: most_load_at_bit
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -300,11 +300,7 @@ contains
       result%lock_up_load = most
       if (most > 0.0_wp) then
          result%message = result%message//'No push that pipe bears brings more than '// &
-                          trim(in_units(model%units, unit_force, most, shown))// &
-                          ' to the bit. Without a push '// &
-                          trim(at_most_in_units(model%units, unit_force, &
-                                                most_weight_on_bit(model, case_index, coiled=.true., pushed=.false.), shown))// &
-                          ' reach it'
+                          trim(in_units(model%units, unit_force, most, shown))//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
          if (most < 0.0_wp) result%message = result%message//'. With a pull of '// &
