@@ -4,18 +4,18 @@
 !> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
 module dg_case_without_load
    use dg_kinds, only: wp
+   use dg_arriving_weight, only: weight_that_arrives
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
    use dg_error, only: error_type
    use dg_load_case, only: block_way, rotates
-   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_stopping, only: stop_type
    use dg_unit_kind, only: at_most_in_units, unit_force
-   use dg_weight_on_bit, only: matching_friction, most_weight_on_bit
+   use dg_weight_on_bit, only: matching_friction
    implicit none
    private
-   public :: solve_without_load, weight_that_arrives
+   public :: solve_without_load
 
    !> Digits in a message.
    integer, parameter :: shown = 4
@@ -67,16 +67,4 @@ contains
       scale = matching_friction(model, case_index, 0.0_wp, found%hookload)
       if (scale > 0.0_wp) result%without_load%friction_scale = scale
    end subroutine solve_bare
-
-   !> Largest weight on bit that string weight brings [N], with the friction of coils and the factor that beams have beside the soft
-   !> string; not more than beams bear of a string that locks up.
-   pure function weight_that_arrives(model, result) result(most)
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: result
-      real(wp) :: most
-      most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
-                                friction_scale=result%without_load%friction_scale)
-      if (result%status == result_locked_up .and. .not. is_missing(result%lock_up_load)) &
-         most = min(most, max(result%lock_up_load, 0.0_wp))
-   end function weight_that_arrives
 end module dg_case_without_load

@@ -6,7 +6,7 @@
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_without_load, only: weight_that_arrives
+   use dg_arriving_weight, only: weight_that_arrives
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
