@@ -11,7 +11,7 @@ module dg_deck_check
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model, only: hold_free
-   use dg_model_fault, only: fault_words, model_faults_type
+   use dg_model_fault, only: diameter_digits, diameter_words, fault_words, model_faults_type
    use dg_opening_check, only: settle_opening
    use dg_string_check, only: check_in_string
    use dg_unusual_input, only: holes_in_inches, inches_meant
@@ -96,6 +96,8 @@ contains
       type(text_type) :: names(size(draft%cases))
       integer :: first(size(draft%cases))
       integer :: i
+      if (holes_in_inches(draft)) call add_fault(faults, draft%path, draft%holes(1)%line, 'group &hole: diameter = '// &
+         diameter_words(draft%units, draft%holes(1)%section%diameter, diameter_digits)//': '//inches_meant)
       call check_strings(draft, faults)
       call settle_openings(draft, faults)
       do i = 1, size(names)
@@ -278,10 +280,7 @@ contains
             ! one case is enough to show that a component is too wide for a hole section, one component that the mud is too heavy
             if (index(words, passes_not) > 0 .and. said_of(line, words)) cycle
             if (index(words, sinks_not) > 0 .and. said(sinks_not)) cycle
-            if (index(words, passes_not) > 0 .and. holes_in_inches(draft)) then
-               if (said(inches_meant)) cycle
-               words = words(:index(words, ';'))//' '//inches_meant
-            end if
+            if (index(words, passes_not) > 0 .and. said(inches_meant)) cycle
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
