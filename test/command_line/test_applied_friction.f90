@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('handed_on', test_handed_on))
       call suite%addTest(TestMethod('nothing_to_apply', test_nothing))
       call suite%addTest(TestMethod('refused', test_refused))
+      call suite%addTest(TestMethod('at_its_bound', test_bound))
    end function applied_friction_suite
 
    !> Friction 0.2 down to 400 m and 0.3 below, as hook loads of tripping out at 500 and 1000 m tell it; 0.1 in the deck. What uses
@@ -117,6 +118,22 @@ contains
       if (anyExceptions()) return
       call compare(found, repeated)
    end subroutine test_handed_on
+
+   !> A hook load below the weight asks for friction below 0. One factor for both sections is within its bounds.
+   subroutine test_bound()
+      type(run_type) :: run
+      character(:), allocatable :: text
+      text = replaced(deck(applied), to_text(0.5_wp*along + 0.11_wp*across), to_text(0.45_wp*along))
+      run = run_deck_text(text)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'upper: friction axial 0, rotary 0, at its bound: no measured friction') > 0, &
+                      message=run%output)
+      call assertTrue(index(run%output, 'Warning: upper: the measurements ask for friction beyond 0; look for another cause') > 0, &
+                      message=run%output)
+      run = run_deck_text(replaced(text, 'apply', "separate = 'none', apply"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, 'at its bound'), message=run%output)
+   end subroutine test_bound
 
    !> Parts find the same friction each, and join.
    subroutine test_parts()

@@ -144,9 +144,11 @@ contains
       call assertTrue(index(run%diagnostics, "are these inches? Write units = 'field' in &job") > 0, message=run%diagnostics)
       call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
       call pass(text, "models = 'soft'", "units = 'field'")
-      ! With pipe typed in, the deck runs.
-      run = run_deck_text(replaced(field_deck, "&job units = 'field' /", unitless), '--check')
-      call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%output, 'the widest hole has 8.681 mm: are these inches?') > 0, message=run%output)
+      ! Pipe that is typed in passes the hole.
+      call refuse(field_deck, "&job units = 'field' /", unitless, 'group &hole: diameter = 8.681 mm: are these inches?')
+      ! A model of it in a laboratory.
+      text = replaced(replaced(field_deck, "&job units = 'field' /", unitless), 'md = 0, 9000', 'md = 0, 90')
+      text = replaced(replaced(text, 'md_bottom = 5000', 'md_bottom = 50'), 'length = 90', 'length = 9')
+      call pass(text, 'bit_depth = 9000', 'bit_depth = 90')
    end subroutine test_once
 end module dg_test_hints

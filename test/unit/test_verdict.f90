@@ -458,6 +458,7 @@ contains
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
       type(design_factors_type) :: factors
+      character(:), allocatable :: text
       real(wp) :: most
       call build(model, operation_sliding_drilling, 0.0_wp)
       most = weight_of(model)*(cos(angle) - friction*sin(angle))
@@ -474,6 +475,17 @@ contains
       model%cases(1)%operation = operation_trip_out
       call find_verdict(model, result, whole, factors, optional_real(), verdict)
       call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)
+      ! What is left, and a factor next to 1.
+      verdict = verdict_type()
+      verdict%answer = answer_yes
+      verdict%limit = limit_lock_up
+      verdict%load = given(170.0e3_wp)
+      verdict%allowed = given(558.0e3_wp)
+      verdict%used = given(170.0_wp/558.0_wp)
+      verdict%friction_reserve = given(1.00491_wp)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertEqual('Nearest limit: lock-up, WOB 170 of 558 kN possible, 30.5 % used, 388 kN left. The answer becomes NO '// &
+                       'already at about 1.004 times the friction given', text)
    end subroutine test_locked_up
 
    !> A case that has not converged has no answer.

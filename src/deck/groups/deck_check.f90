@@ -13,6 +13,7 @@ module dg_deck_check
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model, only: hold_free
    use dg_opening_check, only: set_opened_depth
+   use dg_shown_size, only: diameter_digits, diameter_words
    use dg_string_check, only: check_in_string
    use dg_unusual_input, only: holes_in_inches, inches_meant
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
@@ -96,6 +97,8 @@ contains
       type(text_type) :: names(size(draft%cases))
       integer :: first(size(draft%cases))
       integer :: i
+      if (holes_in_inches(draft)) call add_fault(faults, draft%path, draft%holes(1)%line, 'group &hole: diameter = '// &
+         diameter_words(draft%units, draft%holes(1)%section%diameter, diameter_digits)//': '//inches_meant)
       call check_strings(draft, faults)
       call set_openings(draft, faults)
       do i = 1, size(names)
@@ -280,10 +283,7 @@ contains
                if (is_listed(faults, line, words(:index(words, case_mark) + len(case_mark) - 1))) cycle
             end if
             if (index(words, sinks_not) > 0 .and. said(sinks_not)) cycle
-            if (index(words, passes_not) > 0 .and. holes_in_inches(draft)) then
-               if (said(inches_meant)) cycle
-               words = words(:index(words, ';'))//' '//inches_meant
-            end if
+            if (index(words, passes_not) > 0 .and. said(inches_meant)) cycle
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do

@@ -40,6 +40,8 @@ module dg_unusual_input
    real(wp), parameter :: longest_bar = 5.0_wp
    !> Widest hole that is drilled, 36, as a number of inches that is read as one of millimetres [m].
    real(wp), parameter :: widest_of_inches = 36.5e-3_wp
+   !> Deeper than any hole of a laboratory [m].
+   real(wp), parameter :: deepest_model = 100.0_wp
    !> Advice on a deck with such holes.
    character(*), parameter :: inches_meant = "are these inches? Write units = 'field' in &job"
    !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
@@ -68,8 +70,6 @@ contains
       before = size(notes)
       call note_doglegs(draft, notes)
       if (size(notes) == before) call note_steps(draft, notes)
-      if (holes_in_inches(draft)) call append_text(notes, 'group &hole: the widest hole has '//trim(in_units(draft%units, &
-         unit_diameter, maxval(draft%holes%section%diameter), digits))//': '//inches_meant)
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
@@ -133,13 +133,15 @@ contains
       end function value_text
    end subroutine note_unusual
 
-   !> Whether diameters of holes in millimetres are none of a well.
+   !> Whether the deck's diameters of holes in millimetres are none of a well: a model in a laboratory is not as deep.
    pure function holes_in_inches(draft) result(inches)
       type(draft_type), intent(in) :: draft
       logical :: inches
       inches = .false.
       if (size(draft%holes) == 0 .or. trim(unit_label(draft%units, unit_diameter)) /= 'mm') return
-      inches = all(draft%holes%section%diameter < widest_of_inches)
+      if (.not. (draft%has_stations .and. all(draft%holes%sound))) return
+      inches = all(draft%holes%section%diameter < widest_of_inches) .and. &
+               draft%stations%md(size(draft%stations%md)) > deepest_model
    end function holes_in_inches
 
    !> Inclinations that look like radians.
