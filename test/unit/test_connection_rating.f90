@@ -16,7 +16,8 @@ module dg_test_connection_rating
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_trip_out, optional_real
+   use dg_load_case, only: operation_trip_out
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, tensile_strength
    use dg_profile, only: new_profile, side_none

@@ -18,8 +18,8 @@ module dg_test_fatigue
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out, optional_real
-   use dg_missing, only: is_missing
+   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
