@@ -119,21 +119,47 @@ contains
       well%md = [well%md(:2), md, well%md(3:)]
    end subroutine add_stations
 
-   !> Load on the bit of a horizontal string in a helix beyond which no push at the top moves it [N]: dF/ds = mu c F**2/(4 EI), so
-   !> 1/F(top) = 1/WOB - mu c L/(4 EI). The weight presses one side of the helix as much more as the other less.
+   !> Load on the bit of a horizontal string in a helix beyond which no push P that pipe bears moves it [N]: dF/ds = mu c F**2/(4 EI),
+   !> so 1/F(top) = 1/WOB - mu c L/(4 EI). The weight presses one side of the helix as much more as the other less. P strains the
+   !> outside of the pipe by 0.5 %: P (1/EA + r c/(2 EI)), by compression and by the bending of the helix.
    pure function coil_lock_up(well, friction) result(load)
       type(independent_well_type), intent(in) :: well
       real(wp), intent(in) :: friction     !< [-]
-      real(wp) :: load, stiffness
-      stiffness = well%youngs*pi/64.0_wp*(well%od(1)**4 - well%id(1)**4)
-      load = 4.0_wp*stiffness/(friction*0.5_wp*(well%diameter - well%od(1))*well%bit)
+      real(wp) :: load, push
+      push = 0.005_wp/(4.0_wp/(well%youngs*pi*(well%od(1)**2 - well%id(1)**2)) + &
+                       0.5_wp*well%od(1)*clearance_of(well)/(2.0_wp*stiffness_of(well)))
+      load = 1.0_wp/(taken_by_coils(well, friction) + 1.0_wp/push)
    end function coil_lock_up
 
    !> Relative change of the push at the top by one of the load on the bit [-], by the same formula.
-   pure function coil_condition(share) result(condition)
-      real(wp), intent(in) :: share        !< load on the bit over that of coil_lock_up [-]
-      real(wp) :: condition
+   pure function coil_condition(well, friction) result(condition)
+      type(independent_well_type), intent(in) :: well
+      real(wp), intent(in) :: friction     !< [-]
+      real(wp) :: condition, share
       condition = 1.0_wp
+      share = well%wob*taken_by_coils(well, friction)
       if (share < 1.0_wp) condition = 1.0_wp/(1.0_wp - share)
    end function coil_condition
+
+   !> mu c L/(4 EI) [1/N].
+   pure function taken_by_coils(well, friction) result(taken)
+      type(independent_well_type), intent(in) :: well
+      real(wp), intent(in) :: friction     !< [-]
+      real(wp) :: taken
+      taken = friction*clearance_of(well)*well%bit/(4.0_wp*stiffness_of(well))
+   end function taken_by_coils
+
+   !> Of the first component on a side [m].
+   pure function clearance_of(well) result(clearance)
+      type(independent_well_type), intent(in) :: well
+      real(wp) :: clearance
+      clearance = 0.5_wp*(well%diameter - well%od(1))
+   end function clearance_of
+
+   !> Bending stiffness of the first component [N.m2].
+   pure function stiffness_of(well) result(stiffness)
+      type(independent_well_type), intent(in) :: well
+      real(wp) :: stiffness
+      stiffness = well%youngs*pi/64.0_wp*(well%od(1)**4 - well%id(1)**4)
+   end function stiffness_of
 end module dg_extreme_wells

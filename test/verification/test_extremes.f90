@@ -194,7 +194,7 @@ contains
          well%wob = share(i)*coil_lock_up(well, mu)
          extreme = case_of(well, operation_sliding_drilling, mu, 'push '//to_text(share(i), 3)//' of lock-up')
          extreme%lock_up = share(i) > 1.0_wp
-         extreme%condition = coil_condition(share(i))
+         extreme%condition = coil_condition(well, mu)
          call take_short(extreme, row)
       end do
       call finish_row(row)
