@@ -119,9 +119,9 @@ contains
       well%md = [well%md(:2), md, well%md(3:)]
    end subroutine add_stations
 
-   !> Load on the bit of a horizontal string in a helix beyond which no push P that pipe bears moves it [N]: dF/ds = mu c F**2/(4 EI),
-   !> so 1/F(top) = 1/WOB - mu c L/(4 EI). The weight presses one side of the helix as much more as the other less. P strains the
-   !> outside of the pipe by 0.5 %: P (1/EA + r c/(2 EI)), by compression and by the bending of the helix.
+   !> Load on the bit of a horizontal string in a helix beyond which no push P that pipe bears moves it [N]:
+   !> dF/ds = mu c F**2/(4 EI), so 1/F(top) = 1/WOB - mu c L/(4 EI). The weight presses one side of the helix as much more as the
+   !> other less. P strains the outside of the pipe by 0.5 %: P (1/EA + r c/(2 EI)), by compression and by the bending of the helix.
    pure function coil_lock_up(well, friction) result(load)
       type(independent_well_type), intent(in) :: well
       real(wp), intent(in) :: friction     !< [-]

@@ -14,7 +14,7 @@ module dg_find_verdict
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_job, only: model_mcge
-   use dg_load_case, only: block_way, moves_axially, operation_rotary_drilling, rotates
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -60,20 +60,28 @@ contains
             call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
             if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
-            else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) then
+            else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue]) .and. .not. lacks_weight(load_case, verdict)) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)
-         if (verdict%answer == answer_no .and. (verdict%limit == limit_lock_up .or. verdict%limit == limit_string_weight) &
-             .and. moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)) then
+         if (lacks_weight(load_case, verdict)) then
             call find_turning_loads(model, result%case_index, verdict)
             if (verdict%friction /= friction_upper_end_alone) call find_ways_down(model, result, verdict)
          end if
       end associate
    end subroutine find_verdict
+
+   !> Whether weight is what a string lacks that moves along the hole without turning.
+   pure function lacks_weight(load_case, verdict) result(lacks)
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      logical :: lacks
+      lacks = verdict%answer == answer_no .and. any(verdict%limit == [limit_lock_up, limit_string_weight]) .and. &
+              moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)
+   end function lacks_weight
 
    !> What string weight can do in a case that needs more of it: largest weight on bit, deepest bit depth, largest friction. They
    !> are those of the soft string with the friction of coils, times a factor with which it has the hook load of the beams: of the
