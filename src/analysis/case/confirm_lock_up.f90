@@ -13,7 +13,7 @@ module dg_confirm_lock_up
    use dg_stopping, only: stop_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force
-   use dg_weight_on_bit, only: bearable_force
+   use dg_weight_on_bit, only: most_load_at_bit
    implicit none
    private
    public :: confirm_lock_up
@@ -22,6 +22,9 @@ module dg_confirm_lock_up
    real(wp), parameter :: less(4) = [0.05_wp, 0.1_wp, 0.2_wp, 0.5_wp]
    !> Iterations at most for the first, and for each other: where beams confirm the first, they took up to 390.
    integer, parameter :: most_iterations(4) = [400, 150, 150, 150]
+   !> Part of the load that pipe bears without any friction from which it is not friction that locks the string up [-]: strings
+   !> that turn.
+   real(wp), parameter :: by_strength = 0.9_wp
    !> Digits in a message.
    integer, parameter :: shown = 4
 
@@ -38,7 +41,8 @@ contains
       integer :: i, iterations
       logical :: borne
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
-      if (abs(result%lock_up_load) > bearable_force(model, case_index)) return
+      if (result%lock_up_load > by_strength*most_load_at_bit(model, case_index, coiled=.true., pushed=.true., &
+                                                             friction_scale=0.0_wp)) return
       do i = 1, size(less)
          load = result%lock_up_load - less(i)*abs(result%lock_up_load)
          call try_load(model, case_index, load, most_iterations(i), stop, result, iterations, borne)

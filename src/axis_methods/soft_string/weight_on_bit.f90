@@ -10,7 +10,7 @@ module dg_weight_on_bit
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: bearable_force, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
+   public :: most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
