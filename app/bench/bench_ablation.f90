@@ -15,7 +15,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 39
+   integer, parameter :: numbers = 40
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -168,6 +168,7 @@ contains
       case (36); call change('more_moves', tuning%more_moves, 0, changed)
       case (37); call change('astray', tuning%astray, 0.0_wp, changed)
       case (38); call change('start_mirrored', tuning%start_mirrored, changed)
+      case (39); call change('coiled_longest', tuning%coiled_longest, 170, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number
