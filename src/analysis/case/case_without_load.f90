@@ -6,10 +6,9 @@ module dg_case_without_load
    use dg_kinds, only: wp
    use dg_arriving_weight, only: weight_that_arrives
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
-   use dg_error, only: error_type
    use dg_load_case, only: block_way, rotates
    use dg_model, only: model_type
-   use dg_static_analysis, only: solve_static_analysis
+   use dg_solve_again, only: solve_again
    use dg_stopping, only: stop_type
    use dg_unit_kind, only: at_most_in_units, unit_force
    use dg_weight_on_bit, only: matching_friction
@@ -53,15 +52,11 @@ contains
       type(case_result_type), intent(inout) :: result
       type(model_type) :: bare
       type(case_result_type) :: found
-      type(error_type), allocatable :: error
       real(wp) :: scale
       bare = model
       bare%cases(case_index)%wob = 0.0_wp
       bare%cases(case_index)%tob = 0.0_wp       ! the bit is off bottom
-      call solve_static_analysis(bare, case_index, found, error, totals_only=.true., stop=stop)
-      if (allocated(error)) return
-      result%iterations = result%iterations + found%iterations
-      result%seconds = result%seconds + found%seconds
+      call solve_again(bare, case_index, stop, result, found)
       result%without_load = without_load_type(found%status, found%hookload)
       if (found%status /= result_converged) return
       scale = matching_friction(model, case_index, 0.0_wp, found%hookload)

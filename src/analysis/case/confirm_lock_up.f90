@@ -6,10 +6,9 @@
 module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up
-   use dg_error, only: error_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_static_analysis, only: solve_static_analysis
+   use dg_solve_again, only: solve_again
    use dg_stopping, only: stop_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_force
@@ -68,15 +67,12 @@ contains
       logical, intent(out) :: borne               !< an equilibrium was found
       type(model_type) :: eased
       type(case_result_type) :: found
-      type(error_type), allocatable :: error
       eased = model
       eased%cases(case_index)%wob = load
       eased%numerics%max_iterations = min(eased%numerics%max_iterations, most)
-      call solve_static_analysis(eased, case_index, found, error, totals_only=.true., stop=stop)
+      call solve_again(eased, case_index, stop, result, found)
       iterations = found%iterations
-      result%iterations = result%iterations + found%iterations
-      result%seconds = result%seconds + found%seconds
-      borne = found%status == result_converged .and. .not. allocated(error)
+      borne = found%status == result_converged
    end subroutine try_load
 
    !> 'a weight on bit of 35 kN', 'a pull at the bit of 12 kN'.
