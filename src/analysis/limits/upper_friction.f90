@@ -5,7 +5,7 @@
 !> interval of the sum g.f of frictions f is sqrt(g H R H g), H = diag(h), and f moves by H R H g over that.
 module dg_upper_friction
    use dg_kinds, only: wp
-   use dg_contact_friction, only: shift_axial_friction
+   use dg_contact_friction, only: shift_friction
    use dg_friction_estimate, only: friction_estimate_type, upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: moves_axially
@@ -38,8 +38,7 @@ contains
                call find_taken(model, case_index, estimate, taken)
                call move_together(estimate, taken, shifts)
             end if
-            if (estimate%axial) call shift_axial_friction(holes, shifts)
-            if (estimate%rotary) holes%friction_rotary = max(holes%friction_rotary + shifts, 0.0_wp)
+            call shift_friction(holes, shifts, estimate%axial, estimate%rotary)
          end associate
       end do
    end subroutine raise_friction
@@ -52,18 +51,14 @@ contains
       type(friction_estimate_type), intent(in) :: estimate
       real(wp), intent(out) :: taken(:)
       type(model_type) :: changed
-      real(wp) :: load, other, shifts(size(taken))
+      real(wp) :: load
       integer :: i
       load = load_of(model)
       changed = model
       do i = 1, size(taken)
-         shifts = 0.0_wp
-         shifts(i) = change
-         changed%holes = model%holes
-         if (estimate%axial) call shift_axial_friction(changed%holes, shifts)
-         if (estimate%rotary) changed%holes%friction_rotary = changed%holes%friction_rotary + shifts
-         other = load_of(changed)
-         taken(i) = abs(other - load)/change
+         call shift_friction(changed%holes(i), change, estimate%axial, estimate%rotary)
+         taken(i) = abs(load_of(changed) - load)/change
+         changed%holes(i) = model%holes(i)
       end do
 
    contains

@@ -7,7 +7,7 @@ module dg_contact_friction
    use dg_missing, only: is_missing
    implicit none
    private
-   public :: find_friction, running_drag, axial_friction, set_axial_friction, shift_axial_friction
+   public :: find_friction, running_drag, axial_friction, set_axial_friction, shift_friction
 
 contains
 
@@ -38,13 +38,16 @@ contains
       if (others) hole%friction_axial = friction
    end subroutine set_axial_friction
 
-   !> Adds to the axial coefficients of a hole section; those that would be negative are 0.
-   elemental subroutine shift_axial_friction(hole, change)
+   !> Adds to the axial or rotary coefficients of a hole section, or to both; those that would be negative are 0.
+   elemental subroutine shift_friction(hole, change, axial, rotary)
       type(hole_section_type), intent(inout) :: hole
       real(wp), intent(in) :: change                      !< [-]
+      logical, intent(in) :: axial, rotary                !< which
+      if (rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
+      if (.not. axial) return
       hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
       if (.not. is_missing(hole%friction_running_in)) hole%friction_running_in = max(hole%friction_running_in + change, 0.0_wp)
-   end subroutine shift_axial_friction
+   end subroutine shift_friction
 
    !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
    !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say. A

@@ -1,7 +1,7 @@
 !> What is known of the friction of hole sections beyond the deck: found by one study of a run, for others to go on from.
 module dg_friction_estimate
    use dg_kinds, only: wp
-   use dg_contact_friction, only: shift_axial_friction
+   use dg_contact_friction, only: shift_friction
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type, moves_axially, rotates
    use dg_missing, only: is_missing
@@ -45,8 +45,7 @@ contains
          upper%known = upper%known .and. .not. any(is_missing(estimates(i)%half_widths))
          if (.not. upper%known) cycle
          upper%estimates = [upper%estimates, estimates(i)]
-         if (estimates(i)%axial) call shift_axial_friction(upper%holes, estimates(i)%half_widths)
-         if (estimates(i)%rotary) upper%holes%friction_rotary = upper%holes%friction_rotary + estimates(i)%half_widths
+         call shift_friction(upper%holes, estimates(i)%half_widths, estimates(i)%axial, estimates(i)%rotary)
       end do
    end subroutine find_upper_friction
 

@@ -2,7 +2,7 @@
 module dg_sampled_model
    use dg_kinds, only: wp
    use dg_constants, only: pi
-   use dg_contact_friction, only: set_axial_friction, shift_axial_friction
+   use dg_contact_friction, only: set_axial_friction, shift_friction
    use dg_counter_random, only: normal_number
    use dg_error, only: error_type
    use dg_fluid, only: heaviest_fluid
@@ -55,8 +55,7 @@ contains
                if (abs(uncertainty%friction_factor(i, j)) > 0.0_wp) change = change + uncertainty%friction_factor(i, j)* &
                   draw_of(uncertainty, sample, quantity_friction, j)
             end do
-            if (uncertainty%axial) call shift_axial_friction(hole, change)
-            if (uncertainty%rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
+            call shift_friction(hole, change, uncertainty%axial, uncertainty%rotary)
          end associate
       end do
       if (uncertainty%density_deviation > 0.0_wp .and. allocated(drawn%mud%fluids)) drawn%mud%fluids%density = &
