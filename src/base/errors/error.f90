@@ -201,16 +201,19 @@ contains
       if (allocated(error%rest)) message = message//mention//error%rest
    end subroutine whole_message
 
-   !> Whether a list holds an error of a line with `piece` in its message.
-   pure function is_listed(list, line, piece) result(yes)
+   !> True where a message of a list has `piece` in it.
+   pure function is_listed(list, piece, line) result(yes)
       type(error_list_type), intent(in) :: list
-      integer, intent(in) :: line
       character(*), intent(in) :: piece
+      integer, intent(in), optional :: line    !< of the error; absent: any
       logical :: yes
       integer :: i
       yes = .false.
       do i = 1, list%count
-         if (list%items(i)%line == line .and. index(list%items(i)%message, piece) > 0) yes = .true.
+         if (present(line)) then
+            if (list%items(i)%line /= line) cycle
+         end if
+         if (index(list%items(i)%message, piece) > 0) yes = .true.
       end do
    end function is_listed
 

@@ -280,27 +280,14 @@ contains
             call whole_message(fault, 'line '//to_text(line_of_part(draft, other_of(fault), other_place_of(fault), '')), words)
             ! one case is enough to show that a component is too wide for a hole section, one component that the mud is too heavy
             if (index(words, passes_not) > 0) then
-               if (is_listed(faults, line, words(:index(words, case_mark) + len(case_mark) - 1))) cycle
+               if (is_listed(faults, words(:index(words, case_mark) + len(case_mark) - 1), line)) cycle
             end if
-            if (index(words, sinks_not) > 0 .and. said(sinks_not)) cycle
-            if (index(words, passes_not) > 0 .and. said(inches_meant)) cycle
+            if (index(words, sinks_not) > 0 .and. is_listed(faults, sinks_not)) cycle
+            if (index(words, passes_not) > 0 .and. is_listed(faults, inches_meant)) cycle
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do
       call clear_errors(found)
-
-   contains
-
-      !> Whether words stand in a message already.
-      function said(piece)
-         character(*), intent(in) :: piece
-         logical :: said
-         integer :: k
-         said = .false.
-         do k = 1, faults%count
-            if (index(faults%items(k)%message, piece) > 0) said = .true.
-         end do
-      end function said
    end subroutine report_faults
 
    !> Line of a quantity of a part; key '': of its group.
