@@ -27,7 +27,7 @@ module dg_along_string
    use dg_trajectory, only: arc_at, point_on_arc, top_md
    implicit none
    private
-   public :: along_string_type, find_along_string, new_along_string
+   public :: along_string_type, find_along_string, new_along_string, body_bending
 
    !> One value a row of the profile. `missing` where there is none: safety factors without a yield strength, buckling
    !> limits of a weightless string in a straight hole, what belongs to tool joints
@@ -144,6 +144,15 @@ contains
          end associate
       end function warmth
    end subroutine find_along_string
+
+   !> Bending stress of the body at a row [Pa]: next to tool joints where these touch alone.
+   pure function body_bending(along, row) result(stress)
+      type(along_string_type), intent(in) :: along
+      integer, intent(in) :: row
+      real(wp) :: stress
+      stress = along%bending_stress(row)
+      if (.not. is_missing(along%jointed_bending(row))) stress = along%jointed_bending(row)
+   end function body_bending
 
    !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at other rows with joints.
    pure subroutine put_joint_forces(result, along)

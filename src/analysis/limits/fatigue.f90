@@ -13,7 +13,7 @@
 !> Damage is turns over turns until failure, as if the same piece of pipe stood at the worst place all the time.
 module dg_fatigue
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type
+   use dg_along_string, only: along_string_type, body_bending
    use dg_case_result, only: case_result_type
    use dg_component, only: bending_stiffness, component_type, has_joints, tube_area, tube_inertia, worn_od
    use dg_constants, only: pi
@@ -22,7 +22,7 @@ module dg_fatigue
    use dg_joint_bending, only: joint_magnification
    use dg_load_case, only: load_case_type, rotates
    use dg_merge_sort, only: sorted_places
-   use dg_missing, only: is_missing, missing
+   use dg_missing, only: missing
    use dg_model, only: model_type, string_index
    use dg_profile, only: piece_depths
    use dg_trajectory, only: top_md
@@ -126,14 +126,7 @@ contains
       type(along_string_type), intent(in) :: along
       integer, intent(in) :: i
       type(fatigue_type) :: row
-      row%present = .true.
-      row%part = number
-      row%tension = axial/tube_area(worn_od(part), part%id)
-      row%amplitude = along%bending_stress(i)
-      if (.not. is_missing(along%jointed_bending(i))) row%amplitude = along%jointed_bending(i)
-      row%permitted = permitted_amplitude(part%fatigue, row%tension)
-      row%used = row%amplitude/row%permitted
-      row%curvature = along%curvature(i)
+      row = new_row(number, axial/tube_area(worn_od(part), part%id), body_bending(along, i), part%fatigue, along%curvature(i))
       row%dogleg = permitted_dogleg(part, axial)
    end function body_row
 
@@ -145,27 +138,38 @@ contains
       type(along_string_type), intent(in) :: along
       integer, intent(in) :: i
       type(fatigue_type) :: row
-      real(wp) :: od, factor, stiffer
-      row%present = .true.
-      row%part = number
-      row%joint = .true.
+      real(wp) :: od, amplitude, factor, stiffer
       od = worn_od(part)
-      row%amplitude = along%bending_stress(i)
+      amplitude = along%bending_stress(i)
       factor = 1.0_wp
       stiffer = 1.0_wp
       if (has_joints(part)) then
          od = part%joint_od
-         row%amplitude = along%joint_bending(i)
+         amplitude = along%joint_bending(i)
          if (axial > 0.0_wp) &
             factor = joint_magnification(axial, bending_stiffness(part), 0.5_wp*part%joint_spacing, 0.0_wp, 0.0_wp)
          stiffer = tube_inertia(od, part%id)/tube_inertia(part%od, part%id)
       end if
-      row%tension = axial/tube_area(od, part%id)
-      row%permitted = permitted_amplitude(part%joint_fatigue, row%tension)
-      row%used = row%amplitude/row%permitted
-      row%curvature = along%curvature(i)
+      row = new_row(number, axial/tube_area(od, part%id), amplitude, part%joint_fatigue, along%curvature(i))
+      row%joint = .true.
       row%dogleg = row%permitted*stiffer/(0.5_wp*part%youngs*od*factor)
    end function joint_row
+
+   !> Stresses of body or connections at a row, against what their curve bears.
+   pure function new_row(number, tension, amplitude, curve, curvature) result(row)
+      integer, intent(in) :: number                      !< of the component
+      real(wp), intent(in) :: tension, amplitude         !< [Pa]
+      type(fatigue_curve_type), intent(in) :: curve
+      real(wp), intent(in) :: curvature                  !< of the hole [1/m]
+      type(fatigue_type) :: row
+      row%present = .true.
+      row%part = number
+      row%tension = tension
+      row%amplitude = amplitude
+      row%permitted = permitted_amplitude(curve, tension)
+      row%used = amplitude/row%permitted
+      row%curvature = curvature
+   end function new_row
 
    !> Largest dogleg in which the body of a component may turn without end at a tension [1/m]; in compression, where the body of
    !> jointed pipe bends between its joints, missing.

@@ -9,7 +9,7 @@
 !> engineering, eq. 7.14. Pressures stand against burst and collapse of the body, and the curvature of the pipe against its dogleg.
 module dg_utilisation
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type
+   use dg_along_string, only: along_string_type, body_bending
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type, is_bit, is_pipe, tube_area, worn_od
    use dg_connection_rating, only: is_rated
@@ -112,7 +112,7 @@ contains
       end do
    end subroutine find_utilisation
 
-   !> What one component uses at one row.
+   !> Adds what one component uses of strengths and ratings at a row of the profile.
    pure subroutine use_row(part, factors, profile, along, row, utilisation)
       type(component_type), intent(in) :: part      !< with its strength at the temperature there
       type(design_factors_type), intent(in) :: factors
@@ -152,7 +152,7 @@ contains
          collapse_strength(part, stress)), outside - inside, md)
    end subroutine use_component
 
-   !> What one component uses of the ratings of its connections at one row.
+   !> Adds what one component uses of the ratings of its connections at a row of the profile.
    pure subroutine use_rating(part, factors, along, row, md, utilisation)
       type(component_type), intent(in) :: part
       type(design_factors_type), intent(in) :: factors
@@ -165,8 +165,7 @@ contains
       if (.not. is_missing(part%rating%dogleg)) &
          call use_limit(utilisation, limit_joint_dogleg, curvature/part%rating%dogleg, curvature, md)
       if (.not. part%yield > 0.0_wp) return
-      bending = along%bending_stress(row)
-      if (.not. is_missing(along%jointed_bending(row))) bending = along%jointed_bending(row)
+      bending = body_bending(along, row)
       associate (rating => part%rating, outside => along%pressure(row), inside => along%inside_pressure(row))
          stress = along%axial_stress(row) + min(outside, inside)
          call use_share(limit_joint_tension, rating%tension, factors%tension, bending + stress, part%yield, &
