@@ -21,7 +21,7 @@ module dg_missing
       real(wp) :: value = 0.0_wp
    end type optional_real
 
-   !> Whether a number is not there.
+   !> True for `missing` and `missing_count`.
    interface is_missing
       module procedure is_missing_number, is_missing_count
    end interface is_missing

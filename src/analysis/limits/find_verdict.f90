@@ -74,7 +74,7 @@ contains
       end associate
    end subroutine find_verdict
 
-   !> Whether weight is what a string lacks that moves along the hole without turning.
+   !> True for a NO by string weight or lock-up of a string that moves along the hole without turning.
    pure function lacks_weight(load_case, verdict) result(lacks)
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
@@ -83,9 +83,9 @@ contains
               moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)
    end function lacks_weight
 
-   !> What string weight can do in a case that needs more of it: largest weight on bit, deepest bit depth, largest friction. They
-   !> are those of the soft string with the friction of coils, times a factor with which it has the hook load of the beams: of the
-   !> case without weight on bit where that was solved, else of the case itself.
+   !> Finds weight on bit, bit depth and friction with which string weight is just enough, by the soft string with the friction of
+   !> coils. Its friction has a factor that gives the hook load of the beams: of the case without weight on bit where that was
+   !> solved, else of the case itself.
    pure subroutine find_ways_down(model, result, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result

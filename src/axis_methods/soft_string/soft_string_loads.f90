@@ -16,7 +16,7 @@
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
-   use dg_helical_load, only: helical_bend, helical_contact
+   use dg_helical_load, only: helical_bend, helical_contact, helical_load
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
@@ -37,8 +37,8 @@ module dg_soft_string_loads
    !> Axial force beyond which the integration stops [N]: no string carries a millionth of it, and friction in
    !> a long sharp bend grows exponentially until numbers end.
    real(wp), parameter :: runaway_force = 1.0e15_wp
-   !> The same for a coiled string, whose friction reaches infinity at a finite length: strain of the body by compression and by
-   !> the bending of coils [-]. Pipe of 135 ksi yields at 0.45 %, so that no push may pass it.
+   !> Strain of a coiled string at which the integration stops [-], by compression and by the bending of coils: its friction reaches
+   !> infinity at a finite length. Pipe of 135 ksi yields at 0.45 %.
    real(wp), parameter :: bearable_strain = 0.005_wp
 
    !> Sums over the string between the first of the depths asked for and the bit.
@@ -159,8 +159,7 @@ contains
       real(wp), intent(in) :: compression    !< > 0 [N]
       real(wp) :: strain
       strain = compression/piece%stretching
-      if (compression > max(helical_low*sinusoidal_limit(piece%stiffness, load_across(piece, place, -compression), &
-                                                         piece%clearance), piece%least_helical)) &
+      if (compression > helical_load(piece%stiffness, load_across(piece, place, -compression), piece%weight, piece%clearance)) &
          strain = strain + piece%reach*helical_bend(piece%stiffness, compression, piece%clearance)
    end function strain_of
 

@@ -59,7 +59,8 @@ contains
       end do
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call append_wrapped(lines, '', other, page_width)
-      if (interval_line(wholes) /= '') call append_wrapped(lines, '', interval_line(wholes), page_width)
+      other = interval_line(wholes)
+      if (other /= '') call append_wrapped(lines, '', other, page_width)
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call append_wrapped(lines, '', other, page_width)

@@ -35,10 +35,11 @@ module dg_tuning
       type(attempt_type) :: attempt(4) = [attempt_type(170, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
                                           attempt_type(150, 100.0_wp, other_place=.true.), &
                                           attempt_type(100, 100.0_wp, reach=long)]
-      !> Iterations of the first attempt at a string that coils. Near lock-up many need 200 to 320, and no other attempt finds one.
-      integer :: coiled_longest = 400
       !> How many of them are made, at most 4.
       integer :: most_attempts = 4
+      !> Iterations of the first attempt at a string that coils. Near lock-up many need 200 to 320. The other attempts did not find
+      !> their equilibria.
+      integer :: coiled_longest = 400
       !> The meshes in their order. The first is the one asked for. A string that is pushed near lock-up lies far from the soft
       !> string that its mesh was made for: shorter elements find its equilibrium.
       type(mesh_try_type) :: mesh(4) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 2), &

@@ -210,7 +210,7 @@ module dg_deck_keys
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
       key_rule_type('component', 'yield_loss', unit=unit_loss, low=0.0_wp, high=1.0_wp, default='0.054', &
-         meaning='of yield strength by each degree above ambient temperature; 0.054 (0.03 per degF): steel (API TR 5C3)'), &
+         meaning='of yield strength by each degree above ambient temperature; 0.054 (0.03/degF): steel, proposed for API TR 5C3'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
       key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
