@@ -28,7 +28,7 @@ module dg_whole_string
 
    type :: whole_string_type
       real(wp) :: stretch = 0.0_wp                  !< of the effective axial force, longer > 0 [m]
-      real(wp) :: pressure_stretch = 0.0_wp         !< of the mud's pressure on all sides, <= 0 [m]
+      real(wp) :: pressure_stretch = 0.0_wp         !< by the pressures inside and outside, longer > 0 [m]
       real(wp) :: windup = 0.0_wp                   !< turn of the top against the bit [rad]
       real(wp), allocatable :: neutral_points(:)    !< depths where the effective axial force changes sign [m]
       type(optional_real) :: least_safety           !< least safety factor [-]
