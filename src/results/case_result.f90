@@ -95,7 +95,7 @@ module dg_case_result
       integer :: model = 0                     !< number of the model (dg_job)
       integer :: status = result_not_converged
       character(:), allocatable :: message     !< reason and remedy where not converged, warnings else; may be ''
-      integer :: attempts = 0                  !< in space, on the last mesh; beams only
+      integer :: attempts = 0                  !< on the last mesh; beams only
       real(wp) :: inclination = 0.0_wp         !< of the hole at the bit [rad]
       real(wp) :: hookload = 0.0_wp            !< axial force held at the top [N]
       real(wp) :: weight_indicator = missing   !< what the rig's indicator shows of it; missing where no rig is given [N]

@@ -61,7 +61,8 @@ contains
       call assertTrue(index(run%output, newline//'slide  NO       Sliding drilling at 15000 ft. String weight alone brings ') > 0, &
                       message=run%output)
       call assertTrue(index(run%output, newline//'up     yes ') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Can it be done?'//newline//'1 of 2: yes. NO: slide. Nearest to a limit: up, ') > 0, &
+      call assertTrue(index(run%output, 'Can it be done?'//newline// &
+                            '1 of 2: yes. NO: slide. Of the others nearest to a limit: up, ') > 0, &
                       message=run%output)
       call assertTrue(index(run%output, 'WOB where buckling begins   0.0 klbf (slide, buckles without WOB)') > 0, &
                       message=run%output)
@@ -123,7 +124,7 @@ contains
    !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
    !> as it says.
    subroutine test_overpull()
-      character(*), parameter :: excess = 'Not possible without overpull either: hook load of the rig '
+      character(*), parameter :: excess = 'Not possible without overpull either: hook load and block of the rig '
       type(run_type) :: run
       character(:), allocatable :: told
       run = run_deck_text(deck_of('-200', '300'))

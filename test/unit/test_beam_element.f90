@@ -8,7 +8,7 @@ module dg_test_beam_element
    private
    public :: beam_element_suite
 
-   real(wp), parameter :: length = 9.5_wp, ea = 7.3e8_wp, ei = 1.26e6_wp, gj = 0.97e6_wp
+   real(wp), parameter :: length = 9.5_wp, ea = 7.3e8_wp, ei = 1.26e6_wp
    !> A configuration well off straight, as (x_i, d_i, x_j, d_j).
    real(wp), parameter :: y0(12) = [1.0_wp, 2.0_wp, 3.0_wp, 0.0_wp, 0.28_wp, 0.96_wp, 1.4_wp, 2.9_wp, 12.45_wp, 0.0_wp, -0.6_wp, &
                                     0.8_wp]
@@ -31,7 +31,7 @@ contains
 
    pure function tube() result(section)
       type(beam_section_type) :: section
-      section = beam_section_type(length, length, ea, ei, gj)
+      section = beam_section_type(length, length, ea, ei)
    end function tube
 
    !> Rotation by `angle` about a skew axis, after Rodrigues.

@@ -183,7 +183,7 @@ contains
       call build(model, operation_trip_out, -asked)
       load = weight_of(model)*(cos(angle) + friction*sin(angle))
       call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &
-                  'load of the rig 9 kN too much then')
+                  'load and block of the rig 9 kN too much then')
       call expect(given(load + 20.0e3_wp), ', with 50 kN of overpull at the bit. Possible with 20 kN of overpull')
       ! torque f W sin a times the radius is within the limit when the bit is off bottom
       call build(model, operation_rotary_drilling, asked)

@@ -48,7 +48,7 @@ contains
       real(wp) :: total(12, 12), k0(12, 12), kn(12, 12), ksigma(12, 12), differences(12, 12), straight(3)
       integer :: i
       straight = [0.0_wp, 0.0_wp, 1.0_wp]
-      section = beam_section_type(5.0_wp, 5.0_wp, 7.0e8_wp, 1.2e6_wp, 0.9e6_wp)
+      section = beam_section_type(5.0_wp, 5.0_wp, 7.0e8_wp, 1.2e6_wp)
       y = [0.01_wp, -0.02_wp, 0.03_wp, 0.02_wp, -0.01_wp, 1.0_wp, 0.05_wp, 0.02_wp, 5.031_wp, -0.015_wp, 0.03_wp, 0.99_wp]
       chord = y(7:9) - y(1:3)
       d_i = y(4:6)

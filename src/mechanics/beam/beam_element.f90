@@ -63,7 +63,8 @@ contains
       s = a(1, 1)*a(1, 2) + a(2, 1)*a(2, 2) + a(3, 1)*a(3, 2)
    end subroutine measure_chord
 
-   !> The same, and its change to first order by a move [m].
+   !> The length that axial forces go by (membrane_length), and its change to first order by a move [m]. Its terms are written out:
+   !> each step of the iteration asks every element.
    pure subroutine membrane_step(chord, d_i, d_j, move, turn_i, turn_j, length, longer)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
@@ -135,7 +136,7 @@ contains
       real(wp), intent(out) :: force(12), ksigma(12, 12)
       type(measure_type) :: m
       call measure(chord, d_i, d_j, m)
-      call tangent_of(m, beam_section_type(1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp), axial, d_i, d_j, force, ksigma)
+      call tangent_of(m, beam_section_type(1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp), axial, d_i, d_j, force, ksigma)
    end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.

@@ -14,7 +14,6 @@ module dg_beam_energy
       real(wp) :: membrane_length = 0.0_wp     !< L_m [m]
       real(wp) :: axial_stiffness = 0.0_wp     !< EA [N]
       real(wp) :: bending_stiffness = 0.0_wp   !< EI [N.m2]
-      real(wp) :: torsional_stiffness = 0.0_wp !< GJ [N.m2]
    end type beam_section_type
 
    !> The measures of a configuration and the derivatives of A, B and U by them. In arrays of two the upper node comes first.

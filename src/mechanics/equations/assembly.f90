@@ -123,7 +123,7 @@ contains
       integer :: i
       call clear_element(element)
       chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e), mesh%gj(e))
+      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e))
       if (element%tangent) then
          call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e), element%k)
          element%twist_stiffness = mesh%gj(e)/mesh%length(e)

@@ -206,8 +206,8 @@ contains
 
    !> Of every gap near the wall, elements first to last: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m],
    !> and `on`(12,e), what a newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change
-   !> dR adds on*dR to the residual, and dR = rho (h + by.d), h what the gap is too deep for its force. The held unknowns of the
-   !> top have none.
+   !> dR adds on*dR to the residual (forces are linear in R), and dR = rho (h + by.d), h what
+   !> the gap is too deep for its force. The held unknowns of the top have none.
    pure subroutine find_contact_rows(mesh, loads, gaps, first, last, work, by, on)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads

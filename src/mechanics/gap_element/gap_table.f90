@@ -13,7 +13,7 @@ module dg_gap_table
       integer, allocatable :: state(:)           !< state_free, state_elastic, state_rigid
       logical, allocatable :: followed(:)        !< its place follows the extremum within the iteration
       integer, allocatable :: flips(:)           !< changes of state so far
-      integer, allocatable :: moves(:)           !< changes of place so far
+      integer, allocatable :: moves(:)           !< times moved, or begun to follow, so far
    end type gap_table_type
 
    !> A gap that keeps moving between two places that are as good is held by a threshold that grows with its moves;

@@ -310,8 +310,8 @@ contains
    end function subdivided
 
    !> Depths with every interval cut into parts no longer than `longest` of that interval [m], as by subdivided, and beside
-   !> intervals that had to be cut shorter still: an element is no longer than `growth` times theirs where it adjoins them, and
-   !> every next one that times the one before.
+   !> intervals that had to be cut shorter still: lengths grow there by (growth - 1) times the distance from them. Parts are cut in
+   !> halves, so neighbours differ by a factor of two. An interval that is short by itself bounds nobody.
    pure function graded(depths, longest, growth) result(finer)
       real(wp), intent(in) :: depths(:), longest(:)
       real(wp), intent(in) :: growth       !< > 1 [-]

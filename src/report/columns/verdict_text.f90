@@ -234,7 +234,7 @@ contains
       integer, intent(in) :: limit
       character(:), allocatable :: title
       select case (limit)
-      case (limit_rig); title = 'hook load of the rig'
+      case (limit_rig); title = 'hook load and block of the rig'
       case (limit_top_drive); title = 'torque of the top drive'
       case (limit_von_mises); title = 'von Mises stress'
       case (limit_tension); title = 'tension of the pipe'

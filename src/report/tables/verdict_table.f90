@@ -87,7 +87,8 @@ contains
       end do
       if (.not. any(near)) return
       k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
-      text = text//' Nearest to a limit: '//model%cases(results(k)%case_index)%name//', '// &
+      text = text//trim(merge(' Of the others nearest to a limit:', ' Nearest to a limit:              ', &
+                             count(near) < count(shown)))//' '//model%cases(results(k)%case_index)%name//', '// &
              to_text(wholes(k)%verdict%used%value/percent, digits)//' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
    contains
       !> Names of the cases with an answer; '' where there are none.
@@ -126,24 +127,15 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      type(component_type), allocatable :: components(:)
       character(:), allocatable :: text, names
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
-      integer :: first, i, k
+      integer :: first, k
       left = results%model == leading_model(job) .and. wholes%verdict%answer == answer_yes
       everywhere = any(left)
       do k = 1, size(results)
          if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
       end do
-      allocate (components(0))
-      do i = 1, size(model%strings)
-         do k = 1, size(results)
-            if (.not. left(k) .or. string_index(model%strings, model%cases(results(k)%case_index)%string) /= i) cycle
-            components = [components, model%strings(i)%components]
-            exit
-         end do
-      end do
-      text = unchecked_text(everywhere, components)
+      text = unchecked_text(everywhere, components_of(model, results, left))
       do while (any(left))
          first = findloc(left, .true., dim=1)
          extra = wholes(first)%verdict%not_checked .and. .not. everywhere
@@ -158,10 +150,27 @@ contains
          if (.not. any(extra)) cycle
          if (count(alike) > most_names) names = to_text(count(alike))//' cases'
          if (text /= '') text = text//'. '
-         text = text//'For '//names//': '//unchecked_text(extra, components)
+         text = text//merge('For ', 'for ', text /= '')//names//': '//unchecked_text(extra, components_of(model, results, alike))
       end do
       if (text /= '') text = 'NOT CHECKED, as the deck gives no limit: '//text//'.'
    end function unchecked_line
+
+   !> Components of the strings that some of the results are of, each string once.
+   pure function components_of(model, results, some) result(components)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: some(:)             !< of the results
+      type(component_type), allocatable :: components(:)
+      integer :: i, k
+      allocate (components(0))
+      do i = 1, size(model%strings)
+         do k = 1, size(results)
+            if (.not. some(k) .or. string_index(model%strings, model%cases(results(k)%case_index)%string) /= i) cycle
+            components = [components, model%strings(i)%components]
+            exit
+         end do
+      end do
+   end function components_of
 
    !> Heading of the block, with the model where there are several.
    pure function verdict_heading(job) result(heading)

@@ -1,4 +1,4 @@
-!> The whole of what is to be computed, in SI units; built once from a deck and only read ever after.
+!> The whole of what is to be computed, in SI units; built once from a deck. A solution changes copies only.
 module dg_model
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity

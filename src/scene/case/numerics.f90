@@ -1,4 +1,4 @@
-!> Every number that steers the solution, with its default, meaning and legal range in one place.
+!> What a deck may set of the solution. Ranges stand in dg_deck_keys, all other numbers of the iteration in dg_tuning.
 module dg_numerics
    use dg_kinds, only: wp
    use dg_linear_solver_name, only: solver_banded, solver_block, solver_name, solver_sparse

@@ -65,7 +65,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run; compared below this table in input/README.md'), &
+         meaning='models to run; input/README.md compares them below the keys of &job'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
@@ -129,10 +129,10 @@ module dg_deck_keys
          meaning='inside diameter'), &
       key_rule_type('hole', 'friction', low=0.0_wp, high=roughest, default='0', &
          meaning='coefficient of friction, axial and rotary'), &
-      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='mu2 of Eq. 5; default friction'), &
-      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='mu1 of Eq. 5; default friction'), &
+      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='friction along the hole; default friction'), &
+      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='friction around the hole; default friction'), &
       key_rule_type('hole', 'friction_running_in', low=0.0_wp, high=roughest, &
-         meaning='mu2 of trip_in alone; default friction_axial'), &
+         meaning='along the hole, trip_in alone; default friction_axial'), &
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
          meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
@@ -362,7 +362,7 @@ module dg_deck_keys
       key_rule_type('load_case', 'toolface', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
          meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
 
-   ! Defaults of the solver stand in dg_numerics and are not repeated here.
+   ! Numbers that are defaults of the solver stand in dg_numerics. Its words and logicals stand here, too.
    type(key_rule_type), parameter :: solver_keys(21) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='longest element 30, 60, 10, 1 m; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
@@ -375,7 +375,8 @@ module dg_deck_keys
          meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='how the equations are solved'), &
-      key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, meaning='residual at convergence over the weight'), &
+      key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, &
+         meaning='residual at convergence over the weight; above 1e-6 it counts as 1e-6'), &
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
                     meaning='of all attempts at a case together'), &
       key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &

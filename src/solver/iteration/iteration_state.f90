@@ -225,7 +225,8 @@ contains
       call survey_gaps(trajectory, mesh, gaps, work)
    end subroutine place_and_survey
 
-   !> Back to the state before the step.
+   !> Back to places, contact forces and gaps before the step. Hook load, axial forces and torque stay those of the trial until the
+   !> next measurement.
    pure subroutine go_back(it, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(in) :: it
       type(trajectory_type), intent(in) :: trajectory

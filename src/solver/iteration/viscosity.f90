@@ -13,8 +13,8 @@ module dg_viscosity
    public :: weigh_string, add_viscosity, ease_viscosity
    public :: viscosity_most
 
-   !> Viscosity on a slope over that of a lateral unknown times length squared: 4/420 of the consistent matrix of a
-   !> cubic element, rounded.
+   !> Viscosity on a slope over viscosity per length times length cubed: 4/420 of the consistent matrix of a cubic element, rounded
+   !> [-].
    real(wp), parameter :: slope_lump = 0.01_wp
    !> Beyond this a run is given up [-].
    real(wp), parameter :: viscosity_most = 1.0e9_wp

@@ -36,11 +36,11 @@ module dg_mesh_for_case
    real(wp), parameter :: body_share = 0.25_wp
    !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
-   !> Length of an element over that of a shorter neighbour, at most [-]. A string does not end to bend where the hole does: it
-   !> leaves its wall there and goes over to the other within lengths such as the bend's own elements have. Long elements next to
-   !> them made the torque behind a bend of 67 deg/30 m wrong by 5 %. With the string of `input/short_radius_lateral.nml` turning
-   !> at 14 bit depths torque is off by 0.36 % (rms, worst 0.9 %) from that on elements of 0.25 m; with 1.5 by 0.52 %, on 3 % fewer
-   !> elements.
+   !> One plus the growth of element lengths over distance from intervals that had to be cut [-]. A string does not end to bend
+   !> where the hole does: it leaves its wall there and goes over to the other within lengths such as the bend's own elements have.
+   !> Long elements next to them made the torque behind a bend of 67 deg/30 m wrong by 5 %. With the string of
+   !> `input/short_radius_lateral.nml` turning at 14 bit depths torque is off by 0.36 % (rms, worst 0.9 %) from that on elements of
+   !> 0.25 m; with 1.5 by 0.52 %, on 3 % fewer elements.
    real(wp), parameter :: growth = 1.4_wp
    !> Longest element beside a bent housing [m], and how far that reaches [m]. The bend presses collars into the hole. On elements
    !> of 1 m contact of a motor was 0.3 % too large.

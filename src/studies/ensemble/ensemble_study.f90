@@ -47,7 +47,7 @@ module dg_ensemble_study
       procedure(points_interface), deferred :: points_of
       procedure(settings_interface), deferred :: settings
       procedure(solve_interface), deferred :: solve
-      procedure(finish_interface), deferred :: report
+      procedure(report_interface), deferred :: report
       procedure(place_interface), deferred :: place
       procedure :: is_asked
       procedure :: phase
@@ -91,7 +91,7 @@ module dg_ensemble_study
       end subroutine solve_interface
 
       !> What follows from the points: the file is written, lines for the terminal come back.
-      subroutine finish_interface(self, number, run, lines, error)
+      subroutine report_interface(self, number, run, lines, error)
          import :: ensemble_study_type, run_type, text_type, error_type
          implicit none
          class(ensemble_study_type), intent(inout) :: self
@@ -99,7 +99,7 @@ module dg_ensemble_study
          type(run_type), intent(inout) :: run
          type(text_type), allocatable, intent(out) :: lines(:)
          type(error_type), allocatable, intent(out) :: error
-      end subroutine finish_interface
+      end subroutine report_interface
 
       !> A point in words.
       function place_interface(self, number, point, units) result(text)
@@ -124,7 +124,7 @@ contains
       is = size(self%ranges) > 0
    end function is_asked
 
-   !> At last.
+   !> Runs after all other studies.
    pure function phase(self)
       class(ensemble_study_type), intent(in) :: self
       integer :: phase
