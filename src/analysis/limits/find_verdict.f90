@@ -292,7 +292,7 @@ contains
    end function is_most
 
    !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
-   !> where the hook load would be below zero, too, or the torque is more than the top drive has.
+   !> where the hook load would be below zero, too, or the torque is more than the top drive or the connections at surface bear.
    pure subroutine find_turning_loads(model, case_index, verdict)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -308,6 +308,9 @@ contains
       if (model%rig%max_torque%present) then
          if (abs(torque(1)) > model%rig%max_torque%value) return
       end if
+      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
+         if (has_rating(parts(size(parts)), limit_makeup) .and. abs(torque(1)) > parts(size(parts))%makeup_torque) return
+      end associate
       verdict%turning_hookload = given(axial(1))
       verdict%turning_torque = given(abs(torque(1)))
    end subroutine find_turning_loads
