@@ -127,7 +127,7 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      character(:), allocatable :: text, names
+      character(:), allocatable :: text, names, head
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
       integer :: first, k
       left = results%model == leading_model(job) .and. wholes%verdict%answer == answer_yes
@@ -135,6 +135,7 @@ contains
       do k = 1, size(results)
          if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
       end do
+      head = 'NOT CHECKED'
       text = unchecked_text(everywhere, components_of(model, results, left))
       do while (any(left))
          first = findloc(left, .true., dim=1)
@@ -149,10 +150,14 @@ contains
          left = left .and. .not. alike
          if (.not. any(extra)) cycle
          if (count(alike) > most_names) names = to_text(count(alike))//' cases'
-         if (text /= '') text = text//'. '
-         text = text//merge('For ', 'for ', text /= '')//names//': '//unchecked_text(extra, components_of(model, results, alike))
+         if (text == '') then
+            head = head//' for '//names
+         else
+            text = text//'. For '//names//': '
+         end if
+         text = text//unchecked_text(extra, components_of(model, results, alike))
       end do
-      if (text /= '') text = 'NOT CHECKED, as the deck gives no limit: '//text//'.'
+      if (text /= '') text = head//', as the deck gives no limit: '//text//'.'
    end function unchecked_line
 
    !> Components of the strings that some of the results are of, each string once.
