@@ -100,11 +100,12 @@ contains
       type(model_type) :: model
       type(case_result_type) :: result
       real(wp), parameter :: length(5) = [5.0_wp, 2.5_wp, 1.25_wp, 0.625_wp, 0.3125_wp], soft = 1.0e8_wp
+      real(wp), parameter :: known = 1.0e-8_wp        ! hook loads: places of gaps depend a little on the way to them
       real(wp) :: hookload(5, 2), error(4, 2)
       integer :: i, place
       call new_well(model, [0.0_wp, 100.0_wp, 400.0_wp, 600.0_wp], [0.0_wp, 0.0_wp, 45.0_wp, 45.0_wp], spread(10.0_wp, 1, 4), &
                     0.2159_wp, 0.3_wp, pipe(262.0_wp, 0.127_wp, 0.1086_wp))
-      model%numerics%gk_contact = soft       ! hook loads are to be known to 1e-8
+      model%numerics%gk_contact = soft
       do place = gap_at_extremum, gap_at_nodes
          model%numerics%gap_location = place
          do i = 1, size(length)
@@ -118,7 +119,8 @@ contains
          end do
          call assertLessThan(error(1, place), 1.0e-5_wp*hookload(5, place), message='5 m')
          do i = 2, 4
-            call assertLessThan(error(i, place), min(0.6_wp*error(i - 1, place), 0.4_wp**(i - 1)*error(1, place)), &
+            call assertLessThan(error(i, place), min(0.6_wp*error(i - 1, place), 0.4_wp**(i - 1)*error(1, place)) &
+                                + known*hookload(5, place), &
                                 message='falls')
          end do
       end do

@@ -9,7 +9,6 @@ module dg_tuning
 
    !> One attempt at a case.
    type :: attempt_type
-      integer :: longest = 0               !< iterations that it may have
       real(wp) :: growth = 0.0_wp          !< of rho over the softest, to begin with [-]
       logical :: spread = .false.          !< contact forces of the start are those against soft walls
       logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
@@ -32,14 +31,13 @@ module dg_tuning
       !> others in a hundred. The second begins with contact forces that soft walls spread, and has such walls for longer: gaps
       !> settle more slowly and more surely. The third has the gaps at their other place: short packed assemblies may have no
       !> equilibrium at the place asked for. The fourth takes long steps.
-      type(attempt_type) :: attempt(4) = [attempt_type(170, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
-                                          attempt_type(150, 100.0_wp, other_place=.true.), &
-                                          attempt_type(100, 100.0_wp, reach=long)]
+      type(attempt_type) :: attempt(4) = [attempt_type(100.0_wp), attempt_type(1.0_wp, spread=.true.), &
+                                          attempt_type(100.0_wp, other_place=.true.), attempt_type(100.0_wp, reach=long)]
       !> How many of them are made, at most 4.
       integer :: most_attempts = 4
-      !> Iterations of the first attempt at a string that coils. Near lock-up many need 200 to 320. The other attempts did not find
-      !> their equilibria.
-      integer :: coiled_longest = 400
+      !> Iterations without a residual less than each before it, after which an attempt is given up. Of hard wells that converge none
+      !> had more than 103; attempts that find nothing go on for hundreds.
+      integer :: longest_stall = 110
       !> The meshes in their order. The first is the one asked for. A string that is pushed near lock-up lies far from the soft
       !> string that its mesh was made for: shorter elements find its equilibrium.
       type(mesh_try_type) :: mesh(4) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 2), &
@@ -63,10 +61,6 @@ module dg_tuning
       logical :: start_mirrored = .false.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
-      !> Where a node of that line lies farther off the axis than so many times its clearance, the start is the line bent against
-      !> walls of their own stiffness [-]: a stabiliser's clearance is a thirtieth of a collar's, and soft walls that suit collars
-      !> let it out of the hole by all of theirs.
-      real(wp) :: start_outside = 2.0_wp
       !> Nodes closer than this to one above, over the length of the element below, start on a smooth line between others, but at
       !> tool joints [-]: a sliver may jump there with the clearance.
       real(wp) :: sliver = 0.4_wp

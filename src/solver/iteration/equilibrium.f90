@@ -109,6 +109,10 @@ contains
       it%row%iteration = equations%iterations
       it%row%negative_pivots = equations%solver%negative_pivots
       equations%history(equations%iterations + 1) = it%row
+      if (it%before < it%least) then
+         it%least = it%before
+         it%least_at = equations%iterations
+      end if
    end subroutine enter_row
 
    !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; there, but outside the hole; or with
@@ -171,7 +175,8 @@ contains
          ended = .true.
          return
       end do
-      ended = equations%iterations >= it%numerics%max_iterations .or. is_stopped(it%stop)
+      ended = equations%iterations >= it%numerics%max_iterations .or. is_stopped(it%stop) .or. &
+              equations%iterations - it%least_at > it%numerics%tuning%longest_stall
       if (it%rounds > 0 .and. .not. equations%gaps_taken_back) then
          if (ended .and. it%rounds > it%numerics%tuning%most_moves .and. .not. is_stopped(it%stop)) then
             ! it was in equilibrium before these

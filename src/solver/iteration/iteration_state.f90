@@ -57,6 +57,8 @@ module dg_iteration_state
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
       real(wp) :: old_growth = 1.0_wp
       real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
+      real(wp) :: least = huge(1.0_wp)        !< residual so far [N, N.m]
+      integer :: least_at = 0                 !< the iteration that left it
       integer :: rounds = 0, round_start = 0
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (6,nodes)
