@@ -124,7 +124,7 @@ contains
    !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
    !> as it says.
    subroutine test_overpull()
-      character(*), parameter :: excess = 'Not possible without overpull either: hook load and block of the rig '
+      character(*), parameter :: excess = 'Not possible without overpull either: hook load with block (rig) '
       type(run_type) :: run
       character(:), allocatable :: told
       run = run_deck_text(deck_of('-200', '300'))

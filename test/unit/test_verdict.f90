@@ -183,7 +183,7 @@ contains
       call build(model, operation_trip_out, -asked)
       load = weight_of(model)*(cos(angle) + friction*sin(angle))
       call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &
-                  'load and block of the rig 9 kN too much then')
+                  'load with block (rig) 9 kN too much then')
       call expect(given(load + 20.0e3_wp), ', with 50 kN of overpull at the bit. Possible with 20 kN of overpull')
       ! torque f W sin a times the radius is within the limit when the bit is off bottom
       call build(model, operation_rotary_drilling, asked)
@@ -363,7 +363,7 @@ contains
       call assertEqual(limit_tension, verdict%reserve_limit, message='with more friction')
       allocate (character(0) :: text)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'times the friction given (tension)') > 0, message=text)
+      call assertTrue(index(text, 'times the friction given, by tension') > 0, message=text)
    end subroutine test_reserve_limit
 
    !> The soft string has no friction of coils in its hook load, but in its largest weight on bit: the reserve ends there. With 1.02

@@ -113,7 +113,7 @@ contains
       if (verdict%friction_reserve%present) then
          text = text//'. The answer becomes NO '//trim(merge('already', '       ', verdict%friction_reserve%value < little_reserve))
          text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
-         if (verdict%reserve_limit > 0) text = text//' ('//trim(limit_title(verdict%reserve_limit))//')'
+         if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
       end if
    end function reserve_text
 
@@ -234,7 +234,7 @@ contains
       integer, intent(in) :: limit
       character(:), allocatable :: title
       select case (limit)
-      case (limit_rig); title = 'hook load and block of the rig'
+      case (limit_rig); title = 'hook load with block (rig)'
       case (limit_top_drive); title = 'torque of the top drive'
       case (limit_von_mises); title = 'von Mises stress'
       case (limit_tension); title = 'tension of the pipe'

@@ -80,15 +80,16 @@ contains
       shown = results%model == leading_model(job)
       if (count(shown) < 2) return
       near = shown .and. wholes%verdict%answer == answer_yes
-      text = to_text(count(near))//' of '//to_text(count(shown))//': yes.'//named('NO', answer_no)// &
-             named('No solution', answer_unknown)
+      text = 'None of '//to_text(count(shown))//' can be done.'
+      if (any(near)) text = to_text(count(near))//' of '//to_text(count(shown))//': yes.'
+      text = text//named('NO', answer_no)//named('No solution', answer_unknown)
       do k = 1, size(results)
          near(k) = near(k) .and. wholes(k)%verdict%used%present
       end do
       if (.not. any(near)) return
       k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
       text = text//trim(merge(' Of the others nearest to a limit:', ' Nearest to a limit:              ', &
-                             count(near) < count(shown)))//' '//model%cases(results(k)%case_index)%name//', '// &
+                             any(shown .and. wholes%verdict%answer /= answer_yes)))//' '//model%cases(results(k)%case_index)%name//', '// &
              to_text(wholes(k)%verdict%used%value/percent, digits)//' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
    contains
       !> Names of the cases with an answer; '' where there are none.
@@ -120,7 +121,7 @@ contains
          'section has a 95 % interval of it, so its upper end is not tried.'
    end function interval_line
 
-   !> Limits that count for cases with a yes and have no rating in the deck: those of all these cases, then what some have
+   !> Limits that count for cases with an answer and have no rating in the deck: those of all these cases, then what some have
    !> besides.
    pure function unchecked_line(job, model, results, wholes) result(text)
       type(job_type), intent(in) :: job
@@ -130,7 +131,7 @@ contains
       character(:), allocatable :: text, names, head
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
       integer :: first, k
-      left = results%model == leading_model(job) .and. wholes%verdict%answer == answer_yes
+      left = results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown
       everywhere = any(left)
       do k = 1, size(results)
          if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
