@@ -3,9 +3,10 @@
 module dg_html_pictures
    use dg_case_result, only: result_converged, result_status_name
    use dg_file_lines, only: read_lines
-   use dg_html_text, only: append_inline_svg, append_rows, html_safe
+   use dg_html_text, only: append_inline_svg, append_rows
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_page_figures, only: is_live
    use dg_picture_data, only: picture_data_type
@@ -86,7 +87,7 @@ contains
       else if (is_live(picture) .and. sum([(len(svg(i)%text), i=1, size(svg))]) > most_letters) then
          call add_line(lines, '<p class="note">A large picture: pictures/'//html_safe(picture%name)//'.svg</p>')
       else
-         call append_inline_svg(lines, svg, 'p'//to_text(number), picture%caption)
+         call append_inline_svg(lines, svg, 'p'//to_text(number))
       end if
    end subroutine append_fixed
 

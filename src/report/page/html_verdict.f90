@@ -1,9 +1,9 @@
 !> First block of the page: can it be done, one row a load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
-   use dg_html_text, only: html_safe
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_text, only: to_text
    use dg_verdict, only: answer_no, verdict_type
