@@ -73,7 +73,7 @@ contains
       integer :: shown, i
       shown = governing_case(job, results, wholes)
       call start_page(job, lines)
-      call append_verdicts(lines, job, model, results, wholes)
+      call append_verdicts(lines, job, model, results, wholes, shown)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
       call append_warnings(lines, job, model, results, wholes)
       call append_outcome(lines, job%units, printed%outcome)

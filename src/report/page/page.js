@@ -8,6 +8,7 @@ const shapes = ['m0-5v10m-5-5h10', 'm-4-4l8 8m0-8l-8 8', 'm0-5v10m-4.3-7.5l8.6 5
 const blocks = []                                            // all charts of the page that answer
 const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole
 let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null
+let paper = null                                             // while the page is printed: width and height of charts
 
 // ---- data
 function curve_of(text) {                                    // "step value step value ..." in thousandths of D.units' length
@@ -182,7 +183,7 @@ function block(root, S) {
          view.panels.textContent = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
          return
       }
-      const wide = view.panels.clientWidth || 1000
+      const wide = paper?.wide ?? (view.panels.clientWidth || 1000)
       const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)
       view.panels.replaceChildren(...panels.map((p, i) => draw_panel(p, i % abreast, Math.max(150, wide / abreast))))
       for (const s of view.panels.children) s.style.width = 100 / abreast + '%'
@@ -223,7 +224,7 @@ function block(root, S) {
    }
    function draw() {
       const end = end_of()
-      H = S.rows ? 64 + 24 * S.rows.length : 420
+      H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420
       if (!(state.bottom > state.top) || state.bottom > end) { state.top = first; state.bottom = end }
       Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})
       view.units.textContent = 'units: ' + units
@@ -353,7 +354,17 @@ addEventListener('hashchange', () => {
    root.scrollIntoView()
 })
 addEventListener('resize', draw_all)
-const places = [...document.querySelectorAll('.live')]
+const draw_for = size => { paper = size; draw_all() }
+addEventListener('afterprint', () => draw_for(null))
+addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit, the others what is shown
+   if (D.profiles) {
+      paper = {wide: 660, high: 330}
+      const {root} = block(make(null, 'h:div', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts[0].panels.slice(0, 4)}]})
+      document.querySelector('.first').replaceChildren(...root.querySelectorAll('.legend, .panels'))
+   }
+   draw_for({wide: 1100, high: 260})
+})
+const places = [...document.querySelectorAll('.live:not(.first)')]
 try {
    const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: f.title + (i ? ` (${i + 1})` : ''), place}))
    const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', place: places[0]}] : []

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'zFZsyw+/MwpFmCb7f1YRG0GgtKOKwjkl+Z6sdBOWpaY='
+   character(*), parameter :: script_hash = '8Wvvw2S8Ea5zONDtGKA/EJsVo0cGODfV3PBRA1M1cyk='
    character(166), parameter :: script_lines_1(100) = [character(166) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -16,6 +16,8 @@ module dg_page_script
       'const blocks = []                                            // all charts of the page that answer', &
       'const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
+      'let paper = null                                             // while the page is printed: width and height of'// &
+      ' charts', &
       'function curve_of(text) {                                    // "step value step value ..." in thousandths of '// &
       'D.units'' length', &
       'const t = text === '''' ? [] : text.split('' ''), n = t.length / 2, d = new Float64Array(n), v = new Float64Ar'// &
@@ -123,9 +125,9 @@ module dg_page_script
       'const v = curve.v[i], at = x_of(v).toFixed(1) + '' '' + y_of(curve.d[i]).toFixed(1)', &
       'gap ||= turns && Math.abs(v - curve.v[i - 1]) > 180', &
       'if (isFinite(v)) path += gap ? `M${at}h0` : ''L'' + at', &
-      'gap = !isFinite(v)', &
-      '}']
+      'gap = !isFinite(v)']
    character(166), parameter :: script_lines_2(100) = [character(166) :: &
+      '}', &
       'return path', &
       '}', &
       'function range_of(panel, lists, rows) {                      // of what is seen; along the string 0 is among i'// &
@@ -212,7 +214,7 @@ module dg_page_script
       'why others have none.''', &
       'return', &
       '}', &
-      'const wide = view.panels.clientWidth || 1000', &
+      'const wide = paper?.wide ?? (view.panels.clientWidth || 1000)', &
       'const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)', &
       'view.panels.replaceChildren(...panels.map((p, i) => draw_panel(p, i % abreast, Math.max(150, wide / abreast)))'// &
       ')', &
@@ -241,9 +243,9 @@ module dg_page_script
       'function cells_of_lines() {                                  // a row a line: all that reach the depth, of mar'// &
       'ks those that are near', &
       'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
-      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))', &
-      'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))']
+      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))']
    character(166), parameter :: script_lines_3(100) = [character(166) :: &
+      'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
       'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => told_of(l, panels[k].quantity)).find('// &
       'text => text !== ''\u2013'') ?? ''\u2013''', &
       'return [[''curve'', ...heads], ...[...new Set(told.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
@@ -263,7 +265,7 @@ module dg_page_script
       '}', &
       'function draw() {', &
       'const end = end_of()', &
-      'H = S.rows ? 64 + 24 * S.rows.length : 420', &
+      'H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420', &
       'if (!(state.bottom > state.top) || state.bottom > end) { state.top = first; state.bottom = end }', &
       'Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})', &
       'view.units.textContent = ''units: '' + units', &
@@ -354,9 +356,9 @@ module dg_page_script
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
       'want(top, top + step * (H - up - down))', &
       '}', &
-      'const finish = () => {', &
-      'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)']
+      'const finish = () => {']
    character(166), parameter :: script_lines_4(100) = [character(166) :: &
+      'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
       'from = NaN', &
       'pinch = wanted = null', &
@@ -406,7 +408,19 @@ module dg_page_script
       'root.scrollIntoView()', &
       '})', &
       'addEventListener(''resize'', draw_all)', &
-      'const places = [...document.querySelectorAll(''.live'')]', &
+      'const draw_for = size => { paper = size; draw_all() }', &
+      'addEventListener(''afterprint'', () => draw_for(null))', &
+      'addEventListener(''beforeprint'', () => {                       // the first sheet has the load case nearest t'// &
+      'o a limit, the others what is shown', &
+      'if (D.profiles) {', &
+      'paper = {wide: 660, high: 330}', &
+      'const {root} = block(make(null, ''h:div'', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts['// &
+      '0].panels.slice(0, 4)}]})', &
+      'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
+      '}', &
+      'draw_for({wide: 1100, high: 260})', &
+      '})', &
+      'const places = [...document.querySelectorAll(''.live:not(.first)'')]', &
       'try {', &
       'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: f.title + (i ? ` (${i + 1}'// &
       ')` : ''''), place}))', &
@@ -460,7 +474,8 @@ module dg_page_script
       'function draw_well() {', &
       'const [p] = shown(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))', &
       'well.replaceChildren()', &
-      'mark_well = () => {}', &
+      'mark_well = () => {}']
+   character(166), parameter :: script_lines_5(84) = [character(166) :: &
       'if (!p) return', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]', &
       'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
@@ -475,8 +490,7 @@ module dg_page_script
       'const project = a => {', &
       'const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]', &
       'return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]', &
-      '}']
-   character(166), parameter :: script_lines_5(73) = [character(166) :: &
+      '}', &
       'const line = (a, b, look) => make(well, ''path'', {d: ''M'' + [a, b].map(project).join(''L''), ...look})', &
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = sorted[0], high = sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1'// &
@@ -519,7 +533,7 @@ module dg_page_script
       'mark_well()', &
       '}', &
       'function draw_assembly() {                                   // the lowest 40 m from the side, high side up', &
-      'const [p] = shown(), W = Math.max(320, root.clientWidth || 1000), T = 290', &
+      'const [p] = shown(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290', &
       'assembly.replaceChildren()', &
       'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T}`)', &
       'if (!p) return', &
@@ -570,13 +584,13 @@ module dg_page_script
       '})', &
       'return {draw: () => { draw_well(); draw_assembly() }, mark: () => { mark_well(); draw_section() }}', &
       '}']
-   character(166), parameter :: script_lines(473) = [ &
+   character(166), parameter :: script_lines(484) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5]
-   character(284), parameter :: style_lines_1(23) = [character(284) :: &
+   character(284), parameter :: style_lines_1(26) = [character(284) :: &
       '.scripted .static{display:none}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '.live svg{width:100%;height:auto;display:block}.live svg text{font-size:11px;fill:currentColor}.live svg .labe'// &
@@ -609,11 +623,18 @@ module dg_page_script
       ':1em 0}.main,.lower{grid-template-columns:minmax(0,1fr)}}', &
       '@media screen and (prefers-color-scheme:dark){.live{--ink:#dde2e6;--line:#2f363d;--soft:#8a939b;--paper:#14181'// &
       'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}}', &
+      '@media screen{.first{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head p{margin:'// &
+      '.3em 0}.head h3{margin:.8em 0 .2em}}', &
+      '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
-      '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.hint,.liv'// &
-      'e input,.live select,.live label,.live .lower{display:none!important}.main{display:block}', &
-      '.alone~.readout{display:none}.right{break-inside:avoid}.live figure svg{max-height:70mm}.live svg.panel{max-he'// &
-      'ight:none}.live .alone svg.panel{max-height:105mm}.legend button{border:none}}']
-   character(284), parameter :: style_lines(23) = [ &
+      '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.scripted '// &
+      '.hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){display'// &
+      ':none!important}', &
+      '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:60mm}.live svg.panel{max-height:none'// &
+      '}.legend button{border:none;padding:0 .7em 0 0}', &
+      '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
+      '5pt}.head h3{margin:0}.first{font-size:8.5pt}.answers small{white-space:nowrap}.answers td{padding:.1em .4em}.'// &
+      'lead h2{margin-top:.6em}.legend{gap:0}}']
+   character(284), parameter :: style_lines(26) = [ &
       style_lines_1]
 end module dg_page_script

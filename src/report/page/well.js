@@ -78,7 +78,7 @@ function well_figures(b) {
       mark_well()
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
-      const [p] = shown(), W = Math.max(320, root.clientWidth || 1000), T = 290
+      const [p] = shown(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290
       assembly.replaceChildren()
       assembly.setAttribute('viewBox', `0 0 ${W} ${T}`)
       if (!p) return
