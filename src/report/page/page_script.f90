@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '8Wvvw2S8Ea5zONDtGKA/EJsVo0cGODfV3PBRA1M1cyk='
+   character(*), parameter :: script_hash = '9zJ6cECFWy94CU2sxm9eGJjkf+rl3WP/t0W1ug2wkpc='
    character(166), parameter :: script_lines_1(100) = [character(166) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -441,7 +441,7 @@ module dg_page_script
       'const picture = (parent, label, more) => make(make(parent, ''h:figure'', {}), ''svg'', {role: ''img'', ''aria-'// &
       'label'': label, ...more})', &
       'const section = picture(lower, ''string in the hole at this depth'', {viewBox: ''0 -6 200 200''})', &
-      'const well = picture(lower, ''the well in three dimensions'', {viewBox: ''0 0 460 400'', tabindex: 0})', &
+      'const well = picture(lower, ''the well in three dimensions'', {viewBox: ''0 0 460 440'', tabindex: 0})', &
       'const assembly = picture(root, ''lowest part of the string in the hole''), scale = make(assembly.parentNode, '''// &
       'h:figcaption'', {})', &
       'const pick = make(null, ''h:select'', {''aria-label'': ''colour of the well'', onchange: () => { state.tint = '// &
@@ -495,10 +495,10 @@ module dg_page_script
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = sorted[0], high = sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1'// &
       '] > high ? ''\u2265 '' : ''''', &
-      'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 372, width: 5.5, height: 9, fill: colour('// &
+      'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
-      'write(120, 394, text_of(low, quantity) + '' to '' + beyond + text_of(high, quantity))', &
-      'write(0, 366, `${label} [${unit(quantity)}], ${p.key.text}`.slice(0, 60))', &
+      'write(120, 434, text_of(low, quantity) + '' to '' + beyond + text_of(high, quantity))', &
+      'write(0, 406, `${label} [${unit(quantity)}], ${p.key.text}`.slice(0, 60))', &
       'const grid = (name, axis, from, to, corner, other) => {   // lines across an axis, none where it is seen from '// &
       'its end', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
