@@ -155,7 +155,7 @@ function block(root, S) {
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
       const longest = S.rows ? Math.max(...S.rows.map(n => n.length)) : 0
-      const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 10
+      const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 16
       const lists = lines_of(panel).filter(visible), rows = lists.map(l => l.marks ? [0, l.curve.d.length] : seen_in(l.curve)), q = panel.quantity, f = factor(q)
       const [low, high] = range_of(panel, lists, rows).map(v => v * f)
       const x_of = v => left + (v * f - low) / (high - low) * (right - left)
@@ -259,7 +259,7 @@ function block(root, S) {
       const main = make(root, 'h:div', {class: S.charts ? 'main' : 'alone'})
       if (S.charts) {
          const label = make(main, 'h:label', {class: 'side'}, 'Load cases, several with Ctrl')
-         const list = make(label, 'h:select', {multiple: '', size: Math.min(D.cases.length, 16)})
+         const list = make(label, 'h:select', {multiple: '', size: Math.min(1 + D.cases.length, 16)})
          D.cases.forEach((c, i) => make(list, 'h:option', {value: i}, c.name).selected = state.cases.includes(i))
          list.onchange = () => { state.cases = [...list.selectedOptions].map(o => +o.value); draw() }
       }

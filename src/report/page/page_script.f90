@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '9zJ6cECFWy94CU2sxm9eGJjkf+rl3WP/t0W1ug2wkpc='
+   character(*), parameter :: script_hash = '3KBVAPtNgsxR2Ei8o4ssOR+iQMxqSTy0pct40N0MUVk='
    character(166), parameter :: script_lines_1(100) = [character(166) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -182,7 +182,7 @@ module dg_page_script
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
       'ss: ''panel''})', &
       'const longest = S.rows ? Math.max(...S.rows.map(n => n.length)) : 0', &
-      'const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 10', &
+      'const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 16', &
       'const lists = lines_of(panel).filter(visible), rows = lists.map(l => l.marks ? [0, l.curve.d.length] : seen_in'// &
       '(l.curve)), q = panel.quantity, f = factor(q)', &
       'const [low, high] = range_of(panel, lists, rows).map(v => v * f)', &
@@ -306,7 +306,7 @@ module dg_page_script
       'const main = make(root, ''h:div'', {class: S.charts ? ''main'' : ''alone''})', &
       'if (S.charts) {', &
       'const label = make(main, ''h:label'', {class: ''side''}, ''Load cases, several with Ctrl'')', &
-      'const list = make(label, ''h:select'', {multiple: '''', size: Math.min(D.cases.length, 16)})', &
+      'const list = make(label, ''h:select'', {multiple: '''', size: Math.min(1 + D.cases.length, 16)})', &
       'D.cases.forEach((c, i) => make(list, ''h:option'', {value: i}, c.name).selected = state.cases.includes(i))', &
       'list.onchange = () => { state.cases = [...list.selectedOptions].map(o => +o.value); draw() }', &
       '}', &
