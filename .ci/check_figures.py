@@ -5,7 +5,7 @@ A deck of its own has two sweeps, with measured points, limits of the rig, point
 with a name that would end a script; a Monte Carlo. Checked: six depths of each sweep, five of the Monte Carlo, rows of the calibration
 and of the hook loads, one of them in other units; switches of the legend, zoom by dragging, the slider's words; that the
 address holds the view; that no label is cut or lies on another, a phone need not scroll sideways, names stay text, the browser does
-not complain, and fixed pictures and tables stand without a script.
+not complain, and fixed pictures and tables stand without a script. Printed it has ten sheets at most.
 
 Usage: check_figures.py PATH_TO_DRILLGAP
 """
@@ -50,6 +50,7 @@ MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 24
 DEPTHS = (300, 850, 1250, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
 FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
 DASH = "\u2013"
+MOST_SHEETS = 10
 FEWEST = 200                            # values that must have been compared
 
 FRAMES = "<script>requestAnimationFrame = f => setTimeout(f, 0)</script>"        # without a screen there are none
@@ -258,6 +259,16 @@ def faults_of_actions(folder):
     return faults
 
 
+def faults_of_paper(page):
+    """Five load cases, two sweeps, a calibration and a Monte Carlo fit ten sheets."""
+    with tempfile.TemporaryDirectory() as home:
+        pdf = pathlib.Path(home) / "page.pdf"
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={home}", f"--print-to-pdf={pdf}",
+                        page.resolve().as_uri()], capture_output=True, timeout=240, check=True)
+        sheets = len(re.findall(rb"/Type /Page\b", pdf.read_bytes()))
+    return [] if 0 < sheets <= MOST_SHEETS else [f"the page has {sheets} sheets"]
+
+
 def faults_without_script(page):
     """Fixed pictures of all studies and their tables."""
     text = re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", page.read_text(encoding="utf-8"), count=1)
@@ -288,7 +299,7 @@ def main():
         faults += faults_of_spread(folder, count) + faults_of_rows(folder, count)
         faults += faults_of_actions(folder) + faults_of_addresses(folder)
         text = page.read_text(encoding="utf-8")
-        faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page)
+        faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page) + faults_of_paper(page)
     print(f"{count[0]} values read off the page")
     if count[0] < FEWEST:
         faults.append(f"only {count[0]} values could be compared")

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Keeps the pictures that README.md and output/README.md show true: they are those of the sample decks, drawn anew and compared by all their texts
 (titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
-No text of any picture in the folders is cut or lies on another.
+No text of any picture in the folders is cut or lies on another. Each picture has one title, in words, with that of the run.
 
 Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
 """
+import html
 import pathlib
 import re
 import shutil
@@ -18,9 +19,25 @@ PAGE = '<html><head><meta charset="utf-8"><title></title></head><body>{}</body><
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?")
 
 
+def elements(path, name):
+    """Contents of all elements of a picture that have this name."""
+    return [element.text or "" for element in xml.parse(path).iter("{http://www.w3.org/2000/svg}" + name)]
+
+
 def texts(path):
-    found = [text.text or "" for text in xml.parse(path).iter("{http://www.w3.org/2000/svg}text")]
+    found = elements(path, "title") + elements(path, "text")
     return [text for text in found if not NUMBER.fullmatch(text.strip())] if "study_" in path.name else found
+
+
+def faults_of_titles(folder):
+    """A picture says in its title what it shows, and of which run."""
+    run = re.search(r"<title>(.*?)</title>", (folder / "report.html").read_text(encoding="utf-8"), re.S).group(1)
+    faults = []
+    for path in sorted((folder / "pictures").glob("*.svg")):
+        titles = elements(path, "title")
+        if len(titles) != 1 or path.stem in titles[0] or not titles[0].endswith(". " + html.unescape(run)):
+            faults.append(f"{path}: titles {titles}")
+    return faults
 
 
 def main(arguments):
@@ -48,6 +65,7 @@ def main(arguments):
     faults += [f"{p}: neither README.md nor output/README.md shows it" for p in SHOWN.glob("*") if p.name not in named]
     count = 0
     for deck, folder in folders.items():
+        faults += faults_of_titles(folder)
         drawn = [p.read_text(encoding="utf-8").partition("<svg") for p in sorted((folder / "pictures").glob("*.svg"))]
         page = PAGE.format("".join(f'<div class="drawn" style="width:1120px"><svg{rest}</div>' for _, _, rest in drawn))
         faults += [f"{deck}: {fault}" for fault in faults_of_labels(page, WIDTHS[:1])]

@@ -2,6 +2,7 @@
 """Checks report.html and the pictures of a run: each picture is sound XML, the page refers to nothing outside itself, and a
 real browser without a screen shows it: tables and pictures there, nothing beyond its right edge. Printed on A4 and Letter it
 has every column heading of every table and every line of deck and tables whole, and no heading apart from what it stands over.
+Its first sheet stands alone.
 
 Usage: check_report.py RESULTS_FOLDER SCREENSHOT   (needs chromium, and Python with matplotlib and pypdf)
 """
@@ -27,6 +28,9 @@ LEAST_LETTER = 0.3                  # width of a letter over its height, at leas
 GOVERNING = "_sliding_3190"         # load case of GP1 that is nearest to a limit
 FIXED = 5                           # pictures of the page for where there is no script: of the run, and of that load case
 MOST_SHEETS = 14
+#: Verdict, well, string and chart of GP1, which stand on the first sheet.
+FIRST_SHEET = ("Can it be done?", "Nearest to a limit: sliding_3190", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
+               "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]")
 
 
 def rows_of(path):
@@ -53,7 +57,8 @@ def faults_of_answers(folder, page):
     first = re.search(r"<h2>(.*?)</h2>(.*?)<h2>", page, re.S)
     if not first or not first.group(1).startswith("Can it be done?"):
         return ["the page does not begin with 'Can it be done?'"]
-    rows = [html.unescape(re.sub(r"<[^>]*>", " ", row)) for row in re.findall(r"<tr>(.*?)</tr>", first.group(2), re.S)]
+    table = first.group(2).partition('<table class="answers">')[2].partition("</table>")[0]
+    rows = [html.unescape(re.sub(r"<[^>]*>", " ", row)) for row in re.findall(r"<tr>(.*?)</tr>", table, re.S)]
     cases = [row for row in rows_of(folder / "summary.csv") if row["model"] == "mcge"]
     faults = [] if len(rows) == len(cases) else [f"{len(rows)} answers for {len(cases)} rows of summary.csv"]
     for case, told in zip(cases, rows):
@@ -192,6 +197,7 @@ def faults_of_paper(folder, paper):
             faults.append(f"sheet {number} lacks title or number")
         if sheet.replace(foot, "").endswith(tuple(headings)):
             faults.append(f"sheet {number} ends with a heading")
+    faults += [f"the first sheet lacks {text}" for text in FIRST_SHEET if squeezed(text) not in sheets[0]]
     if len(sheets) > MOST_SHEETS:
         faults.append(f"{len(sheets)} sheets")
     print(f"{paper}: {len(sheets)} sheets, {len(tables)} tables, {len(lines)} lines")

@@ -131,11 +131,15 @@ contains
    !> Pictures and page where the deck does not say no; gnuplot must be there.
    subroutine test_pictures()
       type(run_type) :: run
+      character(:), allocatable :: picture
       run = run_deck_text(with_plots())
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual('', run%diagnostics)
       call assertTrue(is_file('pictures/hookload.svg'))
       call assertTrue(is_file('pictures/path_u.svg'))
+      picture = content(results_path//'/pictures/path_u.svg')
+      call assertTrue(index(picture, '<title>Well path with contact of the string. u: up at 900 m, model soft. a deck</title>') > 0)
+      call assertEqual(index(picture, '<title>'), index(picture, '<title>', back=.true.), message='one title')
       call assertTrue(is_file('pictures/forces_s.svg'))
       call assertFalse(is_file('pictures/gnuplot.log'))
       call assertTrue(is_file('report.html'))

@@ -36,7 +36,8 @@ contains
       call assertEqual('', look_part('', 'pt'))
    end subroutine test_looks
 
-   !> Rows of their own begin a block; a value that lacks is empty; a black curve has the ink of the page.
+   !> Rows of their own begin a block; a value that lacks is empty; a black curve has the ink of the page; a curve has a name and an
+   !> entry of the legend.
    subroutine test_blocks()
       type(picture_list_type) :: list
       type(line_list_type) :: lines
@@ -70,12 +71,13 @@ contains
          text = text//lines%lines(i)%text
       end do
       call assertEqual('"figures":[{"title":"Fit","keys":['// &
-         '{"text":"before","stroke":"currentColor","mark":6,"marks":true}],"blocks":['// &
+         '{"text":"before","look":{"stroke":"currentColor"},"mark":6,"marks":true},'// &
+         '{"text":"interval","look":{"stroke":"#0072B2"},"mark":0,"marks":true}],"blocks":['// &
          '{"rows":["first","\u003C/script\u003E"],"panels":[{"label":"friction","quantity":"q0","lines":['// &
-         '{"name":"","keys":[0],"stroke":"currentColor","mark":6,"marks":true,"points":"1000 0.25 1000 "},'// &
-         '{"name":"interval","keys":[],"stroke":"#0072B2","mark":0,"marks":true,"points":"2000 0.3",'// &
+         '{"name":"before","keys":[0],"look":{"stroke":"currentColor"},"mark":6,"marks":true,"points":"1000 0.25 1000 "},'// &
+         '{"name":"interval","keys":[1],"look":{"stroke":"#0072B2"},"mark":0,"marks":true,"points":"2000 0.3",'// &
          '"low":"2000 0.2","high":"2000 0.4"}]}]},{"rows":["first","\u003C/script\u003E"],"panels":['// &
-         '{"label":"offset","quantity":"force","lines":[{"name":"","keys":[0],"stroke":"#0072B2","dash":"8 4",'// &
-         '"points":"1000 4 1000 5"}]}]}]}]', text)
+         '{"label":"offset","quantity":"force","lines":[{"name":"before","keys":[0],'// &
+         '"look":{"stroke":"#0072B2","stroke-dasharray":"8 4"},"points":"1000 4 1000 5"}]}]}]}]', text)
    end subroutine test_blocks
 end module dg_test_page_figures

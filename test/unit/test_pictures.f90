@@ -11,9 +11,10 @@ module dg_test_pictures
    use dg_forces_picture, only: forces_chart
    use dg_gnuplot_script, only: chart_script, spelled
    use dg_hookload_picture, only: hookload_chart
-   use dg_html_text, only: append_inline_svg, append_table, css_string, html_safe
+   use dg_html_text, only: append_inline_svg, append_table, css_string
    use dg_line_list, only: line_list_type
    use dg_job, only: job_type, model_mcge, model_soft
+   use dg_markup, only: html_safe
    use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out
    use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
@@ -138,16 +139,16 @@ contains
       call append_text(svg, '<title>forces</title>')
       call append_text(svg, '<g fill="none">')
       call append_text(svg, '</g>')
-      call append_text(svg, '<g id="a"><title>forces_plot_1</title>')
+      call append_text(svg, '<g id="a">')
       call append_text(svg, '<path/>')
       call append_text(svg, '</g>')
       call append_text(svg, "<use xlink:href='#gpPt5' id='gpPt6'/>")
-      call append_inline_svg(page, svg, 'p3', 'Torque & drag')
+      call append_inline_svg(page, svg, 'p3')
       text = ''
       do i = 1, page%count
          text = text//page%lines(i)%text//'|'
       end do
-      call assertEqual('<svg|<title>Torque &amp; drag</title>|<g id="a">|<path/>|</g>|'// &
+      call assertEqual('<svg|<title>forces</title>|<g id="a">|<path/>|</g>|'// &
                        "<use xlink:href='#p3gpPt5' id='p3gpPt6'/>|", text)
    end subroutine test_inline
 

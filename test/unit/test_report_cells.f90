@@ -1,7 +1,7 @@
 module dg_test_report_cells
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_comparison, only: percent_error
-   use dg_html_text, only: html_safe
+   use dg_markup, only: html_safe
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
    use dg_load_case, only: moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &

@@ -3,9 +3,10 @@
 module dg_html_pictures
    use dg_case_result, only: result_converged, result_status_name
    use dg_file_lines, only: read_lines
-   use dg_html_text, only: append_inline_svg, append_rows, html_safe
+   use dg_html_text, only: append_inline_svg, append_rows
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_page_figures, only: is_live
    use dg_picture_data, only: picture_data_type
@@ -16,6 +17,8 @@ module dg_html_pictures
    private
    public :: append_pictures
 
+   character(*), parameter :: hint = '<p class="hint">Point at a depth to read all curves there. Drag up or down, or spread '// &
+      'two fingers, to zoom. Double click for the whole depth. Arrow keys move the slider.</p>'
    !> Of a fixed picture that stands beside a chart of the script.
    integer, parameter :: most_letters = 150000
 
@@ -36,7 +39,7 @@ contains
                        to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
                        'stand in the folder of results.</p>')
       if (shown > 0) then
-         call add_line(lines, '<h2>Along the string</h2>')
+         call add_line(lines, '<h2>Along the string</h2>'//hint)
          call add_line(lines, '<div class="live"></div><div class="static">')
          call add_line(lines, '<p>Load case '//html_safe(model%cases(shown)%name)//'. Pictures of all load cases stand in the '// &
                           'folder <code>pictures</code>.</p>')
@@ -48,6 +51,7 @@ contains
       end if
       of_run = list%pictures%case_index == 0 .and. (list%pictures%drawn .or. is_live(list%pictures))
       if (any(of_run)) call add_line(lines, '<h2>Pictures of the run</h2>')
+      if (shown == 0 .and. any(is_live(list%pictures))) call add_line(lines, hint)
       do k = 1, size(list%pictures)
          if (of_run(k)) call append_picture(lines, job, list%pictures(k), k)
       end do
@@ -62,11 +66,14 @@ contains
       type(job_type), intent(in) :: job
       type(picture_type), intent(in) :: picture
       integer, intent(in) :: number
+      character(:), allocatable :: title
+      title = ''
+      if (is_live(picture)) title = picture%chart%title
       call add_line(lines, '<figure>')
-      if (is_live(picture)) call add_line(lines, '<div class="live"></div><div class="static">')
+      if (is_live(picture)) call add_line(lines, '<h3>'//html_safe(title)//'</h3><div class="live"></div><div class="static">')
       if (picture%drawn) call append_fixed(lines, job, picture, number)
       if (is_live(picture)) call add_line(lines, '</div>')
-      call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
+      if (picture%caption /= title) call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
       call append_data(lines, job, picture%data)
       call add_line(lines, '</figure>')
    end subroutine append_picture
@@ -86,7 +93,7 @@ contains
       else if (is_live(picture) .and. sum([(len(svg(i)%text), i=1, size(svg))]) > most_letters) then
          call add_line(lines, '<p class="note">A large picture: pictures/'//html_safe(picture%name)//'.svg</p>')
       else
-         call append_inline_svg(lines, svg, 'p'//to_text(number), picture%caption)
+         call append_inline_svg(lines, svg, 'p'//to_text(number))
       end if
    end subroutine append_fixed
 

@@ -10,12 +10,13 @@ module dg_html_report
    use dg_html_pictures, only: append_pictures
    use dg_html_short, only: append_short
    use dg_html_style, only: append_style
-   use dg_html_text, only: append_preformatted, append_table, html_safe
+   use dg_html_text, only: append_preformatted, append_table
    use dg_html_verdict, only: append_verdicts
    use dg_kinds, only: wp
    use dg_job, only: job_type, leading_model, model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_limits_file, only: limits_row
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_picture_list, only: picture_list_type
    use dg_column, only: row_type
@@ -72,7 +73,7 @@ contains
       integer :: shown, i
       shown = governing_case(job, results, wholes)
       call start_page(job, lines)
-      call append_verdicts(lines, job, model, results, wholes)
+      call append_verdicts(lines, job, model, results, wholes, shown)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
       call append_warnings(lines, job, model, results, wholes)
       call append_outcome(lines, job%units, printed%outcome)

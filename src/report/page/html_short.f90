@@ -3,9 +3,9 @@ module dg_html_short
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_comparison, only: as_measured, percent_error
-   use dg_html_text, only: html_safe
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_named_states, only: buckling_none

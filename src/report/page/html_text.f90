@@ -6,15 +6,16 @@ module dg_html_text
                         quantity_time, quantity_turns, row_type
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_from_name, operation_label
+   use dg_markup, only: html_safe
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_cell
    use dg_readable, only: spaced
-   use dg_text, only: plain_utf8, put_piece, text_type, to_text
+   use dg_text, only: plain_utf8, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
-   public :: html_safe, append_rows, append_table, append_preformatted, append_inline_svg, css_string
+   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -34,30 +35,6 @@ module dg_html_text
    integer, parameter :: last_ascii = 127
 
 contains
-
-   !> A text as HTML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'. Put in place piece by piece: lines
-   !> of a hundred kilobytes are legal in a deck, and a text that grows by a byte at a time takes the square of its length.
-   pure function html_safe(text) result(safe)
-      character(*), intent(in) :: text
-      character(:), allocatable :: safe
-      character(:), allocatable :: room
-      character(len(text)) :: plain
-      integer, parameter :: longest = 6     ! letters that stand for one: &quot;
-      integer :: i, filled
-      plain = plain_utf8(text)
-      allocate (character(longest*len(text)) :: room)
-      filled = 0
-      do i = 1, len(text)
-         select case (plain(i:i))
-         case ('&'); call put_piece(room, filled, '&amp;')
-         case ('<'); call put_piece(room, filled, '&lt;')
-         case ('>'); call put_piece(room, filled, '&gt;')
-         case ('"'); call put_piece(room, filled, '&quot;')
-         case default; call put_piece(room, filled, plain(i:i))
-         end select
-      end do
-      safe = room(:filled)
-   end function html_safe
 
    !> A text as a string of CSS, which may stand in HTML: what is no letter, digit, blank or byte beyond ASCII goes by its number.
    pure function css_string(text) result(string)
@@ -215,16 +192,14 @@ contains
    end subroutine append_preformatted
 
    !> A picture within the page: what stands before <svg> left out, groups without content too; names of its marks made its own by
-   !> `prefix`, its title in place of gnuplot's names.
-   pure subroutine append_inline_svg(lines, svg, prefix, title)
+   !> `prefix`.
+   pure subroutine append_inline_svg(lines, svg, prefix)
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: svg(:)      !< lines of the file
       character(*), intent(in) :: prefix         !< other for each picture of a page
-      character(*), intent(in) :: title
       integer :: i
-      logical :: inside, named
+      logical :: inside
       inside = .false.
-      named = .false.
       i = 0
       do while (i < size(svg))
          i = i + 1
@@ -233,12 +208,8 @@ contains
             if (.not. inside .or. text == '') cycle
             if (is_empty_group(i)) then
                i = i + 1
-            else if (index(text, '<title>') == 0) then
-               call add_line(lines, own(text))
             else
-               if (.not. named) call add_line(lines, '<title>'//html_safe(title)//'</title>')
-               named = .true.
-               if (index(text, '<title>') > 1) call add_line(lines, text(:index(text, '<title>') - 1))
+               call add_line(lines, own(text))
             end if
          end associate
       end do

@@ -1,9 +1,10 @@
 !> First block of the page: can it be done, one row a load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
-   use dg_html_text, only: html_safe
+   use dg_html_well, only: append_well
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_text, only: to_text
    use dg_verdict, only: answer_no, verdict_type
@@ -18,20 +19,26 @@ module dg_html_verdict
 
 contains
 
-   !> A table of the leading model: case with operation and depth, answer, what decides. Answers of other models that differ.
-   subroutine append_verdicts(lines, job, model, results, wholes)
+   !> Answers in one sentence, well and string, a table of the leading model: case with operation and depth, answer, what decides.
+   !> Answers of other models that differ. On paper well and string follow the sentence, on a screen the table.
+   subroutine append_verdicts(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      integer, intent(in) :: shown                          !< load case of string and chart of the first printed page; 0: none
       character(:), allocatable :: other
       integer :: i, k
-      if (size(results) == 0) return
-      call add_line(lines, '<h2>'//verdict_heading(job)//'</h2>')
+      if (size(results) == 0) then
+         call append_well(lines, job, model, shown)
+         return
+      end if
+      call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
       other = summary_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
-      call add_line(lines, '<div class="wide"><table><tbody>')
+      call append_well(lines, job, model, shown)
+      call add_line(lines, '<div class="wide"><table class="answers"><tbody>')
       do k = 1, size(results)
          if (results(k)%model /= leading_model(job)) cycle
          associate (load_case => model%cases(results(k)%case_index), verdict => wholes(k)%verdict)
@@ -51,6 +58,7 @@ contains
          other = unlike_text(job, model, results, wholes, job%models(i))
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       end do
+      call add_line(lines, '</div>')
    end subroutine append_verdicts
 
    !> The name of a load case as a link to its charts, at the depth of the limit that decides.

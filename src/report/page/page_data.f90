@@ -5,13 +5,14 @@ module dg_page_data
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: closed_diameter
+   use dg_curve_look, only: dash_of, line_style, marked_line_style
    use dg_drillstring, only: component_tops
    use dg_job, only: job_type, leading_model, model_name
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_series, profile_curves
-   use dg_page_figures, only: append_figures, figure_quantities
+   use dg_page_figures, only: append_figures, figure_quantities, look_text
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_force, quantity_length, quantity_width, system_base, system_name
    use dg_readable, only: spaced
@@ -102,20 +103,19 @@ contains
          allocate (list%items(0))
       end if
       call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"tolerance":'// &
-                       to_text(tolerance, 2)//',')
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],')
       call append_quantities(lines, job%units, [quantity_length, quantity_width, quantity_force, &
                                                 list%items(:list%count)%column%quantity, figure_quantities(pictures)])
       if (shown > 0) then
          call add_line(lines, '"start":'//to_text(shown - 1)//',')
          call append_columns(lines, list)
-         call append_cases(lines, job, model, results)
+         call append_cases(lines, job, model)
          call add_line(lines, '"charts":[')
          do i = 1, size(charts)
             call add_line(lines, trim(charts(i)))
          end do
          call add_line(lines, '],"profiles":[')
-         call append_profiles(lines, job, results, list, curves)
+         call append_profiles(lines, job, model, results, list, curves, shown)
          call add_line(lines, '],')
       end if
       call append_figures(lines, pictures, tolerance)
@@ -213,30 +213,21 @@ contains
       call add_line(lines, '},')
    end subroutine append_columns
 
-   !> Name, depth and string of each load case, whether a method found no solution; names of methods.
-   subroutine append_cases(lines, job, model, results)
+   !> Name, depth and string of each load case.
+   subroutine append_cases(lines, job, model)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
       character(:), allocatable :: text
       integer :: i
-      logical :: solved
       call add_line(lines, '"cases":[')
       do i = 1, size(model%cases)
-         solved = all(results%status == result_converged .or. results%case_index /= i)
          text = '{"name":'//json_string(model%cases(i)%name)//',"depth":'// &
-                to_text(model%cases(i)%bit_depth/job%units%length, digits)//',"converged":'// &
-                trim(merge('true ', 'false', solved))//',"parts":['//parts_text(job, model, i)//']}'
+                to_text(model%cases(i)%bit_depth/job%units%length, digits)//',"parts":['//parts_text(job, model, i)//']}'
          if (i < size(model%cases)) text = text//','
          call add_line(lines, text)
       end do
-      text = '],"models":['
-      do i = 1, size(job%models)
-         if (i > 1) text = text//','
-         text = text//json_string(trim(model_name(job%models(i))))
-      end do
-      call add_line(lines, text//'],')
+      call add_line(lines, '],')
    end subroutine append_cases
 
    !> Components of the string of a load case: name, diameter, from and to above the bit.
@@ -265,18 +256,20 @@ contains
    end function parts_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
-   subroutine append_profiles(lines, job, results, list, curves)
+   subroutine append_profiles(lines, job, model, results, list, curves, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(series_list_type), intent(in) :: list
       type(text_type), intent(in) :: curves(:, :)   !< of its columns, by result
+      integer, intent(in) :: shown                  !< load case that is shown first
       integer :: rows(count(has_curves(results))), i, k, j, same
       character(:), allocatable :: text
       rows = pack([(i, i=1, size(results))], has_curves(results))
       do i = 1, size(rows)
-         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"model":'// &
-                          to_text(findloc(job%models, results(rows(i))%model, dim=1) - 1)//',"curves":{')
+         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"key":'// &
+                          profile_key(job, model, results(rows(i)), shown)//',"curves":{')
          text = ''
          do k = 1, list%count
             associate (curve => curves(k, rows(i))%text)
@@ -300,6 +293,25 @@ contains
                           trim(merge(',', ' ', i < size(rows))))
       end do
    end subroutine append_profiles
+
+   !> Entry of a profile in the legend: name and look. Methods differ by their dashes, load cases by their marks; the case that is
+   !> shown first has none.
+   pure function profile_key(job, model, result, shown) result(key)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      integer, intent(in) :: shown
+      character(:), allocatable :: key
+      integer :: method, turn
+      method = findloc(job%models, result%model, dim=1)
+      turn = modulo(result%case_index - shown, size(model%cases))
+      if (turn == 0) then
+         key = look_text(line_style(method))
+      else
+         key = look_text(marked_line_style(turn*size(job%models) + method, 1, 1.0_wp, dash_of(method)))
+      end if
+      key = '{"text":'//json_string(model%cases(result%case_index)%name//' '//trim(model_name(result%model)))//key//'}'
+   end function profile_key
 
    !> Depth, force and clock angle of each contact.
    function contacts_text(job, result) result(text)

@@ -2,7 +2,7 @@
 !> legend. Numbers are in the deck's units.
 module dg_page_figures
    use dg_kinds, only: wp
-   use dg_chart, only: chart_type, curve_type, panel_type
+   use dg_chart, only: add_key, chart_type, curve_type, key_of, panel_type
    use dg_curve_look, only: colour_black, colour_white, look_part
    use dg_json, only: json_string, quantity_key
    use dg_line_list, only: add_line, line_list_type
@@ -12,7 +12,7 @@ module dg_page_figures
    use dg_text, only: to_text
    implicit none
    private
-   public :: append_figures, figure_quantities, is_live
+   public :: append_figures, figure_quantities, is_live, look_text
 
    integer, parameter :: digits = 7
 
@@ -48,6 +48,7 @@ contains
       type(line_list_type), intent(inout) :: lines
       type(picture_list_type), intent(in) :: list
       real(wp), intent(in) :: tolerance          !< of curves, see page_curves
+      type(chart_type) :: chart
       character(:), allocatable :: text
       integer :: i, k
       logical :: begins
@@ -56,23 +57,55 @@ contains
       do i = 1, size(list%pictures)
          if (.not. is_live(list%pictures(i))) cycle
          if (text /= '') call add_line(lines, text//',')
-         associate (chart => list%pictures(i)%chart)
-            call add_line(lines, '{"title":'//json_string(chart%title)//',"keys":['//keys_text(chart)//'],"blocks":[')
-            do k = 1, size(chart%panels)
-               begins = k == 1 .or. allocated(chart%panels(k)%y%rows)
-               if (begins) then
-                  if (k > 1) call add_line(lines, ']},')
-                  call add_line(lines, '{'//axis_text(chart%panels(k))//',"panels":[')
-               else
-                  call add_line(lines, ',')
-               end if
-               call append_panel(lines, chart%panels(k), tolerance)
-            end do
-         end associate
+         chart = list%pictures(i)%chart
+         call give_keys(chart)
+         call add_line(lines, '{"title":'//json_string(chart%title)//',"keys":['//keys_text(chart)//'],"blocks":[')
+         do k = 1, size(chart%panels)
+            begins = k == 1 .or. allocated(chart%panels(k)%y%rows)
+            if (begins) then
+               if (k > 1) call add_line(lines, ']},')
+               call add_line(lines, '{'//axis_text(chart%panels(k))//',"panels":[')
+            else
+               call add_line(lines, ',')
+            end if
+            call append_panel(lines, chart%panels(k), tolerance)
+         end do
          text = ']}]}'
       end do
       call add_line(lines, text//']')
    end subroutine append_figures
+
+   !> Gives curves without an entry of the legend one of their own, which switches them on and off, and curves without a name the
+   !> texts of their entries.
+   pure subroutine give_keys(chart)
+      type(chart_type), intent(inout) :: chart
+      integer :: i, k
+      do i = 1, size(chart%panels)
+         do k = 1, size(chart%panels(i)%curves)
+            associate (curve => chart%panels(i)%curves(k))
+               if (curve%name == '') then
+                  curve%name = texts_of(chart, curve%keys)
+               else if (size(curve%keys) == 0) then
+                  if (size(key_of(chart, curve%name)) == 0) call add_key(chart, curve%look, curve%name)
+                  curve%keys = key_of(chart, curve%name)
+               end if
+            end associate
+         end do
+      end do
+   end subroutine give_keys
+
+   !> Texts of entries of the legend, a comma between them.
+   pure function texts_of(chart, keys) result(text)
+      type(chart_type), intent(in) :: chart
+      integer, intent(in) :: keys(:)      !< places of the entries
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, size(keys)
+         if (i > 1) text = text//', '
+         text = text//chart%keys(keys(i))%text
+      end do
+   end function texts_of
 
    !> Entries of the legend; one that is white tells something in words alone.
    pure function keys_text(chart) result(text)
@@ -155,15 +188,16 @@ contains
       integer :: i
       colour = look_part(look, 'rgb')
       if (colour == colour_black) colour = 'currentColor'
-      text = ',"stroke":'//json_string(colour)
-      if (colour == colour_white) text = ',"words":true'
+      text = ',"look":{"stroke":'//json_string(colour)
       dash = look_part(look, 'dt')
       if (index(dash, '(') == 1) then
          do i = 1, len(dash)
             if (scan(dash(i:i), '(,)') == 1) dash(i:i) = ' '
          end do
-         text = text//',"dash":'//json_string(trim(adjustl(dash)))
+         text = text//',"stroke-dasharray":'//json_string(trim(adjustl(dash)))
       end if
+      text = text//'}'
+      if (colour == colour_white) text = text//',"words":true'
       if (look_part(look, 'pt') /= '') text = text//',"mark":'//look_part(look, 'pt')
       select case (look_part(look, 'with'))
       case ('points', 'xerrorbars'); text = text//',"marks":true'

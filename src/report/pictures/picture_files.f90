@@ -18,6 +18,7 @@ module dg_picture_files
    use dg_picture_data, only: picked_rows, picture_data_type, rows_along, rows_of_contacts
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
    use dg_picture_list, only: add_picture, folder_in, picture_list_type
+   use dg_picture_title, only: put_title
    use dg_result_name, only: case_file, contacts_file, picture_folder, profile_file
    use dg_strength_picture, only: strength_chart
    use dg_summary_file, only: summary_row
@@ -122,7 +123,8 @@ contains
          file = case_file(profile_file, load_case%name, results(k)%model)
          call add_picture(list, job, path_chart(job, model, results(k)), 'Well path with contact of the string'//answer, &
                           case_index, rows_along(file, path_columns, results(k), alongs(k)), error)
-         call add_picture(list, job, forces_chart(job, model, results(rows), alongs(rows), left_out), 'Along the string'//answer, &
+         call add_picture(list, job, forces_chart(job, model, results(rows), alongs(rows), left_out), &
+                          'Forces and moments along the string'//answer, &
                           case_index, rows_along(file, forces_columns, results(k), alongs(k)), error)
          call add_picture(list, job, strength_chart(job, model, results(rows), alongs(rows)), &
                           'Stress, safety factor and torque against what the string bears'//answer, case_index, &
@@ -135,7 +137,7 @@ contains
       end associate
    end subroutine add_case
 
-   !> Has gnuplot draw all scripts, if there is one.
+   !> Has gnuplot draw all scripts, if there is one, and gives the pictures their titles.
    subroutine draw(job, list, error)
       type(job_type), intent(in) :: job
       type(picture_list_type), intent(inout) :: list
@@ -156,5 +158,9 @@ contains
       list%no_gnuplot = gnuplot == ''
       call draw_pictures(gnuplot, folder_in(job), names, usual_patience, drawn, error)
       list%pictures%drawn = drawn
+      do i = 1, size(drawn)
+         if (allocated(error)) return
+         if (drawn(i)) call put_title(folder_in(job)//'/'//names(i)%text//'.svg', list%pictures(i)%title, error)
+      end do
    end subroutine draw
 end module dg_picture_files

@@ -8,7 +8,7 @@ module dg_picture_list
    use dg_job, only: job_type
    use dg_picture_data, only: picture_data_type
    use dg_result_name, only: picture_folder
-   use dg_text, only: text_type, to_text
+   use dg_text, only: text_or_nothing, text_type, to_text
    use dg_written_files, only: note_file
    implicit none
    private
@@ -17,6 +17,7 @@ module dg_picture_list
    type :: picture_type
       character(:), allocatable :: name     !< of the files, without ending
       character(:), allocatable :: caption
+      character(:), allocatable :: title    !< caption, what the chart is of, title of the run
       integer :: case_index = 0             !< load case that it belongs to; 0: the run
       logical :: drawn = .false.            !< it is there, not only its script
       type(picture_data_type) :: data       !< what it shows, in numbers
@@ -25,13 +26,13 @@ module dg_picture_list
 
    type :: picture_list_type
       type(picture_type), allocatable :: pictures(:)
-      character(:), allocatable :: empty    !< captions of charts without a point, which are not drawn, '; ' between them
+      character(:), allocatable :: empty    !< words of charts without a point, which are not drawn, '; ' between them
       logical :: no_gnuplot = .false.
    end type picture_list_type
 
 contains
 
-   !> Writes the script of a chart and enters its picture, under another name where one has its own; of an empty chart its caption
+   !> Writes the script of a chart and enters its picture, under another name where one has its own; of an empty chart its words
    !> alone. Where there is an error already, nothing is done; a script that cannot be written is an error.
    subroutine add_picture(list, job, chart, caption, case_index, data, error)
       type(picture_list_type), intent(inout) :: list
@@ -46,11 +47,14 @@ contains
       type(chart_type), allocatable :: kept
       type(text_type), allocatable :: lines(:)
       type(row_type), allocatable :: rows(:)
+      character(:), allocatable :: words
       integer :: n, i, number
       if (allocated(error)) return
+      words = caption
+      if (chart%title /= caption) words = words//'. '//chart%title
       if (is_empty(chart)) then
          if (list%empty /= '') list%empty = list%empty//'; '
-         list%empty = list%empty//caption
+         list%empty = list%empty//words
          return
       end if
       named = chart
@@ -75,6 +79,8 @@ contains
       end do
       longer(n + 1)%name = named%name
       longer(n + 1)%caption = caption
+      longer(n + 1)%title = words
+      if (text_or_nothing(job%title) /= '') longer(n + 1)%title = words//'. '//job%title
       longer(n + 1)%case_index = case_index
       longer(n + 1)%data = data
       if (case_index == 0) longer(n + 1)%chart = chart

@@ -163,7 +163,7 @@ contains
                   data%rows(r) = fields_of(sweep_row(sweep, point_at(sweep, rows(r)), self%ensembles(i)%points(rows(r))), shown)
                end do
                call add_picture(list, run%job, sweep_chart(run%job%units, sweep, k, run%model, self%ensembles(i)%points), &
-                                'Hook load and torque against bit depth, sweep '//sweep%name//', model '//model, 0, data, error)
+                                'Hook load and torque against bit depth', 0, data, error)
             end do
          end associate
       end do

@@ -1,0 +1,96 @@
+!> Well and string in short, beside the place of the chart that stands on the first printed page.
+module dg_html_well
+   use dg_kinds, only: wp
+   use dg_component, only: component_type
+   use dg_drillstring, only: component_tops
+   use dg_job, only: job_type
+   use dg_line_list, only: add_line, line_list_type
+   use dg_markup, only: html_safe
+   use dg_model, only: model_type, string_index
+   use dg_text, only: text_type, to_text
+   use dg_trajectory, only: bottom_md, top_md
+   use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length, unit_mass
+   use dg_units, only: unit_system_type
+   use dg_well_head, only: well_head
+   implicit none
+   private
+   public :: append_well
+
+   integer, parameter :: digits = 5
+   !> Rows of a string; the first page has no room for more.
+   integer, parameter :: most_rows = 15
+
+contains
+
+   !> Sentences on the well and its strings, a table of one string, the place of a chart.
+   subroutine append_well(lines, job, model, shown)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: shown            !< load case of the string and the chart; 0: none
+      type(text_type), allocatable :: head(:)
+      integer :: i
+      allocate (head, source=well_head(job%units, model))
+      call add_line(lines, '<div class="head"><div><h3>Well and string</h3>')
+      do i = 1, size(head)
+         call add_line(lines, '<p>'//html_safe(head(i)%text)//'.</p>')
+      end do
+      if (shown > 0) then
+         call append_string(lines, job%units, model, string_index(model%strings, model%cases(shown)%string), &
+                            model%cases(shown)%bit_depth)
+      else
+         call append_string(lines, job%units, model, 1, bottom_md(model%trajectory))
+      end if
+      call add_line(lines, '</div><div class="first live"></div></div>')
+   end subroutine append_well
+
+   !> Components of a string in the hole from the bit upwards: name, length, diameter, mass per length.
+   subroutine append_string(lines, units, model, number, bit)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: number           !< of the string
+      real(wp), intent(in) :: bit             !< measured depth [m]
+      real(wp) :: tops(size(model%strings(number)%components)), lengths(size(tops))
+      character(:), allocatable :: name
+      integer :: i, last
+      tops = component_tops(model%strings(number), bit - top_md(model%trajectory))
+      lengths = tops - [0.0_wp, tops(:size(tops) - 1)]
+      last = findloc(lengths > 0.0_wp, .true., dim=1, back=.true.)
+      name = ''
+      if (size(model%strings) > 1) name = ' '//html_safe(model%strings(number)%name)
+      call add_line(lines, '<table><caption>String'//name//' from the bit at '// &
+                       trim(in_units(units, unit_length, bit, digits))//' upwards</caption>')
+      call add_line(lines, '<thead><tr><th class="text" scope="col">component</th>'//head_cell('length', unit_length)// &
+                       head_cell('od', unit_diameter)//head_cell('mass', unit_mass)//'</tr></thead><tbody>')
+      do i = 1, min(last, most_rows)
+         call append_component(lines, units, model%strings(number)%components(i), lengths(i))
+      end do
+      if (last > most_rows) call add_line(lines, '<tr><td class="text">'//to_text(last - most_rows)//' more</td>'// &
+                                          cell(tops(last) - tops(most_rows), units%length)//'</tr>')
+      call add_line(lines, '</tbody></table>')
+   contains
+      pure function head_cell(heading, quantity) result(text)
+         character(*), intent(in) :: heading
+         integer, intent(in) :: quantity
+         character(:), allocatable :: text
+         text = '<th scope="col">'//heading//'<br><small>'//html_safe(unit_label(units, quantity))//'</small></th>'
+      end function head_cell
+   end subroutine append_string
+
+   subroutine append_component(lines, units, component, length)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: length          !< in the hole [m]
+      call add_line(lines, '<tr><td class="text long">'//html_safe(component%name)//'</td>'//cell(length, units%length)// &
+                       cell(component%od, units%diameter)//cell(component%mass, units%mass_per_length)//'</tr>')
+   end subroutine append_component
+
+   !> A number of a table.
+   pure function cell(value, unit) result(text)
+      real(wp), intent(in) :: value, unit     !< [SI]
+      character(:), allocatable :: text
+      text = '<td>'//to_text(value/unit, digits)//'</td>'
+   end function cell
+end module dg_html_well
