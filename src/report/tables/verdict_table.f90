@@ -73,7 +73,7 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      character(:), allocatable :: text
+      character(:), allocatable :: text, lead
       logical :: shown(size(results)), near(size(results))
       integer :: k
       text = ''
@@ -88,9 +88,10 @@ contains
       end do
       if (.not. any(near)) return
       k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
-      text = text//trim(merge(' Of the others nearest to a limit:', ' Nearest to a limit:              ', &
-                             any(shown .and. wholes%verdict%answer /= answer_yes)))//' '//model%cases(results(k)%case_index)%name//', '// &
-             to_text(wholes(k)%verdict%used%value/percent, digits)//' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
+      lead = ' Nearest to a limit: '
+      if (any(shown .and. wholes%verdict%answer /= answer_yes)) lead = ' Of the others nearest to a limit: '
+      text = text//lead//model%cases(results(k)%case_index)%name//', '//to_text(wholes(k)%verdict%used%value/percent, digits)// &
+             ' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
    contains
       !> Names of the cases with an answer; '' where there are none.
       pure function named(word, answer) result(part)

@@ -35,8 +35,8 @@ module dg_tuning
                                           attempt_type(100.0_wp, other_place=.true.), attempt_type(100.0_wp, reach=long)]
       !> How many of them are made, at most 4.
       integer :: most_attempts = 4
-      !> Iterations without a residual less than each before it, after which an attempt is given up. Of hard wells that converge none
-      !> had more than 103; attempts that find nothing go on for hundreds.
+      !> Iterations without a residual less than all before, after which an attempt is given up. Hard wells that converge have at
+      !> most 103. Attempts that find nothing go on for hundreds.
       integer :: longest_stall = 110
       !> The meshes in their order. The first is the one asked for. A string that is pushed near lock-up lies far from the soft
       !> string that its mesh was made for: shorter elements find its equilibrium.
