@@ -6,7 +6,7 @@ module dg_calibration_table
                              torque_datum, unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: difference, percent_error
    use dg_job, only: model_name
    use dg_deck_echo, only: hole_friction_text
    use dg_learnt_friction, only: learn_friction
@@ -14,16 +14,18 @@ module dg_calibration_table
    use dg_load_case, only: operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
-   use dg_number_text, only: append_wrapped, fixed_cell, left_aligned, page_width, right_aligned
+   use dg_number_text, only: append_wrapped, fixed_cell, page_width
    use dg_prediction_table, only: append_predictions, quantity_words
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: calibration_table, unknown_text
 
-   integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, interval_width = 20
+   integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, quantity_width = 18, interval_width = 20
+   integer, parameter :: remark_width = 18
    real(wp), parameter :: one = 1.0_wp
    integer, parameter :: depth_digits = 7, factor_digits = 4
 
@@ -63,15 +65,10 @@ contains
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      character(:), allocatable :: head, rule, interval, remark
+      type(text_table_type) :: table
+      character(:), allocatable :: interval, remark
       real(wp) :: unit
       integer :: k, decimals
-      head = left_aligned('Friction factor', label_width)//right_aligned('In deck', cell_width)// &
-             right_aligned('Found', cell_width)//right_aligned('95 % interval', interval_width)//'  Remark'
-      rule = repeat('-', label_width + 2*cell_width + interval_width + 20)
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do k = 1, size(calibration%unknowns)
          associate (value => result%fit%unknowns(k), half => result%statistics%half_width(k))
             unit = merge(units%force, one, calibration%unknowns(k)%is_offset)
@@ -92,12 +89,15 @@ contains
                end if
             case default
             end select
-            call append_text(lines, trim(left_aligned(unknown_text(units, model, calibration%unknowns(k)), label_width)// &
-               fixed_cell(result%start(k)/unit, cell_width, decimals)//right_aligned(shown(value), cell_width)// &
-               right_aligned(interval, interval_width)//'  '//remark))
+            call add_cell(table, 'Friction factor', label_width, unknown_text(units, model, calibration%unknowns(k)))
+            call add_cell(table, 'In deck', cell_width, result%start(k), unit, decimals)
+            call add_cell(table, 'Found', cell_width, value, unit, decimals)
+            call add_right(table, '95 % interval', interval_width, interval)
+            call add_cell(table, 'Remark', remark_width, remark)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
    contains
       function shown(value) result(text)
          real(wp), intent(in) :: value
@@ -113,17 +113,11 @@ contains
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      character(:), allocatable :: head, rule
-      type(optional_real) :: before, errors(2)
+      type(text_table_type) :: table
+      type(optional_real) :: errors(2)
       character(:), allocatable :: some_lost
       real(wp) :: unit, sums(2), worst(2)
       integer :: d, counted(2), decimals
-      head = left_aligned('Load case', name_width)//left_aligned('Quantity', 18)//right_aligned('Measured', cell_width)// &
-             right_aligned('Before', cell_width)//right_aligned('Error %', cell_width)//right_aligned('After', cell_width)// &
-             right_aligned('Error %', cell_width)//right_aligned('Diff.', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, head)
-      call append_text(lines, rule)
       sums = 0.0_wp
       worst = 0.0_wp
       counted = 0
@@ -131,28 +125,26 @@ contains
          associate (datum => calibration%data(d))
             unit = merge(units%force, units%moment, datum%kind == hookload_datum)
             decimals = merge(1, 2, datum%kind == hookload_datum)
-            before = optional_real()
             errors(1) = optional_real()
-            if (.not. is_missing(result%before(d))) then
-               before = given(result%before(d))
-               errors(1) = percent_error(result%before(d), given(datum%measured))
-            end if
+            if (.not. is_missing(result%before(d))) errors(1) = percent_error(result%before(d), given(datum%measured))
             errors(2) = percent_error(result%fit%values(d), given(datum%measured))
             where (errors%present)
                sums = sums + errors%value
                worst = max(worst, errors%value)
                counted = counted + 1
             end where
-            call append_text(lines, left_aligned(model%cases(calibration%cases(datum%case))%name, name_width)// &
-               left_aligned(quantity_words(units, datum%kind), 18)// &
-               fixed_cell(given(datum%measured), unit, cell_width, decimals)// &
-               fixed_cell(before, unit, cell_width, decimals)//fixed_cell(errors(1), one, cell_width, 2)// &
-               fixed_cell(given(result%fit%values(d)), unit, cell_width, decimals)// &
-               fixed_cell(errors(2), one, cell_width, 2)// &
-               fixed_cell(given(result%fit%values(d) - datum%measured), unit, cell_width, decimals))
+            call add_cell(table, 'Load case', name_width, model%cases(calibration%cases(datum%case))%name)
+            call add_cell(table, 'Quantity', quantity_width, quantity_words(units, datum%kind))
+            call add_cell(table, 'Measured', cell_width, datum%measured, unit, decimals)
+            call add_cell(table, 'Before', cell_width, result%before(d), unit, decimals)
+            call add_cell(table, 'Error %', cell_width, errors(1), one, 2)
+            call add_cell(table, 'After', cell_width, result%fit%values(d), unit, decimals)
+            call add_cell(table, 'Error %', cell_width, errors(2), one, 2)
+            call add_cell(table, 'Diff.', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       if (all(counted > 0)) then
          sums = sums/real(counted, wp)
          some_lost = ''

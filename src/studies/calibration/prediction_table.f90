@@ -11,15 +11,16 @@ module dg_prediction_table
    use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name
    use dg_missing, only: is_missing, known, missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_cell
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: append_predictions, add_predictions, quantity_words
 
-   integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20
+   integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20, within_width = 7
    real(wp), parameter :: one = 1.0_wp
 
 contains
@@ -33,16 +34,11 @@ contains
       type(calibration_result_type), intent(in) :: result
       type(calibration_type) :: ahead
       type(optional_real) :: value, measured, error
-      character(:), allocatable :: head, rule, interval, verdict
+      type(text_table_type) :: table
+      character(:), allocatable :: interval, verdict
       real(wp) :: unit
       integer :: d, decimals
       ahead = ahead_of(calibration, model%cases)
-      head = left_aligned('Predicted load case', name_width)//left_aligned('Quantity', quantity_width)// &
-             right_aligned('Predicted', cell_width)//right_aligned('95 % interval', interval_width)// &
-             right_aligned('Measured', cell_width)//right_aligned('Error %', cell_width)//'  Within'
-      rule = repeat('-', len(head))
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do d = 1, size(ahead%data)
          associate (datum => ahead%data(d), case => model%cases(ahead%cases(ahead%data(d)%case)), &
                     half => result%prediction%half_width(d))
@@ -56,13 +52,17 @@ contains
             if (.not. is_missing(half)) interval = shown(value%value - half)//' to '//shown(value%value + half)
             verdict = within(result%prediction%values(d), half, measured)
             if (verdict == 'yes') verdict = ''
-            call append_text(lines, trim(left_aligned(case%name, name_width)// &
-               left_aligned(quantity_words(units, datum%kind), quantity_width)//fixed_cell(value, unit, cell_width, decimals)// &
-               right_aligned(interval, interval_width)//fixed_cell(measured, unit, cell_width, decimals)// &
-               fixed_cell(error, one, cell_width, 2)//'  '//verdict))
+            call add_cell(table, 'Predicted load case', name_width, case%name)
+            call add_cell(table, 'Quantity', quantity_width, quantity_words(units, datum%kind))
+            call add_cell(table, 'Predicted', cell_width, value, unit, decimals)
+            call add_right(table, '95 % interval', interval_width, interval)
+            call add_cell(table, 'Measured', cell_width, measured, unit, decimals)
+            call add_cell(table, 'Error %', cell_width, error, one, 2)
+            call add_cell(table, 'Within', within_width, verdict)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       call append_verdict(lines, units, model, ahead, result)
    contains
       function shown(number) result(text)
