@@ -21,7 +21,6 @@ module dg_model_table
    integer, parameter :: share_width = 9
    integer, parameter :: seconds_width = 10
    real(wp), parameter :: one = 1.0_wp
-   !> A larger difference than the number itself has no share in per cent.
    !> Torque under which a difference in per cent says nothing [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
 

@@ -16,7 +16,7 @@ module dg_calibration_study
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_csv_table, only: begin_table
-   use dg_factor_columns, only: factor_file, factor_row
+   use dg_factor_columns, only: factor_file, factor_row, found_type
    use dg_fit_calibration, only: fit_calibration
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: interruption_name, is_interrupted
@@ -177,7 +177,7 @@ contains
       end do
       self%owner = self%owner(:n)
       if (.not. divided) then
-         call begin_table(run%factors, factor_row(), run%job%units)
+         call begin_table(run%factors, factor_row(found_type()), run%job%units)
          call write_calibrations(run%job, run%given, self%calibrations, self%owner, self%results(:n), run%factors, failure)
          if (allocated(failure)) call move_alloc(failure, error)
       end if

@@ -9,7 +9,7 @@ module dg_sticking_study
    use dg_diagnostic, only: tell
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
-   use dg_factor_columns, only: factor_file, factor_row
+   use dg_factor_columns, only: factor_file, factor_row, found_type, held_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
@@ -25,10 +25,9 @@ module dg_sticking_study
    use dg_text, only: append_text, joined, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
-   use dg_column, only: row_type, set
-   use dg_comparison, only: difference
+   use dg_column, only: row_type
    use dg_load_case, only: load_case_type, operation_name
-   use dg_missing, only: given, known
+   use dg_missing, only: given
    implicit none
    private
    public :: sticking_study_type
@@ -102,7 +101,7 @@ contains
          if (is_interrupted()) exit
          done = i
       end do
-      call begin_table(run%factors, factor_row(), run%job%units)
+      call begin_table(run%factors, factor_row(found_type()), run%job%units)
       call write_table(run%factors, run%job%output_dir//'/'//factor_file, error)
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
          interruption_name()//' with '//to_text(done)//' held strings of '//to_text(size(self%stickings))//' done')
@@ -141,7 +140,7 @@ contains
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
       allocate (lines, source=sticking_table(run%job%units, run%model, sticking, results(:n)))
       call print_and_keep(run%printed, lines)
-      call begin_table(run%factors, factor_row(), run%job%units)
+      call begin_table(run%factors, factor_row(found_type()), run%job%units)
       do k = 1, n
          call add_row(run%factors, sticking_row(run%model%cases(results(k)%case_index), sticking, results(k)), run%job%units)
       end do
@@ -214,23 +213,17 @@ contains
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: result
       type(row_type) :: row
-      row = factor_row()
-      call set(row, 'calibration', sticking%name)
-      call set(row, 'model', model_name(result%model))
-      call set(row, 'parameter', sticking_name(sticking%kind))
-      call set(row, 'operation', operation_name(load_case%operation))
-      call set(row, 'bit_depth', given(load_case%bit_depth))
-      call set(row, 'verdict', sticking_status_name(result%status))
-      call set(row, 'message', result%message)
-      call set(row, 'case', load_case%name)
-      call set(row, 'depth', known(result%depth))
-      call set(row, 'depth_frictionless', known(result%depth_without_friction))
-      call set(row, 'tension_above', known(result%tension_above))
-      call set(row, 'tension_below', known(result%tension_below))
-      call set(row, 'resistance', known(difference(result%tension_above, result%tension_below)))
-      call set(row, 'resistance_interval', known(result%half_width))
-      call set(row, 'torque_above', known(result%torque_above))
-      call set(row, 'torque_below', known(result%torque_below))
-      call set(row, 'torque_resistance', known(difference(result%torque_above, result%torque_below)))
+      type(found_type) :: found
+      found%calibration = sticking%name
+      found%model = model_name(result%model)
+      found%parameter = sticking_name(sticking%kind)
+      found%operation = operation_name(load_case%operation)
+      found%bit_depth = given(load_case%bit_depth)
+      found%verdict = sticking_status_name(result%status)
+      found%message = result%message
+      found%load_case = load_case%name
+      found%held = held_type(result%depth, result%depth_without_friction, result%tension_above, result%tension_below, &
+                             result%half_width, result%torque_above, result%torque_below)
+      row = factor_row(found)
    end function sticking_row
 end module dg_sticking_study
