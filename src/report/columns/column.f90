@@ -193,14 +193,15 @@ contains
       row%fields(row%count)%integer_value = value
    end subroutine put_integer
 
-   !> A text; blanks behind it are left out.
+   !> A text, without blanks behind it; no value where it is not allocated.
    pure subroutine put_text(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
-      character(*), intent(in) :: value
+      character(*), intent(in), optional :: value
       call put_none(row, name, quantity, meaning)
+      if (.not. present(value)) return
       row%fields(row%count)%kind = field_text
       row%fields(row%count)%text = trim(value)
    end subroutine put_text

@@ -4,7 +4,6 @@ module dg_factor_columns
    use dg_comparison, only: difference
    use dg_kinds, only: wp
    use dg_missing, only: missing, optional_real
-   use dg_text, only: text_or_nothing
    implicit none
    private
    public :: estimate_type, found_type, held_type, factor_row, factor_file
@@ -42,13 +41,12 @@ contains
    pure function factor_row(found) result(row)
       type(found_type), intent(in) :: found
       type(row_type) :: row
-      call put(row, 'calibration', quantity_text, 'its name', text_or_nothing(found%calibration))
-      call put(row, 'model', quantity_text, 'as in summary.csv', text_or_nothing(found%model))
+      call put(row, 'calibration', quantity_text, 'its name', found%calibration)
+      call put(row, 'model', quantity_text, 'as in summary.csv', found%model)
       call put(row, 'parameter', quantity_text, &
-               'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point', &
-               text_or_nothing(found%parameter))
-      call put(row, 'hole', quantity_text, 'hole section that it is for; empty: all named', text_or_nothing(found%hole))
-      call put(row, 'operation', quantity_text, 'operation that it is for; empty: all', text_or_nothing(found%operation))
+               'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point', found%parameter)
+      call put(row, 'hole', quantity_text, 'hole section that it is for; empty: all named', found%hole)
+      call put(row, 'operation', quantity_text, 'operation that it is for; empty: all', found%operation)
       call put(row, 'bit_depth', quantity_length, 'depth of the bit that it is for; empty: all', found%bit_depth)
       call put(row, 'start', quantity_none, 'the factor as the deck has it (mean over cases and sections)', found%start)
       call put(row, 'value', quantity_none, 'the factor that fits best', found%factor%value)
@@ -58,18 +56,17 @@ contains
       call put(row, 'deviation', quantity_none, 'standard deviation', found%factor%deviation)
       call put(row, 'verdict', quantity_text, &
                'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), '// &
-               'not_separated (data tell only a mixture), no_fit, no_solution; below_bit: the string is free', &
-               text_or_nothing(found%verdict))
+               'not_separated (data tell only a mixture), no_fit, no_solution; below_bit: the string is free', found%verdict)
       call put(row, 'scatter', quantity_none, &
                'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
                'are right', found%scatter)
-      call put(row, 'message', quantity_text, 'why there is no fit', text_or_nothing(found%message))
+      call put(row, 'message', quantity_text, 'why there is no fit', found%message)
       call put(row, 'offset', quantity_force, &
                'what the gauge shows beyond string and block, in rows of a hookload_offset', found%offset%value)
       call put(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval', lower_end(found%offset))
       call put(row, 'offset_upper', quantity_force, 'upper end', upper_end(found%offset))
       call put(row, 'case', quantity_text, &
-               'load case, in rows of sticking and free_point (its second pull)', text_or_nothing(found%load_case))
+               'load case, in rows of sticking and free_point (its second pull)', found%load_case)
       call put(row, 'depth', quantity_length, &
                'of the stuck point, as given (sticking) or found with friction (free_point)', found%held%depth)
       call put(row, 'depth_frictionless', quantity_length, &

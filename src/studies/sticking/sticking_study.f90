@@ -22,7 +22,7 @@ module dg_sticking_study
                           sticking_status_name
    use dg_sticking_table, only: sticking_table
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, joined, quoted, text_type, to_text
+   use dg_text, only: joined, quoted, text_list, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    use dg_column, only: row_type
@@ -35,15 +35,10 @@ module dg_sticking_study
    type, extends(study_type) :: sticking_study_type
       private
       type(sticking_type), allocatable :: stickings(:)
-      logical :: first = .false.    !< friction is changed before the load cases: strings are held with that
    contains
       procedure :: read => read_stickings
-      procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_stickings
       procedure :: echo
-      procedure :: name_files
-      procedure :: add_forms
       procedure :: add_need
    end type sticking_study_type
 
@@ -62,22 +57,12 @@ contains
       associate (not_needed => job, nor => notes)
          call take_stickings(deck%draft, deck%groups, self%stickings, faults)
       end associate
-      self%first = any(deck%estimates%applied)
+      self%asked = size(self%stickings) > 0
+      ! friction is changed before the load cases: strings are held with that
+      self%phase = merge(phase_first, phase_after, any(deck%estimates%applied))
+      self%files = text_list(factor_file)
+      self%forms = self%files
    end subroutine read_stickings
-
-   !> Whether the deck has a string that is held.
-   pure function is_asked(self) result(is)
-      class(sticking_study_type), intent(in) :: self
-      logical :: is
-      is = size(self%stickings) > 0
-   end function is_asked
-
-   !> With the calibrations.
-   pure function phase(self)
-      class(sticking_study_type), intent(in) :: self
-      integer :: phase
-      phase = merge(phase_first, phase_after, self%first)
-   end function phase
 
    !> A line a string.
    subroutine echo(self, job, lines)
@@ -160,23 +145,6 @@ contains
       run%status = graver(run%status, status_not_converged)
    end subroutine report_lost
 
-   !> Its rows stand in the file of the factors.
-   subroutine name_files(self, job, names)
-      class(sticking_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      if (self%is_asked() .and. job%merge == 0) call append_text(names, factor_file)
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(sticking_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, factor_file)
-      end associate
-   end subroutine add_forms
-
    !> Least squares work by LAPACK.
    subroutine add_need(self, job, model, need)
       class(sticking_study_type), intent(in) :: self
@@ -184,7 +152,7 @@ contains
       type(model_type), intent(in) :: model
       type(need_type), intent(inout) :: need
       associate (not_needed => job, nor => model)
-         need%fits = need%fits .or. self%is_asked()
+         need%fits = need%fits .or. self%asked
       end associate
    end subroutine add_need
 
