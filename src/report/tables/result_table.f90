@@ -6,7 +6,7 @@ module dg_result_table
    use dg_job, only: job_type, model_meaning, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, scientific_cell
+   use dg_number_text, only: scientific_cell, fixed_text
    use dg_table_1, only: append_table_1
    use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_text, only: append_text, text_type, to_text
@@ -125,8 +125,8 @@ contains
       integer :: i, number
       real(wp) :: least
       least = minval(results%element_lengths(1), mask=results%element_lengths(2) > 0.0_wp)
-      line = 'elements of '//trim(adjustl(fixed_cell(least/units%length, seconds_width, 1)))//' to '// &
-         trim(adjustl(fixed_cell(maxval(results%element_lengths(2))/units%length, seconds_width, 1)))//' '//trim(units%length_label)
+      line = 'elements of '//fixed_text(least/units%length, 1)//' to '// &
+         fixed_text(maxval(results%element_lengths(2))/units%length, 1)//' '//trim(units%length_label)
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle

@@ -7,7 +7,7 @@ module dg_table_1
    use dg_comparison, only: as_measured, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, rotates
    use dg_missing, only: is_missing, optional_real
-   use dg_number_text, only: append_wrapped, fixed_cell, page_width
+   use dg_number_text, only: append_wrapped, page_width, fixed_text
    use dg_summary_file, only: summary_row
    use dg_text, only: append_text, text_type, to_text
    use dg_text_table, only: add_cell, append_table, end_row, text_table_type
@@ -264,11 +264,11 @@ contains
          mean = sum(errors%value, mask=counted)/real(n, wp)
          bias = sum(sign(errors%value, calculated - other%value), mask=counted)/real(n, wp)
          worst = maxloc(errors%value, mask=counted, dim=1)
-         line = line//'mean error '//trim(adjustl(fixed_cell(mean, 12, 2)))//' %, worst '// &
-            trim(adjustl(fixed_cell(errors(worst)%value, 12, 2)))//' % ('//cases(worst)%name//'), '//to_text(n)
+         line = line//'mean error '//fixed_text(mean, 2)//' %, worst '// &
+            fixed_text(errors(worst)%value, 2)//' % ('//cases(worst)%name//'), '//to_text(n)
          if (n == 1) line = line//' case'
          if (n /= 1) line = line//' cases'
-         line = line//', '//trim(adjustl(fixed_cell(abs(bias), 12, 2)))//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
+         line = line//', '//fixed_text(abs(bias), 2)//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
          if (n > 1) line = line//' on average'
       else
          line = line//'no case solved'

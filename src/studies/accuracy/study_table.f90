@@ -6,7 +6,7 @@ module dg_study_table
    use dg_merge_sort, only: sorted_places
    use dg_missing, only: given, is_missing, known, missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, scientific_cell
+   use dg_number_text, only: fixed_cell, scientific_cell, fixed_text
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_comparison, only: error_bending, error_count, error_hookload, error_normal_force, error_torque, &
                                   pareto_set, study_record_type
@@ -256,14 +256,7 @@ contains
       n = size(sorted)
       text = absent
       if (n == 0) return
-      text = order_text(0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1)))
-      if (n > 1) text = text//' ('//order_text(sorted(1))//' to '//order_text(sorted(n))//')'
+      text = fixed_text(0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1)), 1)
+      if (n > 1) text = text//' ('//fixed_text(sorted(1), 1)//' to '//fixed_text(sorted(n), 1)//')'
    end function range_text
-
-   pure function order_text(order) result(text)
-      real(wp), intent(in) :: order
-      character(:), allocatable :: text
-      integer, parameter :: width = 6
-      text = trim(adjustl(fixed_cell(order, width, 1)))
-   end function order_text
 end module dg_study_table

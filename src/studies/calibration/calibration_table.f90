@@ -14,8 +14,8 @@ module dg_calibration_table
    use dg_load_case, only: operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
-   use dg_number_text, only: append_wrapped, fixed_cell, page_width
-   use dg_prediction_table, only: append_predictions, quantity_words
+   use dg_number_text, only: append_wrapped, page_width, fixed_text
+   use dg_prediction_table, only: append_predictions, quantity_words, interval_text
    use dg_text, only: append_text, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_force
@@ -66,15 +66,13 @@ contains
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
       type(text_table_type) :: table
-      character(:), allocatable :: interval, remark
+      character(:), allocatable :: remark
       real(wp) :: unit
       integer :: k, decimals
       do k = 1, size(calibration%unknowns)
          associate (value => result%fit%unknowns(k), half => result%statistics%half_width(k))
             unit = merge(units%force, one, calibration%unknowns(k)%is_offset)
             decimals = merge(1, factor_digits, calibration%unknowns(k)%is_offset)
-            interval = '-'
-            if (.not. is_missing(half)) interval = shown(value - half)//' to '//shown(value + half)
             remark = ''
             select case (verdict_of(result, k))
             case (verdict_at_bound); remark = 'at its bound'
@@ -92,18 +90,12 @@ contains
             call add_cell(table, 'Friction factor', label_width, unknown_text(units, model, calibration%unknowns(k)))
             call add_cell(table, 'In deck', cell_width, result%start(k), unit, decimals)
             call add_cell(table, 'Found', cell_width, value, unit, decimals)
-            call add_right(table, '95 % interval', interval_width, interval)
+            call add_right(table, '95 % interval', interval_width, interval_text(value, half, unit, decimals))
             call add_cell(table, 'Remark', remark_width, remark)
             call end_row(table, '')
          end associate
       end do
       call append_table(lines, table)
-   contains
-      function shown(value) result(text)
-         real(wp), intent(in) :: value
-         character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(value/unit, cell_width, decimals)))
-      end function shown
    end subroutine append_factors
 
    !> What was measured, and calculated before and after.
@@ -150,15 +142,9 @@ contains
          some_lost = ''
          if (counted(1) < counted(2)) some_lost = ' ('//to_text(counted(2) - counted(1))//' without solution)'
          call append_text(lines, 'Error of '//to_text(counted(2))//' values before'//some_lost//': mean '// &
-            two(sums(1))//' %, worst '// &
-            two(worst(1))//' %; after: mean '//two(sums(2))//' %, worst '//two(worst(2))//' %')
+            fixed_text(sums(1), 2)//' %, worst '// &
+            fixed_text(worst(1), 2)//' %; after: mean '//fixed_text(sums(2), 2)//' %, worst '//fixed_text(worst(2), 2)//' %')
       end if
-   contains
-      function two(number) result(text)
-         real(wp), intent(in) :: number
-         character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(number, cell_width, 2)))
-      end function two
    end subroutine append_data
 
    !> What the data cannot tell, and how far they are from what the model can be.
@@ -299,7 +285,7 @@ contains
       if (.not. known) return
       text = ''
       do i = 1, sections
-         text = text//', '//trim(adjustl(fixed_cell(deviations(i), cell_width, 5)))
+         text = text//', '//fixed_text(deviations(i), 5)
       end do
       call append_text(lines, 'In &uncertainty of another deck: friction_deviations = '//text(3:)// &
                        ", friction_parameter = '"//trim(parameter_name(calibration%parameter))//"'")
@@ -307,7 +293,7 @@ contains
       text = ''
       do i = 1, sections
          do j = i + 1, sections
-            text = text//', '//trim(adjustl(fixed_cell(correlation(i, j), cell_width, factor_digits)))
+            text = text//', '//fixed_text(correlation(i, j), factor_digits)
          end do
       end do
       call append_text(lines, '  friction_correlations = '//text(3:))

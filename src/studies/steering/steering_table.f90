@@ -5,7 +5,7 @@ module dg_steering_table
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell
+   use dg_number_text, only: fixed_text
    use dg_steering, only: steering_result_type
    use dg_text, only: append_text, text_type, to_text
    use dg_text_table, only: add_cell, add_instead, append_table, end_row, text_table_type
@@ -86,7 +86,7 @@ contains
             most = max(most, results(i)%three_points, norm2(results(i)%curvature))
          end do
          if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': '// &
-            trim(adjustl(fixed_cell(least/curvature, width, 1)))//' to '//trim(adjustl(fixed_cell(most/curvature, width, 1)))// &
+            fixed_text(least/curvature, 1)//' to '//fixed_text(most/curvature, 1)// &
             unit//', from three-point geometry to the curvature above')
          do i = 1, size(results)
             if (results(i)%case_index == k .and. .not. is_missing(results(i)%side_cutting)) call append_text(lines, &

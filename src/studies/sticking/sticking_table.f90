@@ -6,7 +6,7 @@ module dg_sticking_table
    use dg_load_case, only: operation_label
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned
+   use dg_number_text, only: left_aligned, fixed_text
    use dg_sticking, only: find_free_point, sticking_at_bound, sticking_below_bit, sticking_no_solution, &
                            sticking_result_type, sticking_type
    use dg_text, only: append_text, text_type, to_text
@@ -113,7 +113,7 @@ contains
       function shown(value) result(words)
          real(wp), intent(in) :: value
          character(:), allocatable :: words
-         words = trim(adjustl(fixed_cell(value/units%force, cell_width, 1)))
+         words = fixed_text(value/units%force, 1)
       end function shown
    end subroutine append_free_points
 end module dg_sticking_table
