@@ -7,7 +7,6 @@ module dg_calibration_study
    use dg_calibration_picture, only: calibration_chart
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: calibration_table
-   use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: deck_type
@@ -23,7 +22,6 @@ module dg_calibration_study
    use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
    use dg_line_list, only: add_line, line_list_type
-   use dg_model, only: model_type
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
@@ -44,7 +42,6 @@ module dg_calibration_study
       procedure :: read => read_calibrations
       procedure :: run => run_calibrations
       procedure :: echo
-      procedure :: add_need
       procedure :: add_pictures
    end type calibration_study_type
 
@@ -79,6 +76,7 @@ contains
       end do
       call move_alloc(longer, deck%estimates)
       self%asked = size(self%calibrations) > 0
+      self%fits = .true.
       ! before all else where what they find is applied
       self%phase = merge(phase_first, phase_after, any(self%calibrations%apply))
       self%forms = text_list(factor_file, 'calibration_data.csv', 'calibration_prediction.csv')
@@ -90,9 +88,20 @@ contains
       class(calibration_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
+      character(:), allocatable :: line
+      integer :: i
       associate (not_needed => job)
-         call add_calibrations(lines, self%calibrations)
       end associate
+      do i = 1, size(self%calibrations)
+         associate (calibration => self%calibrations(i))
+            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
+            if (calibration%apply) line = line//'; applied'
+            call add_line(lines, line)
+         end associate
+      end do
    end subroutine echo
 
    !> Each calibration with each of its models. Friction that is to be applied goes into the model of the run. An error tells that
@@ -173,17 +182,6 @@ contains
       call learn_friction(calibration, result, estimate%deviations, estimate%correlation, estimate%known)
    end subroutine hand_on
 
-   !> Least squares work by LAPACK.
-   subroutine add_need(self, job, model, need)
-      class(calibration_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(need_type), intent(inout) :: need
-      associate (not_needed => job, nor => model)
-         need%fits = need%fits .or. self%asked
-      end associate
-   end subroutine add_need
-
    !> A picture for each calibration and model.
    subroutine add_pictures(self, run, list, error)
       class(calibration_study_type), intent(in) :: self
@@ -210,22 +208,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a calibration.
-   pure subroutine add_calibrations(lines, calibrations)
-      type(line_list_type), intent(inout) :: lines
-      type(calibration_type), intent(in) :: calibrations(:)
-      character(:), allocatable :: line
-      integer :: i
-      do i = 1, size(calibrations)
-         associate (calibration => calibrations(i))
-            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
-               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
-               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
-            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
-            if (calibration%apply) line = line//'; applied'
-            call add_line(lines, line)
-         end associate
-      end do
-   end subroutine add_calibrations
 end module dg_calibration_study

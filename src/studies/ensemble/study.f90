@@ -44,6 +44,7 @@ module dg_study
    type, abstract :: study_type
       logical :: asked = .false.                 !< the deck asks for it
       integer :: phase = phase_cases             !< when it runs
+      logical :: fits = .false.                  !< it makes least squares, by LAPACK
       type(text_type), allocatable :: files(:)   !< names of the results of a run
       type(text_type), allocatable :: forms(:)   !< the same for any deck, '*' for something of the deck
       character(:), allocatable :: record_kind   !< beginning of names of records; not allocated: it keeps none
@@ -52,7 +53,7 @@ module dg_study
       procedure(run_interface), deferred :: run
       procedure :: echo => echo_nothing
       procedure :: name_records => no_records
-      procedure :: add_need => need_nothing
+      procedure :: add_need => need_of_fits
       procedure :: prepare => prepare_nothing
       procedure :: finish => finish_nothing
       procedure :: add_pictures => no_pictures
@@ -100,15 +101,16 @@ contains
       end associate
    end subroutine no_records
 
-   !> Memory that it takes.
-   subroutine need_nothing(self, job, model, need)
+   !> Memory that it takes beside load cases.
+   subroutine need_of_fits(self, job, model, need)
       class(study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(need_type), intent(inout) :: need
-      associate (none => self, of_these => job, changes => model, nor => need)
+      associate (none => job, of_these => model)
+         need%fits = need%fits .or. (self%asked .and. self%fits)
       end associate
-   end subroutine need_nothing
+   end subroutine need_of_fits
 
    !> Looks for what keeps it from being run, before results of an earlier run are removed: an error, or faults of parts in the run.
    subroutine prepare_nothing(self, run, error)

@@ -1,7 +1,6 @@
 !> &calibrate of strings that are held: resistances at a known depth, free points from stretch.
 module dg_sticking_study
    use dg_kinds, only: wp
-   use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
    use dg_csv_table, only: add_row, begin_table, write_table
    use dg_deck_draft, only: deck_type
@@ -14,7 +13,6 @@ module dg_sticking_study
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type
-   use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep
    use dg_progress, only: progress_type, show_time, start_progress
    use dg_run_outcome, only: add_part, note_lost
@@ -24,7 +22,6 @@ module dg_sticking_study
    use dg_study, only: phase_after, phase_first, run_type, study_type
    use dg_text, only: joined, quoted, text_list, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
-   use dg_units, only: unit_system_type
    use dg_column, only: row_type
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: given
@@ -39,7 +36,6 @@ module dg_sticking_study
       procedure :: read => read_stickings
       procedure :: run => run_stickings
       procedure :: echo
-      procedure :: add_need
    end type sticking_study_type
 
    !> Significant digits of a length.
@@ -58,6 +54,7 @@ contains
          call take_stickings(deck%draft, deck%groups, self%stickings, faults)
       end associate
       self%asked = size(self%stickings) > 0
+      self%fits = .true.
       ! friction is changed before the load cases: strings are held with that
       self%phase = merge(phase_first, phase_after, any(deck%estimates%applied))
       self%files = text_list(factor_file)
@@ -69,7 +66,18 @@ contains
       class(sticking_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call echo_stickings(lines, self%stickings, job%units)
+      real(wp) :: where
+      integer :: i
+      do i = 1, size(self%stickings)
+         associate (sticking => self%stickings(i))
+            where = sticking%depth
+            if (sticking%kind == find_free_point) where = sticking%stretch
+            call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
+               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
+               trim(in_units(job%units, unit_length, where, digits))//'; '// &
+               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
+         end associate
+      end do
    end subroutine echo
 
    !> Each with each of its models; their rows are put at the end of calibration.csv. A run that is a part of others, or joins
@@ -144,36 +152,6 @@ contains
       end associate
       run%status = graver(run%status, status_not_converged)
    end subroutine report_lost
-
-   !> Least squares work by LAPACK.
-   subroutine add_need(self, job, model, need)
-      class(sticking_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(need_type), intent(inout) :: need
-      associate (not_needed => job, nor => model)
-         need%fits = need%fits .or. self%asked
-      end associate
-   end subroutine add_need
-
-   !> One line a held string.
-   pure subroutine echo_stickings(lines, stickings, units)
-      type(line_list_type), intent(inout) :: lines
-      type(sticking_type), intent(in) :: stickings(:)
-      type(unit_system_type), intent(in) :: units
-      real(wp) :: where
-      integer :: i
-      do i = 1, size(stickings)
-         associate (sticking => stickings(i))
-            where = sticking%depth
-            if (sticking%kind == find_free_point) where = sticking%stretch
-            call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
-               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
-               trim(in_units(units, unit_length, where, digits))//'; '// &
-               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
-         end associate
-      end do
-   end subroutine echo_stickings
 
    !> A result in the columns of calibration.csv.
    function sticking_row(load_case, sticking, result) result(row)

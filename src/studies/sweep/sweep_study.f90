@@ -14,7 +14,7 @@ module dg_sweep_study
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: model_of, point_at, point_count, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count
    use dg_sweep_file, only: sweep_row
    use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
@@ -70,7 +70,29 @@ contains
       class(sweep_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call add_sweeps(lines, self%ranges, job%units)
+      character(:), allocatable :: factors
+      integer :: i, k
+      do i = 1, size(self%ranges)
+         associate (sweep => self%ranges(i))
+            factors = ''
+            do k = 1, size(sweep%frictions)
+               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
+               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
+            end do
+            if (factors == '') factors = ' of the hole'
+            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
+               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
+               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
+               shown(sweep%depths(size(sweep%depths)))//' '//trim(job%units%length_label)//'; '// &
+               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
+         end associate
+      end do
+   contains
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth     !< [m]
+         character(:), allocatable :: text
+         text = to_text(depth/job%units%length, digits)
+      end function shown
    end subroutine echo
 
    !> Points of all models, operations, frictions and depths.
@@ -156,34 +178,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a sweep.
-   pure subroutine add_sweeps(lines, sweeps, units)
-      type(line_list_type), intent(inout) :: lines
-      type(sweep_type), intent(in) :: sweeps(:)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: factors
-      integer :: i, k
-      do i = 1, size(sweeps)
-         associate (sweep => sweeps(i))
-            factors = ''
-            do k = 1, size(sweep%frictions)
-               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
-               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
-            end do
-            if (factors == '') factors = ' of the hole'
-            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
-               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
-               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
-               shown(sweep%depths(size(sweep%depths)))//' '//trim(units%length_label)//'; '// &
-               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
-         end associate
-      end do
-   contains
-      pure function shown(depth) result(text)
-         real(wp), intent(in) :: depth     !< [m]
-         character(:), allocatable :: text
-         text = to_text(depth/units%length, digits)
-      end function shown
-   end subroutine add_sweeps
 end module dg_sweep_study

@@ -97,7 +97,15 @@ contains
       class(uncertainty_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call add_uncertainties(lines, self%uncertainties, job%units)
+      integer :: i
+      do i = 1, size(self%uncertainties)
+         associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range)
+            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
+               joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
+               to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
+               deviations_text(job%units, uncertainty))
+         end associate
+      end do
    end subroutine echo
 
    !> Takes what others have found out about friction, then looks for earlier points.
@@ -228,22 +236,6 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a Monte Carlo.
-   pure subroutine add_uncertainties(lines, uncertainties, units)
-      type(line_list_type), intent(inout) :: lines
-      type(uncertainty_type), intent(in) :: uncertainties(:)
-      type(unit_system_type), intent(in) :: units
-      integer :: i
-      do i = 1, size(uncertainties)
-         associate (uncertainty => uncertainties(i), range => uncertainties(i)%range)
-            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
-               joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
-               to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
-               deviations_text(units, uncertainty))
-         end associate
-      end do
-   end subroutine add_uncertainties
 
    !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
    function uncertainty_lines(model, uncertainty) result(texts)
