@@ -3,11 +3,12 @@ module dg_checked_group
    use dg_kinds, only: wp
    use dg_deck_schema, only: name_length
    use dg_error, only: add_fault, error_list_type
+   use dg_missing, only: given, optional_real
    use dg_text, only: append_text, lower_case, quoted, text_type
    implicit none
    private
    public :: value_type, checked_group_type, claim_name, group_fault, is_whole, named
-   public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
+   public :: is_given, is_sound, line_of, optional_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
 
    !> Numbers or texts of a key.
    type :: content_type
@@ -127,6 +128,14 @@ contains
          if (value%sound .and. allocated(value%content)) number = value%content%numbers(1)
       end associate
    end function real_of
+
+   !> The number of a key [SI]; absent where it has no legal one.
+   pure function optional_of(group, key) result(number)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      type(optional_real) :: number
+      if (is_sound(group, key)) number = given(real_of(group, key, 0.0_wp))
+   end function optional_of
 
    !> The whole number of a key, or `otherwise`.
    pure function integer_of(group, key, otherwise) result(number)

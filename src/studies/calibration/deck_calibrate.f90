@@ -1,11 +1,10 @@
 !> The groups &calibrate of a deck: which factors are looked for, and whether its measurements can tell them.
 module dg_deck_calibrate
-   use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, solutions_a_step, &
                              tells, unknown_type
    use dg_checked_group, only: checked_group_type, claim_name, group_fault, is_given, is_sound, line_of, logical_of, named, &
-      real_of, text_of, texts_of
+      optional_of, text_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
    use dg_error, only: error_list_type
    use dg_hole_section, only: hole_section_type
@@ -90,10 +89,8 @@ contains
       end do
       calibration%apply = logical_of(group, 'apply', .false.)
       call take_models(group, calibration%models)
-      if (is_sound(group, 'hookload_deviation')) &
-         calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
-      if (is_sound(group, 'torque_deviation')) &
-         calibration%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
+      calibration%hookload_deviation = optional_of(group, 'hookload_deviation')
+      calibration%torque_deviation = optional_of(group, 'torque_deviation')
       call take_predicted(draft, group, calibration%predicted, faults)
       call take_measured_cases(draft, group, calibration%cases, faults, calibration%predicted)
       call take_holes(draft, group, calibration%holes, faults)

@@ -1,10 +1,9 @@
 !> The group &steering of a deck: the load cases whose assemblies are asked where they drill to.
 module dg_deck_steering
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, group_fault, is_sound, real_of, reals_of
+   use dg_checked_group, only: checked_group_type, group_fault, real_of, reals_of, optional_of
    use dg_deck_draft, only: draft_type, take_cases
    use dg_error, only: error_list_type
-   use dg_missing, only: given
    use dg_steering, only: steering_type
    use dg_text, only: quoted, to_text
    implicit none
@@ -32,7 +31,7 @@ contains
          if (all(size(steering%measured) /= [0, 1, size(steering%cases)])) call group_fault(groups(i), 'measured_dogleg', &
             to_text(size(steering%measured))//' values of measured_dogleg for '//to_text(size(steering%cases))// &
             ' cases; needs one, or one a case', faults)
-         if (is_sound(groups(i), 'side_cutting')) steering%side_cutting = given(real_of(groups(i), 'side_cutting', 0.0_wp))
+         steering%side_cutting = optional_of(groups(i), 'side_cutting')
          if (.not. draft%boundary%bit_centred) call group_fault(groups(i), '', &
             'the bit is free; its side force needs bit_lateral = ''centred'' in &boundary', faults)
          if (.not. steering%side_cutting%present .and. size(steering%measured) == 0) return

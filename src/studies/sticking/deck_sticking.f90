@@ -1,7 +1,7 @@
 !> The groups &calibrate of a deck that ask for a resistance at a stuck point, or for the free point.
 module dg_deck_sticking
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, named, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, named, real_of, text_of, optional_of
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_list_type
    use dg_missing, only: given
@@ -60,9 +60,8 @@ contains
       sticking%name = text_of(group, 'name', trim(sticking_name(kind))//' '//to_text(number))
       sticking%depth = real_of(group, 'sticking_depth', 0.0_wp)
       sticking%stretch = real_of(group, 'stretch', 0.0_wp)
-      if (is_sound(group, 'hookload_deviation')) &
-         sticking%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
-      if (is_sound(group, 'torque_deviation')) sticking%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
+      sticking%hookload_deviation = optional_of(group, 'hookload_deviation')
+      sticking%torque_deviation = optional_of(group, 'torque_deviation')
       do i = 1, size(of_friction)
          call refuse_key(of_friction(i))
       end do
