@@ -123,7 +123,7 @@ contains
       table%width = table%width + width
    end subroutine add_head
 
-   !> Puts words in place of the other cells of the row.
+   !> Puts words in place of the other cells of the row, behind one at least.
    pure subroutine add_instead(table, words)
       type(text_table_type), intent(inout) :: table
       character(*), intent(in) :: words

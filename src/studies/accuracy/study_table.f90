@@ -4,7 +4,7 @@ module dg_study_table
    use dg_case_result, only: result_converged
    use dg_job, only: job_type, model_mcge, model_name
    use dg_merge_sort, only: sorted_places
-   use dg_missing, only: given, is_missing, known, missing, optional_real
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_number_text, only: fixed_cell, scientific_cell, fixed_text
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
@@ -147,8 +147,10 @@ contains
    pure function error_cell(share) result(text)
       real(wp), intent(in) :: share
       character(cell) :: text
-      if (is_missing(share) .or. per_cent*share >= least_fixed .or. .not. share > 0.0_wp) then
-         text = fixed_cell(known(share), one/per_cent, cell, 4)
+      if (is_missing(share)) then
+         text = fixed_cell(share, cell, 4)
+      else if (per_cent*share >= least_fixed .or. .not. share > 0.0_wp) then
+         text = fixed_cell(per_cent*share, cell, 4)
       else
          text = scientific_cell(per_cent*share, cell)
       end if

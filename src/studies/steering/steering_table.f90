@@ -29,7 +29,7 @@ contains
       type(steering_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
       type(text_table_type) :: table
-      real(wp) :: force, curvature
+      real(wp) :: force, curvature, bend(2)
       integer :: i
       force = unit_factor(job%units, quantity_force)
       curvature = unit_factor(job%units, quantity_curvature)
@@ -45,11 +45,12 @@ contains
             call add_cell(table, 'Side force|right', width, found%side_force(2), force, 2)
             call add_cell(table, 'Tilt|high', width, found%tilt(1), degree, 3)
             call add_cell(table, 'Tilt|right', width, found%tilt(2), degree, 3)
+            bend = merge(found%curvature, 0.0_wp, found%found)
             if (.not. found%found) call add_instead(table, '  no curvature')
-            call add_cell(table, 'Build|rate', width, found%curvature(1), curvature, 2)
-            call add_cell(table, 'Turn|rate', width, turn_rate(found, found%curvature), curvature, 2)
-            call add_cell(table, 'Dogleg', width, norm2(found%curvature), curvature, 2)
-            call add_cell(table, 'to', width, turned(dogleg_clock(found%curvature)), degree, 1)
+            call add_cell(table, 'Build|rate', width, bend(1), curvature, 2)
+            call add_cell(table, 'Turn|rate', width, turn_rate(found, bend), curvature, 2)
+            call add_cell(table, 'Dogleg', width, norm2(bend), curvature, 2)
+            call add_cell(table, 'to', width, turned(dogleg_clock(bend)), degree, 1)
             call end_row(table, '')
          end associate
       end do
