@@ -76,7 +76,8 @@ contains
          call add_cell(table, 'Bit depth', depth_width, told%bit_depth, units%length, 1)
          call add_cell(table, 'Operation', label_width, operation_label(told%operation))
          call add_cell(table, 'Measured', cell_width + 1, measured, unit, quantity)
-         point = point_type(model, findloc_of(sweep%operations, told%operation), 1, depth_of(sweep, told%bit_depth))
+         point = point_type(model, findloc(sweep%operations, told%operation, dim=1), 1, &
+                            minloc(abs(sweep%depths - told%bit_depth), dim=1))
       end associate
       do f = 1, size(values)
          point%friction = f
@@ -121,24 +122,6 @@ contains
          end associate
       end do
    end function fitting_friction
-
-   !> Place of a number in a list.
-   pure function findloc_of(list, number) result(place)
-      integer, intent(in) :: list(:), number
-      integer :: place
-      do place = 1, size(list) - 1
-         if (list(place) == number) return
-      end do
-      place = size(list)
-   end function findloc_of
-
-   !> Place of the depth nearest to one that is among them [m].
-   pure function depth_of(sweep, depth) result(place)
-      type(sweep_type), intent(in) :: sweep
-      real(wp), intent(in) :: depth
-      integer :: place
-      place = minloc(abs(sweep%depths - depth), dim=1)
-   end function depth_of
 
    !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
    pure function factor_text(sweep, number) result(text)
