@@ -124,16 +124,12 @@ contains
          call put(row, 'before_torque', quantity_moment, 'calculated with the friction of the deck', &
                   optional_real(.not. hooks, before))
          call put(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
-         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', error_of(before))
-         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', error_of(after))
+         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', &
+                  percent_error(before, given(datum%measured)))
+         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', &
+                  percent_error(after, given(datum%measured)))
          if (.not. is_missing(after)) residual = given((after - datum%measured)/datum%deviation)
          call put(row, 'residual', quantity_none, '(after - measured) / standard deviation', residual)
       end associate
-   contains
-      pure function error_of(calculated) result(error)
-         real(wp), intent(in) :: calculated
-         type(optional_real) :: error
-         if (.not. is_missing(calculated)) error = percent_error(calculated, given(calibration%data(number)%measured))
-      end function error_of
    end function datum_row
 end module dg_calibration_file

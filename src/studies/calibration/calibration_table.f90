@@ -117,8 +117,7 @@ contains
          associate (datum => calibration%data(d))
             unit = merge(units%force, units%moment, datum%kind == hookload_datum)
             decimals = merge(1, 2, datum%kind == hookload_datum)
-            errors(1) = optional_real()
-            if (.not. is_missing(result%before(d))) errors(1) = percent_error(result%before(d), given(datum%measured))
+            errors(1) = percent_error(result%before(d), given(datum%measured))
             errors(2) = percent_error(result%fit%values(d), given(datum%measured))
             where (errors%present)
                sums = sums + errors%value

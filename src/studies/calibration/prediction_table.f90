@@ -46,8 +46,7 @@ contains
             decimals = merge(1, 2, datum%kind == hookload_datum)
             value = known(result%prediction%values(d))
             measured = measured_of(case, datum%kind)
-            error = optional_real()
-            if (value%present) error = percent_error(value%value, measured)
+            error = percent_error(result%prediction%values(d), measured)
             verdict = within(result%prediction%values(d), half, measured)
             if (verdict == 'yes') verdict = ''
             call add_cell(table, 'Predicted load case', name_width, case%name)
@@ -150,7 +149,7 @@ contains
       measured = measured_of(load_case, kind)
       lower = difference(value, half)
       upper = difference(value, difference(0.0_wp, half))
-      if (.not. is_missing(value)) error = percent_error(value, measured)
+      error = percent_error(value, measured)
       call put(row, 'calibration', quantity_text, 'its name', calibration%name)
       call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
       call put(row, 'case', quantity_text, 'load case that is predicted', load_case%name)
