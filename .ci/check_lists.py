@@ -16,8 +16,8 @@ COPIES = (
     ("model_type", "scene/case/model.f90", "scene/case/model.f90", "copy_without_cases", {"path_notes": "texts for reports"}),
     ("hole_section_type", "scene/hole/hole_section.f90", "scene/hole/hole_section.f90", "hole_numbers",
      {"name": "a text", "cased": "a logical; model_text.f90 writes it where a sweep goes by it"}),
-    ("component_type", "scene/string/component.f90", "studies/ensemble/model_text.f90", "",
-     {"name": "a label", "yield": "strength", "makeup_torque": "strength", "joint_torsion": "strength", "wall_left": "strength",
+    ("component_type", "scene/string/component.f90", "scene/string/component.f90", "component_numbers",
+     {"name": "a label", "kind": "a text; model_text.f90 writes it", "centralizer": "a type; model_text.f90 writes it", "yield": "strength", "makeup_torque": "strength", "joint_torsion": "strength", "wall_left": "strength",
       "rating": "strength", "yield_loss": "strength",
       "sensor": "is read off the result", "fatigue": "strength", "joint_fatigue": "strength",
       "expansion": "changes lengths alone"}),
@@ -26,7 +26,7 @@ COPIES = (
     ("fluid_type", "scene/hole/fluid.f90", "studies/ensemble/model_text.f90", "append_fluid",
      {"collar": "changes stresses alone"}),
 )
-ASKING = "is_given|is_sound|line_of|real_of|integer_of|logical_of|text_of|reals_of|texts_of|places_of"
+ASKING = "is_given|is_sound|line_of|optional_of|real_of|integer_of|logical_of|text_of|reals_of|texts_of|places_of"
 
 
 def components(text, name):

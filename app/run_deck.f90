@@ -156,7 +156,7 @@ contains
       begun = .false.
       do i = 1, size(studies%items)
          associate (study => studies%items(i)%study)
-            if (study%phase() /= phase_first .or. .not. study%is_asked()) cycle
+            if (study%phase /= phase_first .or. .not. study%asked) cycle
             if (.not. begun) then
                begun = .true.
                call begin_files(run%job, run%given, error)

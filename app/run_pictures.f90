@@ -33,7 +33,7 @@ contains
       integer :: i
       call begin_pictures(run%job, run%model, run%results, wholes, pictures, error)
       do i = 1, size(studies%items)
-         if (studies%items(i)%study%is_asked()) call studies%items(i)%study%add_pictures(run, pictures, error)
+         if (studies%items(i)%study%asked) call studies%items(i)%study%add_pictures(run, pictures, error)
       end do
       call end_pictures(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes, alongs, pictures, error)
       if (is_interrupted()) then

@@ -1,21 +1,27 @@
 !> All studies that a deck may ask for: the one place that knows them. A new one is a room of its own and a line here.
 module dg_registry
    use dg_accuracy_study, only: accuracy_study_type
+   use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
    use dg_calibration_study, only: calibration_study_type
    use dg_deck_keys, only: scene_groups
-   use dg_deck_schema, only: group_keys_type
+   use dg_deck_schema, only: add_group, group_keys_type
    use dg_error, only: error_type
    use dg_exit_status, only: note_ending, note_failure
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
+   use dg_legacy_keys, only: legacy_keys, legacy_rule
    use dg_legacy_study, only: legacy_study_type
+   use dg_steering_keys, only: steering_keys, steering_rule
    use dg_steering_study, only: steering_study_type
    use dg_sticking_study, only: sticking_study_type
    use dg_line_list, only: line_list_type, take_lines
    use dg_study, only: phase_cases, phase_points, run_type, study_type
+   use dg_study_keys, only: study_keys, study_rule
+   use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_sweep_study, only: sweep_study_type
    use dg_text, only: append_text, text_type
+   use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
    use dg_uncertainty_study, only: uncertainty_study_type
    implicit none
    private
@@ -50,36 +56,47 @@ contains
    !> Groups that a deck may have, with their keys: those of the scene, then those of all studies.
    subroutine deck_groups(groups)
       type(group_keys_type), allocatable, intent(out) :: groups(:)
-      type(studies_type) :: studies
-      integer :: i
       call scene_groups(groups)
-      call register_studies(studies)
-      do i = 1, size(studies%items)
-         call studies%items(i)%study%add_groups(groups)
-      end do
+      call add_group(groups, sweep_rule, sweep_keys)
+      call add_group(groups, calibrate_rule, calibrate_keys)      ! of strings that are held, too
+      call add_group(groups, uncertainty_rule, uncertainty_keys)
+      call add_group(groups, study_rule, study_keys)
+      call add_group(groups, steering_rule, steering_keys)
+      call add_group(groups, legacy_rule, legacy_keys)
    end subroutine deck_groups
 
    !> Enters the names of files that studies write into the job, for the part of it that is at hand.
    subroutine name_studies(studies, job)
       type(studies_type), intent(in) :: studies
       type(job_type), intent(inout) :: job
-      type(text_type), allocatable :: names(:), records(:), files(:), forms(:), kinds(:)
-      integer :: i, k
-      allocate (names(0), records(0), files(0), forms(0), kinds(0))
+      type(text_type), allocatable :: records(:), files(:), forms(:), kinds(:)
+      integer :: i
+      allocate (records(0), files(0), forms(0), kinds(0))
       do i = 1, size(studies%items)
-         call studies%items(i)%study%name_files(job, names)
-         call studies%items(i)%study%name_records(job, records)
-         call studies%items(i)%study%add_forms(forms, kinds)
-      end do
-      do i = 1, size(names)      ! some write rows of one file
-         if (any([(files(k)%text == names(i)%text, k=1, size(files))])) cycle
-         call append_text(files, names(i)%text)
+         associate (study => studies%items(i)%study)
+            ! a run that joins parts writes what has points alone
+            if (study%asked .and. (job%merge == 0 .or. study%phase == phase_points)) call append_new(files, study%files)
+            call append_new(forms, study%forms)
+            if (allocated(study%record_kind)) call append_text(kinds, study%record_kind)
+            call study%name_records(job, records)
+         end associate
       end do
       job%study_files = files
       job%study_records = records
       job%study_forms = forms
       job%study_kinds = kinds
    end subroutine name_studies
+
+   !> Appends names that are not in the list: some studies write rows of one file.
+   pure subroutine append_new(list, names)
+      type(text_type), allocatable, intent(inout) :: list(:)
+      type(text_type), intent(in) :: names(:)
+      integer :: i, k
+      do i = 1, size(names)
+         if (any([(list(k)%text == names(i)%text, k=1, size(list))])) cycle
+         call append_text(list, names(i)%text)
+      end do
+   end subroutine append_new
 
    !> What studies tell of a deck: those that run with the load cases at last.
    subroutine echo_studies(studies, job, before, after)
@@ -90,7 +107,7 @@ contains
       integer :: i
       do i = 1, size(studies%items)
          associate (study => studies%items(i)%study)
-            if (study%phase() == phase_cases) then
+            if (study%phase == phase_cases) then
                call study%echo(job, last)
             else
                call study%echo(job, first)
@@ -111,7 +128,7 @@ contains
       integer :: i
       do i = 1, size(studies%items)
          associate (study => studies%items(i)%study)
-            if (study%phase() /= phase .or. .not. study%is_asked()) cycle
+            if (study%phase /= phase .or. .not. study%asked) cycle
             if (is_interrupted() .and. what /= '') then
                call note_ending(what, run%status)
                exit
@@ -129,7 +146,9 @@ contains
       integer :: i
       have = .false.
       do i = 1, size(studies%items)
-         if (studies%items(i)%study%phase() == phase_points) have = have .or. studies%items(i)%study%is_asked()
+         associate (study => studies%items(i)%study)
+            have = have .or. (study%asked .and. study%phase == phase_points)
+         end associate
       end do
    end function have_points
 end module dg_registry

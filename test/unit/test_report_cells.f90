@@ -9,6 +9,8 @@ module dg_test_report_cells
    use dg_missing, only: given, is_shown, missing, optional_real
    use dg_number_text, only: count_cell, csv_text, fixed_cell, left_aligned, put_csv_number, right_aligned, scientific_cell
    use dg_ten_digits, only: longest_number
+   use dg_text, only: text_type
+   use dg_text_table, only: add_cell, add_instead, append_table, close_rows, end_row, text_table_type
    implicit none
    private
    public :: report_cells_suite
@@ -23,6 +25,7 @@ contains
       suite = TestSuite('report_cells')
       call suite%addTest(TestMethod('fixed', test_fixed))
       call suite%addTest(TestMethod('other_cells', test_other_cells))
+      call suite%addTest(TestMethod('table', test_table))
       call suite%addTest(TestMethod('csv_numbers', test_csv_numbers))
       call suite%addTest(TestMethod('no_numbers', test_no_numbers))
       call suite%addTest(TestMethod('csv_text', test_csv_text))
@@ -51,6 +54,43 @@ contains
       call assertEqual('[abcd... ]', '['//left_aligned('abcdefghij', 8)//']')
       call assertEqual('[   ab]', '['//right_aligned('ab', 5)//']')
    end subroutine test_other_cells
+
+   !> A row of words, a mark, and a sum below the closing rule; the second table begins at the rule that ends the first.
+   subroutine test_table()
+      type(text_table_type) :: table
+      type(text_type), allocatable :: lines(:)
+      character(*), parameter :: rule = '----------------------'
+      character(*), parameter :: expected(*) = [character(len(rule) + 3) :: rule, 'Case     Load  Remark', '           kN', rule, &
+         'one   no value', 'two       2.0  high !', rule, 'all         -  none']
+      integer :: i
+      call add_row('one', missing, 'low', .true.)
+      call add_row('two', 2000.0_wp, 'high', .false.)
+      allocate (lines(0))
+      call append_table(lines, table)
+      call append_table(lines, table)
+      call assertEqual(13, size(lines))
+      call close_rows(table)
+      call add_row('all', missing, 'none', .false.)
+      deallocate (lines)
+      allocate (lines(0))
+      call append_table(lines, table)
+      call assertEqual(size(expected), size(lines))
+      do i = 1, min(size(expected), size(lines))
+         call assertEqual(trim(expected(i)), lines(i)%text)
+      end do
+   contains
+      subroutine add_row(name, load, remark, without)
+         character(*), intent(in) :: name
+         real(wp), intent(in) :: load         !< [N]
+         character(*), intent(in) :: remark
+         logical, intent(in) :: without       !< words in place of numbers
+         call add_cell(table, 'Case', 6, name)
+         if (without) call add_instead(table, 'no value')
+         call add_cell(table, 'Load|kN', 7, load, 1000.0_wp, 1)
+         call add_cell(table, 'Remark', 7, remark)
+         call end_row(table, trim(merge(' !', '  ', name == 'two')))
+      end subroutine add_row
+   end subroutine test_table
 
    !> What is read back differs by less than the 1e-9 promised.
    subroutine test_csv_numbers()

@@ -2,10 +2,11 @@
 module dg_test_stuck_string
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_component, only: axial_stiffness, component_type
+   use dg_drillstring, only: component_tops, drillstring_type
    use dg_kinds, only: wp
    use dg_model, only: model_type
    use dg_profile, only: new_profile, profile_type
-   use dg_stuck_string, only: compliance, cut_string, free_point_without_friction, stretch_between, value_at
+   use dg_stuck_string, only: cut_string, free_point_without_friction, stretch_between, value_at
    implicit none
    private
    public :: stuck_string_suite
@@ -92,4 +93,21 @@ contains
                                     stretch_between(first, second, model%strings(1), 1000.0_wp), round_off)
       end associate
    end subroutine test_profiles
+
+   !> Stretch of the string between surface and a depth for a pull of one newton that does not change along it [m/N].
+   pure function compliance(string, bit_depth, depth) result(stretch)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: bit_depth, depth    !< [m]
+      real(wp) :: stretch
+      real(wp) :: tops(size(string%components)), top, bottom
+      integer :: i
+      tops = bit_depth - component_tops(string, bit_depth)      ! depths of the upper ends
+      stretch = 0.0_wp
+      bottom = bit_depth
+      do i = 1, size(tops)
+         top = tops(i)
+         stretch = stretch + max(0.0_wp, min(bottom, depth) - top)/axial_stiffness(string%components(i))
+         bottom = top
+      end do
+   end function compliance
 end module dg_test_stuck_string

@@ -10,7 +10,7 @@ module dg_test_trajectory
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_spline_path, only: second_derivatives
    use dg_survey, only: azimuth_of, clock_angle, high_side, inclination_of, tangent_of
-   use dg_trajectory, only: arc_at, frame_at, interpolation_minimum_curvature, interpolation_spline, new_trajectory, &
+   use dg_trajectory, only: arc_at, interpolation_minimum_curvature, interpolation_spline, new_trajectory, &
       position_at, trajectory_type, true_vertical_depth
    use dg_vector, only: cross
    implicit none
@@ -383,4 +383,14 @@ contains
       call assertEqual(hypot(down, across), difference%position, 1.0e-6_wp)
       call assertEqual([turn, turn], difference%turns, 1.0e-9_wp)
    end subroutine test_difference
+
+   !> Rotation-minimising frame at a measured depth [m].
+   pure subroutine frame_at(trajectory, md, tangent, lateral_1, lateral_2)
+      type(trajectory_type), intent(in) :: trajectory
+      real(wp), intent(in) :: md
+      real(wp), intent(out) :: tangent(3), lateral_1(3), lateral_2(3)
+      integer :: index
+      index = arc_at(trajectory, md)
+      call frame_on_arc(trajectory%arcs(index), md - trajectory%arcs(index)%md, tangent, lateral_1, lateral_2)
+   end subroutine frame_at
 end module dg_test_trajectory

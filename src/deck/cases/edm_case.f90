@@ -3,7 +3,8 @@
 module dg_edm_case
    use dg_constants, only: degree
    use dg_edm_rows, only: choose_wellbore, get, is_of, pick
-   use dg_imported_case, only: imported_case_type, imported_hole_type, imported_part_type, kind_of_part, one_of
+   use dg_imported_case, only: add_hole, add_part, imported_case_type, imported_hole_type, imported_part_type, kind_of_part, &
+      one_of
    use dg_kinds, only: wp
    use dg_merge_sort, only: sorted_places
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
@@ -164,11 +165,7 @@ contains
             call append_text(case%hole_notes, 'GUESSED: top of section '//hole%name//': where the one above ends')
          hole%top = max(0.0_wp, hole%top + datum)
          hole%bottom = hole%bottom + datum
-         if (hole%bottom <= hole%top .or. hole%diameter <= 0.0_wp) then
-            call append_text(case%hole_notes, 'MISSING: depths or diameter of section '//hole%name//', left out')
-         else
-            case%holes = [case%holes, hole]
-         end if
+         call add_hole(case, hole)
       end do
 
    contains
@@ -275,13 +272,10 @@ contains
          call get(tree, row, 'blade_od', inch, part%joint_od, failure)
          if (part%joint_od <= 0.0_wp) call get(tree, row, 'od_blade', inch, part%joint_od, failure)
       end if
-      if (part%joint_od <= part%od .and. part%kind /= 'stabilizer') part%joint_od = 0.0_wp
-      if (part%joint_od <= 0.0_wp) part%joint_id = 0.0_wp
-      if (part%joint_od <= 0.0_wp) part%joint_length = 0.0_wp
       if (index(lower_case(attribute(tree%elements(row), 'material')), 'al') == 1 .or. &
           index(lower_case(attribute(tree%elements(row), 'material')), 'ti') == 1) &
          part%remark = 'MISSING: density and modulus of '//attribute(tree%elements(row), 'material')//'; steel is taken'
-      case%parts = [case%parts, part]
+      call add_part(case, part)
    end subroutine read_part
 
    !> The mud: the last row of the wellbore that has a density.

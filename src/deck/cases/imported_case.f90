@@ -7,7 +7,8 @@ module dg_imported_case
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: imported_case_type, imported_hole_type, imported_part_type, empty_case, lined_up, kind_of_part, is_meant, one_of
+   public :: imported_case_type, imported_hole_type, imported_part_type, add_hole, add_part, empty_case, lined_up, kind_of_part
+   public :: is_meant, one_of
 
    !> A section of the hole.
    type :: imported_hole_type
@@ -60,6 +61,29 @@ contains
       allocate (case%md(0), case%inclination(0), case%azimuth(0), case%holes(0), case%parts(0))
       allocate (case%survey_notes(0), case%hole_notes(0), case%string_notes(0), case%fluid_notes(0))
    end function empty_case
+
+   !> Adds a section of the hole; one without depths or diameter is told and left out.
+   pure subroutine add_hole(case, hole)
+      type(imported_case_type), intent(inout) :: case
+      type(imported_hole_type), intent(in) :: hole
+      if (hole%bottom <= hole%top .or. hole%diameter <= 0.0_wp) then
+         call append_text(case%hole_notes, 'MISSING: depths or diameter of section '//hole%name//', left out')
+      else
+         case%holes = [case%holes, hole]
+      end if
+   end subroutine add_hole
+
+   !> Adds a component above those that are there. A joint no wider than the body is none, but for blades of a stabilizer.
+   pure subroutine add_part(case, part)
+      type(imported_case_type), intent(inout) :: case
+      type(imported_part_type), intent(in) :: part
+      case%parts = [case%parts, part]
+      associate (added => case%parts(size(case%parts)))
+         if (added%joint_od <= added%od .and. added%kind /= 'stabilizer') added%joint_od = 0.0_wp
+         if (added%joint_od <= 0.0_wp) added%joint_id = 0.0_wp
+         if (added%joint_od <= 0.0_wp) added%joint_length = 0.0_wp
+      end associate
+   end subroutine add_part
 
    !> Kind of a component by what another program calls it; ''.
    pure function kind_of_part(text) result(kind)

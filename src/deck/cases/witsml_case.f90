@@ -2,7 +2,8 @@
 module dg_witsml_case
    use dg_constants, only: degree
    use dg_deck_number, only: read_real
-   use dg_imported_case, only: imported_case_type, imported_hole_type, imported_part_type, is_meant, kind_of_part, one_of
+   use dg_imported_case, only: add_hole, add_part, imported_case_type, imported_hole_type, imported_part_type, is_meant, &
+      kind_of_part, one_of
    use dg_kinds, only: wp
    use dg_merge_sort, only: sorted_places
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
@@ -179,8 +180,7 @@ contains
          call get(tree, i, 'bend/distbendbot', lengths, part%bend_position, failure)
          call get(tree, i, 'stabilizer/odblademx', lengths, part%joint_od, failure)
       end select
-      if (part%joint_od <= part%od .and. part%kind /= 'stabilizer') part%joint_od = 0.0_wp
-      case%parts = [case%parts, part]
+      call add_part(case, part)
    end subroutine read_part
 
    !> Sections of hole and casing.
@@ -210,11 +210,7 @@ contains
          if (hole%diameter <= 0.0_wp .and. .not. hole%cased) call get(tree, i, 'diahole', lengths, hole%diameter, failure)
          if (hole%diameter <= 0.0_wp .and. .not. hole%cased) call get(tree, i, 'odsection', lengths, hole%diameter, failure)
          if (failure /= '') return
-         if (hole%bottom <= hole%top .or. hole%diameter <= 0.0_wp) then
-            call append_text(case%hole_notes, 'MISSING: depths or diameter of section '//hole%name//', left out')
-         else
-            case%holes = [case%holes, hole]
-         end if
+         call add_hole(case, hole)
          i = child(tree, geometry, section, after=i)
       end do
    end subroutine read_holes

@@ -4,7 +4,7 @@ module dg_deck_parts
    use dg_kinds, only: wp
    use dg_case_check, only: check_operation
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, integer_of, &
-                               logical_of, text_of
+      logical_of, text_of, optional_of
    use dg_component, only: component_type, has_joints, tube_area
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
    use dg_connection_rating, only: connection_rating_type
@@ -13,7 +13,7 @@ module dg_deck_parts
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
    use dg_error, only: error_list_type, key_of
    use dg_load_case, only: operation_from_name
-   use dg_missing, only: given, is_missing, missing, optional_real
+   use dg_missing, only: is_missing, missing, optional_real
    use dg_model, only: boundary_type, hold_free, packer_hold_name
    use dg_shown_size, only: length_digits
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
@@ -264,7 +264,7 @@ contains
       item%length_reference = text_of(group, 'length_reference', '')
       item%line_reference = line_of(group, 'length_reference')
       if (is_given(group, 'wob')) item%line_wob = line_of(group, 'wob')
-      friction = optional_of('friction')
+      friction = optional_of(group, 'friction')
       associate (case => item%load_case)
          case%name = text_of(group, 'name', '')
          case%section = text_of(group, 'section', '')
@@ -282,13 +282,13 @@ contains
          case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
          case%hours = real_of(group, 'hours', 0.0_wp)
          case%toolface = real_of(group, 'toolface', 0.0_wp)
-         case%friction_axial = optional_of('friction_axial')
-         case%friction_rotary = optional_of('friction_rotary')
+         case%friction_axial = optional_of(group, 'friction_axial')
+         case%friction_rotary = optional_of(group, 'friction_rotary')
          if (.not. case%friction_axial%present) case%friction_axial = friction
          if (.not. case%friction_rotary%present) case%friction_rotary = friction
-         case%measured_hookload = optional_of('measured_hookload')
-         case%measured_torque = optional_of('measured_torque')
-         case%reference_hookload = optional_of('reference_hookload')
+         case%measured_hookload = optional_of(group, 'measured_hookload')
+         case%measured_torque = optional_of(group, 'measured_torque')
+         case%reference_hookload = optional_of(group, 'reference_hookload')
          if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) then
             call group_fault(group, 'name', 'name = '//quoted(case%name)//' cannot be part of a file name; use 1 to 100 '// &
                              'letters, digits and _ - . +, no dot first', faults)
@@ -302,14 +302,6 @@ contains
          end associate
       end do
       item%sound = is_whole(group) .and. faults%noted == before
-
-   contains
-
-      function optional_of(key) result(number)
-         character(*), intent(in) :: key
-         type(optional_real) :: number
-         if (is_sound(group, key)) number = given(real_of(group, key, 0.0_wp))
-      end function optional_of
    end subroutine draft_case
 
    !> Supports of the string's ends, and the packer at the lower one.
@@ -336,8 +328,8 @@ contains
       rig%lines = integer_of(group, 'lines', rig%lines)
       rig%sheave_efficiency = real_of(group, 'sheave_efficiency', rig%sheave_efficiency)
       rig%active_deadline_sheave = text_of(group, 'deadline_sheave', 'inactive') == 'active'
-      if (is_sound(group, 'max_hookload')) rig%max_hookload = given(real_of(group, 'max_hookload', 0.0_wp))
-      if (is_sound(group, 'max_torque')) rig%max_torque = given(real_of(group, 'max_torque', 0.0_wp))
+      rig%max_hookload = optional_of(group, 'max_hookload')
+      rig%max_torque = optional_of(group, 'max_torque')
       if (is_sound(group, 'sheave_efficiency') .and. rig%sheave_efficiency < 1.0_wp .and. .not. is_given(group, 'lines')) &
          call group_fault(group, 'sheave_efficiency', 'sheave_efficiency = '//to_text(rig%sheave_efficiency, length_digits)// &
                           ' needs lines, the number strung to the travelling block', faults)

@@ -1,10 +1,9 @@
 !> Opens a deck: reads it with all that it names and checks it; groups of studies are left to these. Closes it: builds what is to be
 !> computed, in SI units. All faults come back together; nothing is built where there is one.
 module dg_open_deck
-   use dg_kinds, only: wp
    use dg_catalogue, only: catalogue_within
-   use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, places_of, real_of, &
-                               text_of
+   use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, optional_of, &
+      places_of, real_of, text_of
    use dg_deck_advice, only: key_advice
    use dg_deck_catalogue, only: fill_from_catalogue
    use dg_deck_centralizer, only: take_centralizers
@@ -25,7 +24,6 @@ module dg_open_deck
    use dg_error, only: add_fault, error_list_type, error_type
    use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
-   use dg_missing, only: given
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
@@ -216,8 +214,7 @@ contains
          job%profiles = logical_of(groups(i), 'profiles', .true.)
          job%hdf5 = logical_of(groups(i), 'hdf5', .true.)
          job%plots = logical_of(groups(i), 'plots', .true.)
-         if (is_given(groups(i), 'rig_limit') .and. is_sound(groups(i), 'rig_limit')) &
-            job%rig_limit = given(real_of(groups(i), 'rig_limit', 0.0_wp))
+         job%rig_limit = optional_of(groups(i), 'rig_limit')
          job%threads = integer_of(groups(i), 'threads', 0)
          if (is_sound(groups(i), 'models')) job%models = places_of(groups(i), 'models', model_name)
          return

@@ -5,7 +5,7 @@ module dg_table_text
    implicit none
    private
    public :: skipped_rows_type, skipped_words
-   public :: blank_brackets, close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
+   public :: close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
              split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)

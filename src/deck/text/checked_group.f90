@@ -3,11 +3,12 @@ module dg_checked_group
    use dg_kinds, only: wp
    use dg_deck_schema, only: name_length
    use dg_error, only: add_fault, error_list_type
-   use dg_text, only: text_type
+   use dg_missing, only: given, optional_real
+   use dg_text, only: append_text, lower_case, quoted, text_type
    implicit none
    private
-   public :: value_type, checked_group_type, group_fault, is_whole
-   public :: is_given, is_sound, line_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
+   public :: value_type, checked_group_type, claim_name, group_fault, is_whole, named
+   public :: is_given, is_sound, line_of, optional_of, real_of, integer_of, logical_of, text_of, reals_of, texts_of, places_of
 
    !> Numbers or texts of a key.
    type :: content_type
@@ -83,6 +84,31 @@ contains
       call add_fault(faults, group%path, line, 'group &'//group%name//': '//message)
    end subroutine group_fault
 
+   !> Places of the groups with a name.
+   pure function named(groups, name) result(places)
+      type(checked_group_type), intent(in) :: groups(:)
+      character(*), intent(in) :: name
+      integer, allocatable :: places(:)
+      integer :: i
+      places = pack([(i, i=1, size(groups))], [(groups(i)%name == name, i=1, size(groups))])
+   end function named
+
+   !> Enters the name of something into a list. Notes a fault where it is taken, letter case aside. '' is no name.
+   pure subroutine claim_name(group, key, name, taken, faults)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key              !< that holds the name
+      character(*), intent(in) :: name
+      type(text_type), allocatable, intent(inout) :: taken(:)
+      type(error_list_type), intent(inout) :: faults
+      integer :: i
+      if (name == '') return
+      if (any([(taken(i)%text == lower_case(name), i=1, size(taken))])) then
+         call group_fault(group, key, key//' '//quoted(name)//' is taken; '//key//'s must be unique, letter case aside', faults)
+      else
+         call append_text(taken, lower_case(name))
+      end if
+   end subroutine claim_name
+
    !> Whether every key of a group that is given or required has a legal value.
    pure function is_whole(group) result(whole)
       type(checked_group_type), intent(in) :: group
@@ -102,6 +128,14 @@ contains
          if (value%sound .and. allocated(value%content)) number = value%content%numbers(1)
       end associate
    end function real_of
+
+   !> The number of a key [SI]; absent where it has no legal one.
+   pure function optional_of(group, key) result(number)
+      type(checked_group_type), intent(in) :: group
+      character(*), intent(in) :: key
+      type(optional_real) :: number
+      if (is_sound(group, key)) number = given(real_of(group, key, 0.0_wp))
+   end function optional_of
 
    !> The whole number of a key, or `otherwise`.
    pure function integer_of(group, key, otherwise) result(number)

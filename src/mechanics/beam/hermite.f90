@@ -6,7 +6,7 @@ module dg_hermite
    use dg_kinds, only: wp
    implicit none
    private
-   public :: hermite_value, hermite_slope, hermite_bend, hermite_line_load
+   public :: hermite_value, hermite_slope, hermite_line_load
 
 contains
 
@@ -35,16 +35,6 @@ contains
       n(3) = -n(1)
       n(4) = -xi*(3.0_wp*rest - 1.0_wp)
    end function hermite_slope
-
-   !> d2N/dx2(4) at xi [1/m2, 1/m, 1/m2, 1/m].
-   pure function hermite_bend(xi, length) result(n)
-      real(wp), intent(in) :: xi, length   !< place in the element, 0 to 1 [-]; its length [m]
-      real(wp) :: n(4)
-      n(1) = (12.0_wp*xi - 6.0_wp)/length**2
-      n(2) = (6.0_wp*xi - 4.0_wp)/length
-      n(3) = -n(1)
-      n(4) = (6.0_wp*xi - 2.0_wp)/length
-   end function hermite_bend
 
    !> Integral of N over the element [m, m2, m, m2]: equivalent nodal loads F_e of a unit line load.
    pure function hermite_line_load(length) result(n)

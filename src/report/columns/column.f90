@@ -15,7 +15,7 @@ module dg_column
    implicit none
    private
    public :: column_type, field_type, row_type, column_header, fields_of, unknown_column
-   public :: csv_header, csv_row, put_csv_value, put, put_filled, put_none, set
+   public :: csv_header, csv_row, put_csv_value, put, put_filled
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
              quantity_time, quantity_wall
@@ -51,11 +51,6 @@ module dg_column
    interface put
       module procedure put_real, put_integer, put_text, put_optional
    end interface put
-
-   !> Gives a column that a row has a value.
-   interface set
-      module procedure set_optional, set_text
-   end interface set
 
 contains
 
@@ -198,14 +193,15 @@ contains
       row%fields(row%count)%integer_value = value
    end subroutine put_integer
 
-   !> A text; blanks behind it are left out.
+   !> A text, without blanks behind it; no value where it is not allocated.
    pure subroutine put_text(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
-      character(*), intent(in) :: value
+      character(*), intent(in), optional :: value
       call put_none(row, name, quantity, meaning)
+      if (.not. present(value)) return
       row%fields(row%count)%kind = field_text
       row%fields(row%count)%text = trim(value)
    end subroutine put_text
@@ -223,25 +219,4 @@ contains
          call put_text(row, name, quantity, meaning, value)
       end if
    end subroutine put_filled
-
-   !> Ends the program where no column has that name.
-   subroutine set_optional(row, name, value)
-      type(row_type), intent(inout) :: row
-      character(*), intent(in) :: name
-      type(optional_real), intent(in) :: value     !< in SI units
-      associate (field => row%fields(place_of(row, name)))
-         field%kind = merge(field_real, field_absent, value%present)
-         field%real_value = value%value
-      end associate
-   end subroutine set_optional
-
-   subroutine set_text(row, name, value)
-      type(row_type), intent(inout) :: row
-      character(*), intent(in) :: name
-      character(*), intent(in) :: value
-      associate (field => row%fields(place_of(row, name)))
-         field%kind = field_text
-         field%text = trim(value)
-      end associate
-   end subroutine set_text
 end module dg_column

@@ -8,12 +8,12 @@ module dg_comparison
 
 contains
 
-   !> 100 |calculated - other|/|other| [%]; absent where `other` is absent, or so near zero that no number holds it.
+   !> 100 |calculated - other|/|other| [%]; absent where either is, or `other` so near zero that no number holds it.
    elemental function percent_error(calculated, other) result(error)
       real(wp), intent(in) :: calculated
       type(optional_real), intent(in) :: other
       type(optional_real) :: error
-      if (.not. other%present) return
+      if (is_missing(calculated) .or. .not. other%present) return
       if (abs(other%value) <= 100.0_wp*abs(calculated - other%value)/huge(1.0_wp)) return
       error = given(100.0_wp*abs(calculated - other%value)/abs(other%value))
    end function percent_error

@@ -7,7 +7,7 @@ module dg_number_text
    use dg_text, only: put_piece, append_text, text_type
    implicit none
    private
-   public :: fixed_cell, scientific_cell, count_cell, right_aligned, left_aligned
+   public :: fixed_cell, fixed_text, scientific_cell, count_cell, right_aligned, left_aligned
    public :: csv_text, put_csv_number
    public :: append_wrapped, page_width
 
@@ -60,6 +60,15 @@ contains
          cell = right_aligned(absent, width)
       end if
    end function fixed_cell_of_optional
+
+   !> `value` with `decimals` digits behind the point, for sentences.
+   pure function fixed_text(value, decimals) result(text)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: decimals
+      character(:), allocatable :: text
+      integer, parameter :: widest = 14
+      text = trim(adjustl(fixed_cell_of_number(value, widest, decimals)))
+   end function fixed_text
 
    !> `value` with one digit behind the point and an exponent.
    pure function scientific_cell(value, width) result(cell)

@@ -30,7 +30,7 @@ module dg_html_report
    use dg_text, only: text_type, to_text
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
-   use dg_warnings_table, only: deck_warnings, warning_order, warning_text
+   use dg_warnings_table, only: warning_sentences, warnings_heading
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -168,26 +168,16 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      type(text_type), allocatable :: notes(:)
-      character(:), allocatable :: head
-      integer, allocatable :: order(:)
+      type(text_type), allocatable :: sentences(:)
       integer :: i
-      allocate (order, source=warning_order(results))
-      allocate (notes, source=deck_warnings(job, model))
-      if (size(order) + size(notes) == 0) then
+      allocate (sentences, source=warning_sentences(job, model, results))
+      if (size(sentences) == 0) then
          if (all(wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings.</p>')
          return
       end if
-      call add_line(lines, '<h2>Warnings ('//to_text(size(order) + size(notes))//')</h2><ul>')
-      do i = 1, size(notes)
-         call add_line(lines, '<li>Deck: '//html_safe(notes(i)%text)//'</li>')
-      end do
-      do i = 1, size(order)
-         associate (result => results(order(i)))
-            head = model%cases(result%case_index)%name
-            if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
-            call add_line(lines, '<li>'//html_safe(head//': '//warning_text(result))//'.</li>')
-         end associate
+      call add_line(lines, '<h2>'//warnings_heading(sentences)//'</h2><ul>')
+      do i = 1, size(sentences)
+         call add_line(lines, '<li>'//html_safe(sentences(i)%text)//'</li>')
       end do
       call add_line(lines, '</ul>')
    end subroutine append_warnings

@@ -8,7 +8,7 @@ module dg_html_text
    use dg_load_case, only: operation_from_name, operation_label
    use dg_markup, only: html_safe
    use dg_missing, only: is_shown
-   use dg_number_text, only: fixed_cell
+   use dg_number_text, only: fixed_text
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, text_type, to_text
    use dg_units, only: unit_system_type
@@ -115,7 +115,6 @@ contains
       type(field_type), intent(in) :: field
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: cell
-      integer, parameter :: widest = 14
       real(wp) :: value
       integer :: place
       cell = '<td>&ndash;</td>'
@@ -140,7 +139,7 @@ contains
             ! numbers without unit have any size: a tolerance, a friction factor
             cell = '<td>'//to_text(value, few_digits)//'</td>'
          else
-            cell = '<td>'//trim(adjustl(fixed_cell(value, widest, decimals(field%column%quantity))))//'</td>'
+            cell = '<td>'//fixed_text(value, decimals(field%column%quantity))//'</td>'
          end if
       case default
       end select

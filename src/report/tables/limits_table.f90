@@ -6,6 +6,7 @@ module dg_limits_table
    use dg_case_result, only: case_result_type, result_converged
    use dg_casing_wear, only: groove_type
    use dg_quantity, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns
+   use dg_comparison, only: in_percent
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_fatigue, only: fatigue_type
@@ -13,7 +14,7 @@ module dg_limits_table
    use dg_length_change, only: total_change
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
-   use dg_number_text, only: fixed_cell
+   use dg_number_text, only: fixed_text
    use dg_text, only: append_text, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
@@ -26,7 +27,7 @@ module dg_limits_table
    public :: limits_table
 
    integer, parameter :: head_width = 30
-   integer, parameter :: number_width = 16, few = 3
+   integer, parameter :: few = 3
    !> Turns of a helix from which on they are told to three digits.
    real(wp), parameter :: many_turns = 100.0_wp
    character(*), parameter :: jar_kind = 'jar'
@@ -61,58 +62,48 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      type(optional_real), dimension(size(results)) :: numbers, depths, nowhere
+      type(optional_real), dimension(size(results)) :: numbers, nowhere
       type(text_type) :: names(size(results)), deciders(size(results))
       integer :: i
       do i = 1, size(results)
          names(i)%text = model%cases(results(i)%case_index)%name
       end do
-      ! copies, because a component of an array of records is no array that could be handed on as it is
-      numbers%present = .true.
-      numbers%value = -wholes%stretch
-      call append_least(lines, units, names, 'Largest stretch', quantity_length, 2, numbers, nowhere, .true.)
-      numbers%present = abs(wholes%windup) > least_windup
-      numbers%value = -abs(wholes%windup)
-      call append_least(lines, units, names, 'Largest wind-up', quantity_turns, 2, numbers, nowhere, .true.)
+      call append_extreme(lines, units, names, 'Largest stretch', quantity_length, 2, given(wholes%stretch), nowhere, .true.)
+      call append_extreme(lines, units, names, 'Largest wind-up', quantity_turns, 2, &
+                          beyond(abs(wholes%windup), least_windup), nowhere, .true.)
       numbers = wholes%bending_error
-      numbers%value = -wholes%bending
-      depths%present = .true.
-      depths%value = wholes%bending_md
-      call append_least(lines, units, names, 'Largest bending moment', quantity_moment, 2, numbers, depths, .true.)
-      numbers = wholes%bending_error
-      numbers%value = -100.0_wp*numbers%value
-      call append_least(lines, units, names, 'Moments may be off by, %', quantity_none, 1, numbers, nowhere, .true.)
-      numbers = wholes%least_standoff
+      numbers%value = wholes%bending
+      call append_extreme(lines, units, names, 'Largest bending moment', quantity_moment, 2, numbers, &
+                          given(wholes%bending_md), .true.)
+      call append_extreme(lines, units, names, 'Moments may be off by, %', quantity_none, 1, &
+                          in_percent(wholes%bending_error), nowhere, .true.)
+      numbers = in_percent(wholes%least_standoff)
       do i = 1, size(results)
          numbers(i)%present = numbers(i)%present .and. has_centralizers(model, results(i)%case_index)
       end do
-      numbers%value = 100.0_wp*wholes%least_standoff%value
-      depths = wholes%least_standoff_md
-      call append_least(lines, units, names, 'Least standoff, %', quantity_none, 1, numbers, depths, .false.)
-      numbers = wholes%least_safety
-      depths = wholes%least_safety_md
-      call append_least(lines, units, names, 'Least safety against yield', quantity_none, 2, numbers, depths, .false.)
+      ! in parentheses: a component of an array of records is handed on as a copy
+      call append_extreme(lines, units, names, 'Least standoff, %', quantity_none, 1, numbers, &
+                          (wholes%least_standoff_md), .false.)
+      call append_extreme(lines, units, names, 'Least safety against yield', quantity_none, 2, &
+                          (wholes%least_safety), (wholes%least_safety_md), .false.)
       call find_overpull(wholes, numbers, deciders)
       do i = 1, size(results)
          deciders(i)%text = names(i)%text//', '//deciders(i)%text
       end do
-      call append_least(lines, units, deciders, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
-      numbers = wholes%rig_margin
-      call append_least(lines, units, names, 'Least margin to rig limit', quantity_force, 1, numbers, nowhere, .false.)
-      numbers = wholes%makeup_margin
-      depths = wholes%makeup_margin_md
-      call append_least(lines, units, names, 'Least margin to make-up', quantity_moment, 2, numbers, depths, .false.)
-      numbers = wholes%buckling_margin
-      depths = wholes%buckling_margin_md
-      call append_least(lines, units, names, 'Least margin to buckling', quantity_force, 1, numbers, depths, .false.)
-      numbers = wholes%wob_buckling
+      call append_extreme(lines, units, deciders, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
+      call append_extreme(lines, units, names, 'Least margin to rig limit', quantity_force, 1, &
+                          (wholes%rig_margin), nowhere, .false.)
+      call append_extreme(lines, units, names, 'Least margin to make-up', quantity_moment, 2, &
+                          (wholes%makeup_margin), (wholes%makeup_margin_md), .false.)
+      call append_extreme(lines, units, names, 'Least margin to buckling', quantity_force, 1, &
+                          (wholes%buckling_margin), (wholes%buckling_margin_md), .false.)
+      deciders = names
       do i = 1, size(results)
-         if (numbers(i)%present .and. .not. numbers(i)%value > 0.0_wp) names(i)%text = names(i)%text//', buckles without WOB'
+         if (wholes(i)%wob_buckling%present .and. .not. wholes(i)%wob_buckling%value > 0.0_wp) &
+            deciders(i)%text = names(i)%text//', buckles without WOB'
       end do
-      call append_least(lines, units, names, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
-      do i = 1, size(results)
-         names(i)%text = model%cases(results(i)%case_index)%name
-      end do
+      call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, &
+                          (wholes%wob_buckling), nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
          call append_text(lines, '  By formula, buckled in '//names(i)%text//': '// &
@@ -126,9 +117,9 @@ contains
       do i = 1, size(results)
          if (.not. wholes(i)%sag_correction%present) cycle
          call append_text(lines, '  Sag correction in '//names(i)%text//': '// &
-                          trim(adjustl(fixed_cell(wholes(i)%sag_correction, units%angle, number_width, 3)))// &
+                          fixed_text(wholes(i)%sag_correction%value/units%angle, 3)// &
                           ' deg at the sensor, '// &
-                          to_text(anint(wholes(i)%sensor_md%value/units%length))//' '//trim(units%length_label))
+                          whole_depth(units, wholes(i)%sensor_md%value))
       end do
       do i = 1, size(results)
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
@@ -136,7 +127,7 @@ contains
       do i = 1, size(results)
          if (wholes(i)%yield_left%present) call append_text(lines, '  Yield strength left in '//names(i)%text//': '// &
             to_text(100.0_wp*wholes(i)%yield_left%value, few)//' % at '// &
-            to_text(anint(wholes(i)%yield_left_md%value/units%length))//' '//trim(units%length_label)//', by temperature')
+            whole_depth(units, wholes(i)%yield_left_md%value)//', by temperature')
          call append_ratings(lines, names(i)%text, wholes(i)%utilisation)
          if (wholes(i)%groove%present) call append_groove(lines, units, names(i)%text, wholes(i)%groove)
          if (wholes(i)%fatigue%present) call append_fatigue(lines, units, 'Fatigue in '//names(i)%text, wholes(i)%fatigue)
@@ -148,13 +139,20 @@ contains
       end do
    end subroutine append_block
 
+   !> A depth or length without decimals.
+   pure function whole_depth(units, md) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: md         !< [m]
+      character(:), allocatable :: text
+      text = to_text(anint(md/units%length))//' '//trim(units%length_label)
+   end function whole_depth
+
    !> Lengths of buckled string.
    pure function lengths_text(units, sinusoidal, helical) result(text)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: sinusoidal, helical     !< [m]
       character(:), allocatable :: text
-      text = 'sinusoidal '//to_text(anint(sinusoidal/units%length))//' '//trim(units%length_label)//', helical '// &
-             to_text(anint(helical/units%length))//' '//trim(units%length_label)
+      text = 'sinusoidal '//whole_depth(units, sinusoidal)//', helical '//whole_depth(units, helical)
    end function lengths_text
 
    !> Turns of a helix; '' for none.
@@ -202,7 +200,7 @@ contains
             if (.not. used%present) cycle
             if (text /= '') text = text//', '
             rating = trim(limit_name(joint_ratings(i)))
-            text = text//rating(len(joint) + 1:)//' '//trim(adjustl(fixed_cell(used, 0.01_wp, number_width, 1)))//' %'
+            text = text//rating(len(joint) + 1:)//' '//fixed_text(used%value/0.01_wp, 1)//' %'
          end associate
       end do
       if (text /= '') call append_text(lines, '  Ratings of connections used in '//name//': '//text)
@@ -216,7 +214,7 @@ contains
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
       text = '  '//head//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
-             to_text(anint(fatigue%md/units%length))//' '//trim(units%length_label)//', '// &
+             whole_depth(units, fatigue%md)//', '// &
              trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'
       call append_text(lines, text)
@@ -241,7 +239,7 @@ contains
       if (.not. is_missing(groove%burst)) left = ', burst '//trim(in_units(units, unit_pressure, groove%burst, few))// &
          ', collapse '//trim(in_units(units, unit_pressure, groove%collapse, few))
       call append_text(lines, '  Casing wear in '//name//': '//trim(in_units(units, unit_diameter, groove%depth, few))//' at '// &
-                       to_text(anint(groove%md/units%length))//' '//trim(units%length_label)//', '// &
+                       whole_depth(units, groove%md)//', '// &
                        to_text(100.0_wp*groove%wall_left, few)//' % of the wall left'//left)
    end subroutine append_groove
 
@@ -269,7 +267,7 @@ contains
       pure function shown(length) result(text)
          real(wp), intent(in) :: length   !< [m]
          character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(given(length), units%length, number_width, 3)))
+         text = fixed_text(length/units%length, 3)
       end function shown
    end subroutine append_length_change
 
@@ -294,7 +292,7 @@ contains
                call append_text(lines, '  Jar '//part%name//' in '//name//': '// &
                                 trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
                                 trim(in_units(units, unit_force, abs(axial), few))//' at '// &
-                                to_text(anint(md/units%length))//' '//trim(units%length_label))
+                                whole_depth(units, md))
             end associate
          end do
       end associate
@@ -308,27 +306,31 @@ contains
       has = any(model%strings(string_index(model%strings, model%cases(case_index)%string))%components%centralizer%present)
    end function has_centralizers
 
-   !> The least of some numbers, with its case and place; `negative` numbers are shown without their sign.
-   pure subroutine append_least(lines, units, names, what, quantity, decimals, numbers, depths, negative)
+   !> A number that counts beyond a least one.
+   elemental function beyond(value, least) result(number)
+      real(wp), intent(in) :: value, least
+      type(optional_real) :: number
+      number = optional_real(value > least, value)
+   end function beyond
+
+   !> The least or the largest of some numbers, with its case and place.
+   pure subroutine append_extreme(lines, units, names, what, quantity, decimals, numbers, depths, largest)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(text_type), intent(in) :: names(:)                      !< of the cases
       character(*), intent(in) :: what
       integer, intent(in) :: quantity, decimals
       type(optional_real), intent(in) :: numbers(:), depths(:)     !< as many
-      logical, intent(in) :: negative
+      logical, intent(in) :: largest
       character(head_width) :: head
       character(:), allocatable :: line
-      real(wp) :: value
       integer :: k
       if (.not. any(numbers%present)) return
-      k = minloc(numbers%value, mask=numbers%present, dim=1)
-      value = numbers(k)%value
-      if (negative) value = -value
+      k = minloc(merge(-numbers%value, numbers%value, largest), mask=numbers%present, dim=1)
       head = '  '//what
-      line = head//trim(adjustl(fixed_cell(given(value), unit_factor(units, quantity), number_width, decimals)))
+      line = head//fixed_text(numbers(k)%value/unit_factor(units, quantity), decimals)
       if (unit_label(units, quantity) /= '') line = line//' '//unit_label(units, quantity)
-      if (depths(k)%present) line = line//' at '//to_text(anint(depths(k)%value/units%length))//' '//trim(units%length_label)
+      if (depths(k)%present) line = line//' at '//whole_depth(units, depths(k)%value)
       call append_text(lines, line//' ('//names(k)%text//')')
-   end subroutine append_least
+   end subroutine append_extreme
 end module dg_limits_table

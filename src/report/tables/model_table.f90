@@ -6,8 +6,8 @@ module dg_model_table
    use dg_job, only: job_type, model_name
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_text, only: append_text, text_type
+   use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    use dg_verdict_text, only: mark_meaning, row_mark
@@ -21,7 +21,6 @@ module dg_model_table
    integer, parameter :: share_width = 9
    integer, parameter :: seconds_width = 10
    real(wp), parameter :: one = 1.0_wp
-   !> A larger difference than the number itself has no share in per cent.
    !> Torque under which a difference in per cent says nothing [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
 
@@ -35,60 +34,48 @@ contains
       type(case_result_type), intent(in) :: results(:)
       logical, intent(in) :: marked(:)         !< as many: cannot be done, or no solution
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: rule, mark
+      type(text_table_type) :: table
       integer :: i, j, first, row
       allocate (lines(0))
       if (size(job%models) < 2) return
-      rule = repeat('-', name_width + model_width + 4*number_width + 2*share_width + seconds_width)
       call append_text(lines, '')
       call append_text(lines, 'Models side by side; differences against '//trim(model_name(job%models(1))))
-      call append_text(lines, rule)
-      call append_head(lines, job%units)
-      call append_text(lines, rule)
       do j = 1, size(model%cases)
          first = row_of(results, job%models(1), j)
          do i = 1, size(job%models)
             row = row_of(results, job%models(i), j)
             if (row == 0 .or. first == 0) cycle
-            mark = trim(merge(' '//row_mark, '  ', marked(row)))
-            call append_text(lines, trim(table_row(job%units, model, results(row), results(first), i == 1))//mark)
+            call add_row(table, job%units, model, results(row), results(first), i == 1)
+            call end_row(table, merge(' '//row_mark, '  ', marked(row)))
          end do
       end do
-      call append_text(lines, rule)
+      call close_rows(table)
       do i = 1, size(job%models)
-         call append_text(lines, left_aligned('all', name_width)//left_aligned(trim(model_name(job%models(i))), model_width)// &
-                          repeat(' ', 4*number_width + 2*share_width)// &
-                          fixed_cell(sum(results%seconds, results%model == job%models(i)), seconds_width, 4))
+         call add_cell(table, '', name_width, 'all')
+         call add_cell(table, '', model_width, model_name(job%models(i)))
+         call add_cell(table, '', 4*number_width + 2*share_width, '')
+         call add_cell(table, '', seconds_width, sum(results%seconds, results%model == job%models(i)), one, 4)
+         call end_row(table, '')
       end do
+      call append_table(lines, table)
       if (any(marked)) call append_text(lines, mark_meaning)
    end function model_table
 
-   pure subroutine append_head(lines, units)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: moment
-      moment = unit_label(units, unit_moment)
-      call append_text(lines, left_aligned('Case', name_width)//left_aligned('Model', model_width)// &
-                       right_aligned('Hook load', number_width)//right_aligned('Difference', number_width)// &
-                       right_aligned('', share_width)//right_aligned('Torque', number_width)// &
-                       right_aligned('Difference', number_width)//right_aligned('', share_width)// &
-                       right_aligned('Seconds', seconds_width))
-      call append_text(lines, repeat(' ', name_width + model_width)// &
-                       right_aligned(trim(units%force_label), number_width)// &
-                       right_aligned(trim(units%force_label), number_width)//right_aligned('%', share_width)// &
-                       right_aligned(moment, number_width)//right_aligned(moment, number_width)//right_aligned('%', share_width))
-   end subroutine append_head
-
-   pure function table_row(units, model, result, reference, is_reference) result(row)
+   !> Puts the cells of a result; differences are against `reference`.
+   pure subroutine add_row(table, units, model, result, reference, is_reference)
+      type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result, reference
       logical, intent(in) :: is_reference
-      character(:), allocatable :: row
-      type(optional_real) :: pull, turn, pull_share, turn_share
-      character(name_width) :: name
+      type(optional_real) :: hookload, pull, pull_share, torque, turn, turn_share
+      character(:), allocatable :: name, force, moment
+      force = '|'//trim(units%force_label)
+      moment = '|'//unit_label(units, unit_moment)
       name = ''
-      if (is_reference) name = left_aligned(model%cases(result%case_index)%name, name_width)
+      if (is_reference) name = model%cases(result%case_index)%name
+      hookload = optional_real(has_numbers(result%status), result%hookload)
+      torque = optional_real(has_numbers(result%status), result%torque)
       if (.not. is_reference .and. has_numbers(result%status) .and. has_numbers(reference%status)) then
          pull = given(result%hookload - reference%hookload)
          turn = given(result%torque - reference%torque)
@@ -97,13 +84,16 @@ contains
          if (abs(reference%torque) > max(abs(turn%value), least_torque)) &
             turn_share = given(100.0_wp*turn%value/abs(reference%torque))
       end if
-      row = name//left_aligned(trim(model_name(result%model)), model_width)// &
-         fixed_cell(optional_real(has_numbers(result%status), result%hookload), units%force, number_width, 3)// &
-         fixed_cell(pull, units%force, number_width, 3)//fixed_cell(pull_share, one, share_width, 3)// &
-         fixed_cell(optional_real(has_numbers(result%status), result%torque), units%moment, number_width, 3)// &
-         fixed_cell(turn, units%moment, number_width, 3)//fixed_cell(turn_share, one, share_width, 3)// &
-         fixed_cell(result%seconds, seconds_width, 4)
-   end function table_row
+      call add_cell(table, 'Case', name_width, name)
+      call add_cell(table, 'Model', model_width, model_name(result%model))
+      call add_cell(table, 'Hook load'//force, number_width, hookload, units%force, 3)
+      call add_cell(table, 'Difference'//force, number_width, pull, units%force, 3)
+      call add_cell(table, '|%', share_width, pull_share, one, 3)
+      call add_cell(table, 'Torque'//moment, number_width, torque, units%moment, 3)
+      call add_cell(table, 'Difference'//moment, number_width, turn, units%moment, 3)
+      call add_cell(table, '|%', share_width, turn_share, one, 3)
+      call add_cell(table, 'Seconds', seconds_width, result%seconds, one, 4)
+   end subroutine add_row
 
    !> Row of a model and case among the results, 0 where there is none.
    pure function row_of(results, number, case_index) result(row)

@@ -6,8 +6,9 @@ module dg_result_table
    use dg_job, only: job_type, model_meaning, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
-   use dg_number_text, only: count_cell, fixed_cell, left_aligned, right_aligned, scientific_cell
+   use dg_number_text, only: scientific_cell, fixed_text
    use dg_table_1, only: append_table_1
+   use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
@@ -23,6 +24,7 @@ module dg_result_table
    integer, parameter :: iterations_width = 11
    integer, parameter :: seconds_width = 9
    integer, parameter :: residual_width = 10
+   real(wp), parameter :: one = 1.0_wp
 
 contains
 
@@ -72,47 +74,48 @@ contains
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
-      character(:), allocatable :: rule
-      character(:), allocatable :: line
+      type(text_table_type) :: table
+      character(:), allocatable :: balance
       logical :: gaps, iterates
       integer :: i
-      rule = repeat('-', name_width + status_width + 6*count_width + iterations_width + seconds_width)
-      call append_text(lines, rule)
-      call append_text(lines, left_aligned('Case', name_width)//left_aligned('Status', status_width)// &
-                       right_aligned('Elements', count_width)//right_aligned('Iterations', iterations_width)// &
-                       right_aligned('Seconds', seconds_width)//right_aligned('Free', count_width)// &
-                       right_aligned('Elastic', count_width)//right_aligned('Rigid', count_width)// &
-                       right_aligned('Flips', count_width)//right_aligned('Moves', count_width))
-      call append_text(lines, rule)
       do i = 1, size(results)
-         gaps = any(results(i)%states > 0)
          iterates = results(i)%iterations > 0
-         call append_text(lines, left_aligned(cases(i)%name, name_width)// &
-                          left_aligned(trim(result_status_name(results(i)%status)), status_width)// &
-                          count_cell(results(i)%elements, count_width)// &
-                          count_cell(results(i)%iterations, iterations_width, iterates)// &
-                          fixed_cell(results(i)%seconds, seconds_width, 3)// &
-                          count_cell(results(i)%states(0), count_width, gaps)// &
-                          count_cell(results(i)%states(1), count_width, gaps)// &
-                          count_cell(results(i)%states(2), count_width, gaps)// &
-                          count_cell(results(i)%flips, count_width, iterates)// &
-                          count_cell(results(i)%moves, count_width, iterates))
+         call add_sums(table, cases(i)%name, result_status_name(results(i)%status), results(i:i), iterates)
+         gaps = any(results(i)%states > 0)
+         call add_cell(table, 'Free', count_width, results(i)%states(0), gaps)
+         call add_cell(table, 'Elastic', count_width, results(i)%states(1), gaps)
+         call add_cell(table, 'Rigid', count_width, results(i)%states(2), gaps)
+         call add_cell(table, 'Flips', count_width, results(i)%flips, iterates)
+         call add_cell(table, 'Moves', count_width, results(i)%moves, iterates)
+         call end_row(table, '')
       end do
-      call append_text(lines, rule)
+      call close_rows(table)
       iterates = any(results%iterations > 0)
-      line = left_aligned('all', name_width)// &
-         left_aligned(to_text(count(results%status == result_converged))//' of '//to_text(size(results)), status_width)// &
-         count_cell(sum(results%elements), count_width)// &
-         count_cell(sum(results%iterations), iterations_width, iterates)// &
-         fixed_cell(sum(results%seconds), seconds_width, 3)
-      if (iterates .and. any(has_numbers(results%status))) line = line//'   equilibrium to '// &
+      call add_sums(table, 'all', to_text(count(results%status == result_converged))//' of '//to_text(size(results)), &
+                    results, iterates)
+      balance = ''
+      if (iterates .and. any(has_numbers(results%status))) balance = '   equilibrium to '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_force)/units%force, residual_width)))//' '// &
          trim(units%force_label)//', '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &
          unit_label(units, unit_moment)
-      call append_text(lines, line)
+      call end_row(table, balance)
+      call append_table(lines, table)
       if (any(results%element_lengths(2) > 0.0_wp)) call append_text(lines, mesh_line(results, units))
    end subroutine append_costs
+
+   !> Puts the cells that have a sum, of one result or of several.
+   pure subroutine add_sums(table, name, status, results, iterates)
+      type(text_table_type), intent(inout) :: table
+      character(*), intent(in) :: name, status
+      type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: iterates
+      call add_cell(table, 'Case', name_width, name)
+      call add_cell(table, 'Status', status_width, status)
+      call add_cell(table, 'Elements', count_width, sum(results%elements))
+      call add_cell(table, 'Iterations', iterations_width, sum(results%iterations), iterates)
+      call add_cell(table, 'Seconds', seconds_width, sum(results%seconds), one, 3)
+   end subroutine add_sums
 
    !> What the meshes are like, and which local scales asked for shorter elements than the deck, in all cases together.
    pure function mesh_line(results, units) result(line)
@@ -122,8 +125,8 @@ contains
       integer :: i, number
       real(wp) :: least
       least = minval(results%element_lengths(1), mask=results%element_lengths(2) > 0.0_wp)
-      line = 'elements of '//trim(adjustl(fixed_cell(least/units%length, seconds_width, 1)))//' to '// &
-         trim(adjustl(fixed_cell(maxval(results%element_lengths(2))/units%length, seconds_width, 1)))//' '//trim(units%length_label)
+      line = 'elements of '//fixed_text(least/units%length, 1)//' to '// &
+         fixed_text(maxval(results%element_lengths(2))/units%length, 1)//' '//trim(units%length_label)
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle

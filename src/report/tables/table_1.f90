@@ -7,9 +7,10 @@ module dg_table_1
    use dg_comparison, only: as_measured, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, rotates
    use dg_missing, only: is_missing, optional_real
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned, append_wrapped, page_width
+   use dg_number_text, only: append_wrapped, page_width, fixed_text
    use dg_summary_file, only: summary_row
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_text, only: mark_meaning, row_mark
@@ -22,26 +23,24 @@ module dg_table_1
    !> hook load, rigs.
    integer, parameter :: for_all = 0, for_moving = 1, for_turning = 2, for_measured = 3, for_reference = 4, for_rigs = 5
 
-   integer, parameter :: head_lines = 3
-
    !> A column of numbers: one of summary.csv, which has its values, meaning and unit.
    type :: number_type
       character(18) :: name
-      character(10) :: head(head_lines)
+      character(28) :: head              !< three lines with '|' between
       integer :: width, decimals
       integer :: rows                    !< for which it says anything
    end type number_type
 
    type(number_type), parameter :: numbers(*) = [ &
-      number_type('wob', [character(10) :: 'Drilling', 'weight', '(WOB)'], 8, 1, for_all), &
-      number_type('hookload', [character(10) :: 'Calculated', 'hook load', ''], 11, 1, for_all), &
-      number_type('measured', [character(10) :: 'Measured', 'hook load', ''], 10, 1, for_measured), &
-      number_type('error', [character(10) :: 'Relative', 'error', ''], 9, 2, for_measured), &
-      number_type('friction', [character(10) :: 'Frictional', 'resistance', '(drag)'], 11, 2, for_moving), &
-      number_type('torque', [character(10) :: 'Torque', 'at', 'surface'], 9, 2, for_turning), &
-      number_type('weight_indicator', [character(10) :: 'Weight', 'indicator', ''], 10, 1, for_rigs), &
-      number_type('reference', [character(10) :: 'Reference', 'hook load', ''], 10, 1, for_reference), &
-      number_type('reference_error', [character(10) :: 'Ref.', 'error', ''], 6, 2, for_reference)]
+      number_type('wob', 'Drilling|weight|(WOB)', 8, 1, for_all), &
+      number_type('hookload', 'Calculated|hook load|', 11, 1, for_all), &
+      number_type('measured', 'Measured|hook load|', 10, 1, for_measured), &
+      number_type('error', 'Relative|error|', 9, 2, for_measured), &
+      number_type('friction', 'Frictional|resistance|(drag)', 11, 2, for_moving), &
+      number_type('torque', 'Torque|at|surface', 9, 2, for_turning), &
+      number_type('weight_indicator', 'Weight|indicator|', 10, 1, for_rigs), &
+      number_type('reference', 'Reference|hook load|', 10, 1, for_reference), &
+      number_type('reference_error', 'Ref.|error|', 6, 2, for_reference)]
 
    !> Columns of summary.csv and limits.csv in the first table of the page, which has room for more. What was asked for comes first:
    !> a phone shows the first few only.
@@ -71,6 +70,7 @@ contains
       type(load_case_type), intent(in) :: cases(:)
       type(case_result_type), intent(in) :: results(:)
       type(verdict_type), intent(in) :: verdicts(:)
+      type(text_table_type) :: table
       type(text_type), allocatable :: label(:)
       type(layout_type) :: layout
       logical :: marked(size(cases))           ! rows that cannot be done, or have no solution
@@ -80,23 +80,18 @@ contains
       integer :: first, last, row
       marked = verdicts%answer /= answer_yes
       layout = layout_of(units, cases, results, any(marked))
-      call append_head(lines, layout, fields_of(summary_row(cases(1), results(1), verdicts(1), units), numbers%name), units)
       first = 1
       do while (first <= size(cases))
          last = end_of_section(cases, first)
          label = section_label(units, cases(first), results(first), layout%section - gap)
          do row = first, max(last, first + size(label) - 1)
-            if (row <= last) then
-               call append_text(lines, label_cell(label, row - first + 1, layout%section)// &
-                                trim(row_of(units, cases(row), results(row), verdicts(row), layout)// &
-                                     mark_of(layout, marked(row))))
-            else
-               call append_text(lines, trim(label_cell(label, row - first + 1, layout%section)))
-            end if
+            call add_cell(table, 'Section and|well depth', layout%section, label_line(label, row - first + 1))
+            if (row <= last) call add_case(table, units, cases(row), results(row), verdicts(row), layout)
+            call end_row(table, mark_of(layout, row <= last .and. marked(min(row, last))))
          end do
          first = last + 1
       end do
-      call append_text(lines, repeat('-', width_of(layout)))
+      call append_table(lines, table)
       if (any(marked)) call append_text(lines, mark_meaning)
       load = as_measured(results%hookload, results%weight_indicator)
       other = cases%measured_hookload
@@ -152,54 +147,29 @@ contains
       width = layout%section + layout%operation + layout%name + sum(numbers%width, mask=layout%shown)
    end function width_of
 
-   subroutine append_head(lines, layout, values, units)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(layout_type), intent(in) :: layout
-      type(row_type), intent(in) :: values      !< of any row, for their quantities
-      type(unit_system_type), intent(in) :: units
-      character(*), parameter :: section(head_lines) = [character(11) :: 'Section and', 'well depth', '']
-      character(*), parameter :: operation(head_lines) = [character(9) :: 'Load case', '', '']
-      character(*), parameter :: name(head_lines) = [character(4) :: 'Name', '', '']
-      character(:), allocatable :: line
-      integer :: i, c
-      call append_text(lines, repeat('-', width_of(layout)))
-      do i = 1, head_lines
-         line = left_aligned(section(i), layout%section)//left_aligned(operation(i), layout%operation)// &
-            left_aligned(name(i), layout%name)
-         do c = 1, size(numbers)
-            if (layout%shown(c)) line = line//right_aligned(trim(numbers(c)%head(i)), numbers(c)%width)
-         end do
-         call append_text(lines, trim(line))
-      end do
-      line = repeat(' ', layout%section + layout%operation + layout%name)
-      do c = 1, size(numbers)
-         if (layout%shown(c)) line = line//right_aligned(unit_label(units, values%fields(c)%column%quantity), numbers(c)%width)
-      end do
-      call append_text(lines, trim(line))
-      call append_text(lines, repeat('-', width_of(layout)))
-   end subroutine append_head
-
-   !> One row without its section label.
-   function row_of(units, load_case, result, verdict, layout) result(row)
+   !> Puts the cells of a case behind its section label.
+   subroutine add_case(table, units, load_case, result, verdict, layout)
+      type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
       type(verdict_type), intent(in) :: verdict
       type(layout_type), intent(in) :: layout
-      character(:), allocatable :: row
       type(row_type) :: values
       type(optional_real) :: value
       integer :: c
       values = fields_of(summary_row(load_case, result, verdict, units), numbers%name)
-      row = left_aligned(trim(operation_label(load_case%operation)), layout%operation)//left_aligned(load_case%name, layout%name)
+      call add_cell(table, 'Load case', layout%operation, operation_label(load_case%operation))
+      call add_cell(table, 'Name', layout%name, load_case%name)
       do c = 1, size(numbers)
          if (.not. layout%shown(c)) cycle
          associate (field => values%fields(c))
             value = optional_real(field%kind == field_real .and. says(numbers(c)%rows, load_case, result), field%real_value)
-            row = row//fixed_cell(value, unit_factor(units, field%column%quantity), numbers(c)%width, numbers(c)%decimals)
+            call add_cell(table, trim(numbers(c)%head)//'|'//unit_label(units, field%column%quantity), numbers(c)%width, &
+                          value, unit_factor(units, field%column%quantity), numbers(c)%decimals)
          end associate
       end do
-   end function row_of
+   end subroutine add_case
 
    !> Whether a column says anything of a case. As in the paper, friction belongs to axial motion and torque to rotation.
    elemental function says(rows, load_case, result) result(is)
@@ -263,14 +233,13 @@ contains
                           to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', width)
    end function section_label
 
-   pure function label_cell(label, i, width) result(cell)
+   pure function label_line(label, i) result(line)
       type(text_type), intent(in) :: label(:)
       integer, intent(in) :: i
-      integer, intent(in) :: width
-      character(width) :: cell
-      cell = ''
-      if (i <= size(label)) cell = label(i)%text
-   end function label_cell
+      character(:), allocatable :: line
+      line = ''
+      if (i <= size(label)) line = label(i)%text
+   end function label_line
 
    !> Mean and worst of the errors that are there, over the cases that were solved, and by how much the calculated values are too
    !> high or too low on average; nothing where no case has anything to compare with.
@@ -295,11 +264,11 @@ contains
          mean = sum(errors%value, mask=counted)/real(n, wp)
          bias = sum(sign(errors%value, calculated - other%value), mask=counted)/real(n, wp)
          worst = maxloc(errors%value, mask=counted, dim=1)
-         line = line//'mean error '//trim(adjustl(fixed_cell(mean, 12, 2)))//' %, worst '// &
-            trim(adjustl(fixed_cell(errors(worst)%value, 12, 2)))//' % ('//cases(worst)%name//'), '//to_text(n)
+         line = line//'mean error '//fixed_text(mean, 2)//' %, worst '// &
+            fixed_text(errors(worst)%value, 2)//' % ('//cases(worst)%name//'), '//to_text(n)
          if (n == 1) line = line//' case'
          if (n /= 1) line = line//' cases'
-         line = line//', '//trim(adjustl(fixed_cell(abs(bias), 12, 2)))//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
+         line = line//', '//fixed_text(abs(bias), 2)//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
          if (n > 1) line = line//' on average'
       else
          line = line//'no case solved'

@@ -8,7 +8,7 @@ module dg_warnings_table
    use dg_number_text, only: append_wrapped, page_width
    implicit none
    private
-   public :: warnings_table, deck_warnings, warning_order, warning_text
+   public :: warnings_table, warning_sentences, warnings_heading
 
    !> Statuses as they follow each other in the block.
    integer, parameter :: by_weight(3) = [result_not_converged, result_locked_up, result_converged]
@@ -21,27 +21,47 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
-      type(text_type), allocatable :: notes(:)
+      type(text_type), allocatable :: sentences(:)
+      integer :: i
+      allocate (lines(0))
+      allocate (sentences, source=warning_sentences(job, model, results))
+      if (size(sentences) == 0) return
+      call append_text(lines, '')
+      call append_text(lines, warnings_heading(sentences))
+      do i = 1, size(sentences)
+         call append_wrapped(lines, '', sentences(i)%text, page_width)
+      end do
+   end function warnings_table
+
+   !> Heading of the block.
+   pure function warnings_heading(sentences) result(heading)
+      type(text_type), intent(in) :: sentences(:)
+      character(:), allocatable :: heading
+      heading = 'Warnings ('//to_text(size(sentences))//')'
+   end function warnings_heading
+
+   !> Notes on the deck, then messages of load cases, those without a solution first.
+   pure function warning_sentences(job, model, results) result(sentences)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(text_type), allocatable :: sentences(:)
       character(:), allocatable :: head
       integer, allocatable :: order(:)
       integer :: i
-      allocate (lines(0))
-      allocate (order, source=warning_order(results))
-      allocate (notes, source=deck_warnings(job, model))
-      if (size(order) + size(notes) == 0) return
-      call append_text(lines, '')
-      call append_text(lines, 'Warnings ('//to_text(size(order) + size(notes))//')')
-      do i = 1, size(notes)
-         call append_wrapped(lines, 'Deck: ', notes(i)%text, page_width)
+      allocate (sentences, source=deck_warnings(job, model))
+      do i = 1, size(sentences)
+         sentences(i)%text = 'Deck: '//sentences(i)%text
       end do
+      allocate (order, source=warning_order(results))
       do i = 1, size(order)
          associate (result => results(order(i)))
             head = model%cases(result%case_index)%name
             if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
-            call append_wrapped(lines, head//': ', warning_text(result)//'.', page_width)
+            call append_text(sentences, head//': '//warning_text(result)//'.')
          end associate
       end do
-   end function warnings_table
+   end function warning_sentences
 
    !> Notes on the deck as sentences, without those on its path, which have lines of their own.
    pure function deck_warnings(job, model) result(notes)

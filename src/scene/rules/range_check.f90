@@ -3,7 +3,7 @@
 module dg_range_check
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_type
+   use dg_component, only: component_keys, component_numbers, component_type
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
@@ -117,19 +117,25 @@ contains
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       type(hole_section_type) :: unsaid      ! as a deck has it that gives no number
-      real(wp), dimension(size(hole_keys)) :: numbers, defaults
-      integer :: k
       call take_ranges('hole', place, units, ranges)
-      numbers = hole_numbers(hole)
-      defaults = hole_numbers(unsaid)
-      do k = 1, size(hole_keys)
+      call check_numbers(ranges, hole_keys, hole_numbers(hole), hole_numbers(unsaid), found)
+   end subroutine check_section_ranges
+
+   !> Numbers by their keys. One that is missing by default may be missing.
+   subroutine check_numbers(ranges, keys, numbers, defaults, found)
+      type(ranges_type), intent(in) :: ranges
+      character(*), intent(in) :: keys(:)
+      real(wp), intent(in) :: numbers(:), defaults(:)     !< as many
+      type(error_list_type), intent(inout) :: found
+      integer :: k
+      do k = 1, size(keys)
          if (is_absent(defaults(k))) then
-            call check_where_there(ranges, trim(hole_keys(k)), numbers(k), found)
+            call check_where_there(ranges, trim(keys(k)), numbers(k), found)
          else
-            call check_range(ranges, trim(hole_keys(k)), numbers(k), found)
+            call check_range(ranges, trim(keys(k)), numbers(k), found)
          end if
       end do
-   end subroutine check_section_ranges
+   end subroutine check_numbers
 
    !> The same for a component.
    subroutine check_component_ranges(component, place, units, found)
@@ -138,31 +144,14 @@ contains
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
+      type(component_type) :: unsaid
       call take_ranges('component', place, units, ranges)
-      call check_range(ranges, 'length', component%length, found)
-      call check_range(ranges, 'od', component%od, found)
-      call check_range(ranges, 'id', component%id, found)
-      call check_range(ranges, 'mass', component%mass, found)
-      call check_range(ranges, 'density', component%density, found)
-      call check_range(ranges, 'youngs', component%youngs, found)
-      call check_range(ranges, 'poisson', component%poisson, found)
+      call check_numbers(ranges, component_keys, component_numbers(component), component_numbers(unsaid), found)
       call check_range(ranges, 'expansion', component%expansion, found)
-      call check_range(ranges, 'joint_od', component%joint_od, found)
-      call check_range(ranges, 'opened_od', component%opened_od, found)
-      call check_where_there(ranges, 'opened_below', component%opened_below, found)
-      call check_range(ranges, 'joint_length', component%joint_length, found)
-      call check_range(ranges, 'joint_spacing', component%joint_spacing, found)
       call check_range(ranges, 'yield', component%yield, found)
       call check_range(ranges, 'yield_loss', component%yield_loss, found)
       call check_range(ranges, 'makeup_torque', component%makeup_torque, found)
       call check_range(ranges, 'joint_torsion', component%joint_torsion, found)
-      call check_where_there(ranges, 'friction_axial', component%friction_axial, found)
-      call check_where_there(ranges, 'friction_rotary', component%friction_rotary, found)
-      call check_range(ranges, 'friction_scale_axial', component%scale_axial, found, 'scale_axial')
-      call check_range(ranges, 'friction_scale_rotary', component%scale_rotary, found, 'scale_rotary')
-      call check_range(ranges, 'bend', component%bend, found)
-      call check_range(ranges, 'bend_position', component%bend_position, found)
-      call check_range(ranges, 'pad_force', component%pad_force, found)
       call check_where_there(ranges, 'tension_efficiency', component%rating%tension, found)
       call check_where_there(ranges, 'compression_efficiency', component%rating%compression, found)
       call check_where_there(ranges, 'burst_efficiency', component%rating%burst, found)
@@ -170,8 +159,6 @@ contains
       call check_where_there(ranges, 'joint_dogleg', component%rating%dogleg, found)
       call check_fatigue_ranges(ranges, '', component%fatigue, found)
       call check_fatigue_ranges(ranges, 'joint_', component%joint_fatigue, found)
-      call check_range(ranges, 'pad_clock', component%pad_clock, found)
-      call check_range(ranges, 'pad_position', component%pad_position, found)
       call check_where_there(ranges, 'sensor', component%sensor, found)
       call check_range(ranges, 'wall_left', component%wall_left, found)
    end subroutine check_component_ranges

@@ -11,6 +11,7 @@ module dg_component
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
+   public :: component_keys, component_numbers
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
              room_of, room_of_held_bit, shortest_contact, usual_yield_loss
@@ -31,6 +32,11 @@ module dg_component
    !> Part of the yield strength of low alloy steel that a degree takes [1/K]: 0.03 %/degF, of quenched and tempered steel up to
    !> 232 degC (API work item 2351, Temperature effect on performance properties, for TR 5C3).
    real(wp), parameter :: usual_yield_loss = 5.4e-4_wp
+
+   !> Keys of the numbers of a component that forces depend on, in the order of `component_numbers`.
+   character(*), parameter :: component_keys(21) = [character(21) :: 'length', 'od', 'id', 'mass', 'density', 'youngs', 'poisson', &
+      'joint_od', 'joint_length', 'joint_spacing', 'opened_od', 'opened_below', 'friction_axial', 'friction_rotary', &
+      'friction_scale_axial', 'friction_scale_rotary', 'bend', 'bend_position', 'pad_force', 'pad_clock', 'pad_position']
 
    type :: component_type
       character(:), allocatable :: name      !< free text
@@ -70,6 +76,16 @@ module dg_component
    end type component_type
 
 contains
+
+   !> Numbers of a component that forces depend on, in the order of their keys [SI]; missing ones are not given.
+   pure function component_numbers(part) result(numbers)
+      type(component_type), intent(in) :: part
+      real(wp) :: numbers(size(component_keys))
+      numbers = [part%length, part%od, part%id, part%mass, part%density, part%youngs, part%poisson, &
+                 part%joint_od, part%joint_length, part%joint_spacing, part%opened_od, part%opened_below, &
+                 part%friction_axial, part%friction_rotary, part%scale_axial, part%scale_rotary, &
+                 part%bend, part%bend_position, part%pad_force, part%pad_clock, part%pad_position]
+   end function component_numbers
 
    !> Cross-section area of a tube [m2] from its diameters [m].
    elemental function tube_area(od, id) result(area)

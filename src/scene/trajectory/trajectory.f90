@@ -11,7 +11,7 @@ module dg_trajectory
    implicit none
    private
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
-   public :: cut_trajectory, arc_at, closest_point, gap_to_axis, position_at, frame_at
+   public :: cut_trajectory, arc_at, closest_point, gap_to_axis, position_at
    public :: true_vertical_depth, measured_depth_at, top_md, bottom_md
    ! The one door of this folder: what users of a trajectory need besides.
    public :: arc_type, point_on_arc, frame_on_arc, foot_offset, turn_type, turn_of
@@ -199,16 +199,6 @@ contains
       call point_on_arc(trajectory%arcs(index), md - trajectory%arcs(index)%md, position, tangent, curvature)
       position = trajectory%arcs(index)%origin + position
    end subroutine position_at
-
-   !> Rotation-minimising frame at a measured depth [m].
-   pure subroutine frame_at(trajectory, md, tangent, lateral_1, lateral_2)
-      type(trajectory_type), intent(in) :: trajectory
-      real(wp), intent(in) :: md
-      real(wp), intent(out) :: tangent(3), lateral_1(3), lateral_2(3)
-      integer :: index
-      index = arc_at(trajectory, md)
-      call frame_on_arc(trajectory%arcs(index), md - trajectory%arcs(index)%md, tangent, lateral_1, lateral_2)
-   end subroutine frame_at
 
    !> True vertical depth below the first station [m] at a measured depth [m].
    pure function true_vertical_depth(trajectory, md) result(tvd)

@@ -6,10 +6,8 @@ module dg_accuracy_study
    use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
    use dg_case_result, only: case_result_type
    use dg_deck_draft, only: deck_type
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_study, only: take_study
    use dg_error, only: error_list_type, error_type
-   use dg_exit_status, only: note_failure
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
@@ -22,7 +20,6 @@ module dg_accuracy_study
    use dg_process_memory, only: forget_memory_peak, memory_now, memory_peak
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_solve_case, only: solve_case
-   use dg_study_keys, only: study_keys, study_rule
    use dg_study, only: run_type, study_type
    use dg_study_comparison, only: compare_case, new_record, study_record_type
    use dg_study_file, only: study_row
@@ -30,7 +27,7 @@ module dg_accuracy_study
    use dg_study_plan, only: most_variants, study_plan_type
    use dg_study_table, only: study_table
    use dg_study_variant, only: set_variant, study_variants, variant_type
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: quoted, text_list, text_type, to_text
    use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
    private
@@ -42,13 +39,9 @@ module dg_accuracy_study
       type(variant_type), allocatable :: variants(:)
       type(study_record_type), allocatable :: records(:, :)   !< of variants and cases
    contains
-      procedure :: add_groups
       procedure :: read => read_plan
-      procedure :: is_asked
       procedure :: run => run_plan
       procedure :: echo
-      procedure :: name_files
-      procedure :: add_forms
       procedure :: add_need
       procedure :: add_pictures
    end type accuracy_study_type
@@ -63,15 +56,6 @@ module dg_accuracy_study
 
 contains
 
-   !> Its group.
-   subroutine add_groups(self, groups)
-      class(accuracy_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, study_rule, study_keys)
-      end associate
-   end subroutine add_groups
-
    !> Reads its group.
    subroutine read_plan(self, deck, job, notes, faults)
       class(accuracy_study_type), intent(inout) :: self
@@ -82,14 +66,10 @@ contains
       associate (not_needed => notes)
          call take_study(deck%draft, deck%groups, job%models, self%plan, faults)
       end associate
+      self%asked = allocated(self%plan)
+      self%files = text_list(file)
+      self%forms = self%files
    end subroutine read_plan
-
-   !> Whether the deck has a plan.
-   pure function is_asked(self) result(is)
-      class(accuracy_study_type), intent(in) :: self
-      logical :: is
-      is = allocated(self%plan)
-   end function is_asked
 
    !> How many solutions it takes.
    subroutine echo(self, job, lines)
@@ -97,7 +77,7 @@ contains
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
       associate (not_needed => job)
-         if (self%is_asked()) call add_line(lines, 'study       at most '//to_text(nint(most_variants(self%plan)))// &
+         if (self%asked) call add_line(lines, 'study       at most '//to_text(nint(most_variants(self%plan)))// &
                                             ' variants of '//to_text(size(self%plan%cases))//' cases')
       end associate
    end subroutine echo
@@ -108,7 +88,6 @@ contains
       class(accuracy_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
-      type(error_type), allocatable :: failure
       type(text_type), allocatable :: lines(:)
       type(csv_table_type) :: table
       type(model_type) :: varied
@@ -133,17 +112,15 @@ contains
             call add_row(table, study_row(run%model%cases(self%plan%cases(j))%name, self%variants(i), self%records(i, j)), &
                          run%job%units)
          end do
-         call write_table(table, run%job%output_dir//'/'//file, failure)
-         if (allocated(failure)) exit cases
+         call write_table(table, run%job%output_dir//'/'//file, error)
+         if (allocated(error)) exit cases
          whole = j
       end do cases
       call end_progress(progress)
-      if (whole > 0 .and. .not. allocated(failure)) then
+      if (whole > 0 .and. .not. allocated(error)) then
          allocate (lines, source=study_table(run%job, run%model, self%plan, self%variants, self%records(:, :whole)))
          call print_and_keep(run%printed, lines)
       end if
-      call note_failure(failure, run%status)
-      if (allocated(error)) return
    end subroutine run_plan
 
    !> One solution with its seconds and the memory that it takes on top of what was there.
@@ -170,23 +147,6 @@ contains
       call new_record(result, sum(seconds) - maxval(seconds) - minval(seconds), memory, record)
    end subroutine solve_and_measure
 
-   !> One file.
-   subroutine name_files(self, job, names)
-      class(accuracy_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(accuracy_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, file)
-      end associate
-   end subroutine add_forms
-
    !> Solutions go one by one.
    subroutine add_need(self, job, model, need)
       class(accuracy_study_type), intent(in) :: self
@@ -196,7 +156,7 @@ contains
       type(numerics_type) :: numerics
       real(wp) :: shortest
       integer :: i
-      if (.not. self%is_asked()) return
+      if (.not. self%asked) return
       need%banded = need%banded .or. any(self%plan%linear_solvers == solver_banded)
       if (job%merge > 0 .or. job%parts > 0) return
       shortest = model%numerics%element_length

@@ -1,9 +1,9 @@
 !> The group &study of a deck: what is compared, in which load cases.
 module dg_deck_study
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, places_of, reals_of
+   use dg_checked_group, only: checked_group_type, group_fault, places_of, reals_of
    use dg_deck_draft, only: draft_type, take_cases
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
    use dg_study_plan, only: most_solutions, most_variants, study_plan_type
@@ -50,12 +50,12 @@ contains
       if (.not. all(group%values%sound .or. .not. group%values%given)) return
       solutions = most_variants(plan)*size(plan%cases)
       if (solutions > most_solutions) then
-         call add_fault(faults, draft%path, group%line, 'group &study: '//to_text(solutions)// &
-                        ' solutions, every combination of its lists in every case; shorten the lists to '// &
-                        to_text(most_solutions)//' or less')
+         call group_fault(group, '', to_text(solutions)// &
+            ' solutions, every combination of its lists in every case; shorten the lists to '//to_text(most_solutions)// &
+            ' or less', faults)
       else if (most_variants(plan) < 1.5_wp) then
-         call add_fault(faults, draft%path, group%line, 'group &study: nothing to compare; give two values or more of '// &
-                        'element_lengths, fidelities, models, tolerances, wall_stiffnesses, gap_locations or linear_solvers')
+         call group_fault(group, '', 'nothing to compare; give two values or more of '// &
+            'element_lengths, fidelities, models, tolerances, wall_stiffnesses, gap_locations or linear_solvers', faults)
       end if
    end subroutine take_one
 

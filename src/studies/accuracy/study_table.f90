@@ -3,14 +3,17 @@ module dg_study_table
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged
    use dg_job, only: job_type, model_mcge, model_name
-   use dg_missing, only: is_missing, missing
+   use dg_merge_sort, only: sorted_places
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned, scientific_cell
+   use dg_number_text, only: fixed_cell, scientific_cell, fixed_text
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
-   use dg_study_comparison, only: error_bending, error_count, error_hookload, error_torque, pareto_set, study_record_type
+   use dg_study_comparison, only: error_bending, error_count, error_hookload, error_normal_force, error_torque, &
+                                  pareto_set, study_record_type
    use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_wall
    use dg_units, only: unit_system_type
    implicit none
@@ -20,7 +23,7 @@ module dg_study_table
    integer, parameter :: model_width = 7, mesh_width = 10, gap_width = 10, solver_width = 7
    integer, parameter :: cell = 9
    integer, parameter :: narrow = 7, wide = 8
-   real(wp), parameter :: per_cent = 100.0_wp, megabyte = 1024.0_wp**2
+   real(wp), parameter :: one = 1.0_wp, per_cent = 100.0_wp, megabyte = 1024.0_wp**2
    !> Below this a per cent is shown with an exponent.
    real(wp), parameter :: least_fixed = 1.0e-3_wp
    !> Digits of numbers in words.
@@ -50,7 +53,7 @@ contains
       type(total_type) :: totals(size(variants))
       real(wp) :: worst(size(variants)), seconds(size(variants))
       logical :: worth(size(variants))
-      character(:), allocatable :: rule
+      type(text_table_type) :: table
       integer :: i, finest
       finest = 1
       do i = 1, size(variants)
@@ -61,18 +64,16 @@ contains
          if (is_finer(variants(i), variants(finest))) finest = i
       end do
       worth = pareto_set(worst, seconds)
-      rule = repeat('-', model_width + mesh_width + gap_width + solver_width + 2*wide + 4*cell + 2*narrow + 2*wide + 2)
       allocate (lines(0))
       call append_text(lines, '')
       call append_text(lines, 'Study of '//to_text(size(records, 2))//' cases; errors: worst of all cases against the finest way ' &
                        //'in %, iterations and seconds: all cases')
-      call append_text(lines, rule)
-      call append_text(lines, head(job%units))
-      call append_text(lines, rule)
       do i = 1, size(variants)
-         call append_text(lines, trim(row(job%units, variants(i), totals(i), totals(finest), worth(i), i == finest)))
+         call add_row(table, job%units, variants(i), totals(i), totals(finest))
+         call end_row(table, ' '//trim(merge('*', ' ', worth(i)))//trim(merge('=', ' ', i == finest))// &
+                      trim(merge('!', ' ', totals(i)%lost > 0)))
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       call append_text(lines, '* nothing here is both more accurate (hook load, torque) and faster: Pareto set   = the finest')
       call append_lost(lines, model, job, plan, variants, records)
       call append_fidelities(lines, job%units, variants, totals, finest)
@@ -94,53 +95,41 @@ contains
       total%elements = sum(records%elements)
    end function total_of
 
-   pure function head(units) result(text)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = left_aligned('Model', model_width)//left_aligned('Mesh', mesh_width)//right_aligned('Toler.', wide)// &
-         right_aligned(unit_label(units, unit_wall), wide)//' '// &
-         left_aligned('Gaps', gap_width - 1)//left_aligned('Solver', solver_width)// &
-         right_aligned('Hook load', cell)//right_aligned('Torque', cell)// &
-         right_aligned('Contact', cell)//right_aligned('Moment', cell)//right_aligned('Iterat.', wide)// &
-         right_aligned('Seconds', wide)//right_aligned('Cost', narrow)//right_aligned('MB', narrow)
-   end function head
-
-   pure function row(units, variant, total, finest, worth, is_finest) result(text)
+   !> Puts the cells of a variant.
+   pure subroutine add_row(table, units, variant, total, finest)
+      type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units
       type(variant_type), intent(in) :: variant
       type(total_type), intent(in) :: total, finest
-      logical, intent(in) :: worth, is_finest
-      character(:), allocatable :: text
-      integer :: k
-      text = left_aligned(trim(model_name(variant%model)), model_width)//left_aligned(mesh_of(units, variant), mesh_width)
+      type(optional_real) :: cost
+      character(:), allocatable :: gaps, solver
+      real(wp) :: tolerance, wall
+      tolerance = missing
+      wall = missing
+      gaps = absent
+      solver = absent
       if (variant%model == model_mcge) then
-         text = text//scientific_cell(variant%numerics%tolerance, wide)// &
-            scientific_cell(wall_of(variant)/units%wall_stiffness, wide)//' '// &
-            left_aligned(trim(gap_location_name(variant%numerics%gap_location)), gap_width - 1)// &
-            left_aligned(trim(solver_name(variant%numerics%linear_solver)), solver_width)
-      else
-         text = text//right_aligned(absent, wide)//right_aligned(absent, wide)//' '//left_aligned(absent, gap_width - 1)// &
-            left_aligned(absent, solver_width)
+         tolerance = variant%numerics%tolerance
+         wall = wall_of(variant)/units%wall_stiffness
+         gaps = gap_location_name(variant%numerics%gap_location)
+         solver = solver_name(variant%numerics%linear_solver)
       end if
-      do k = error_hookload, error_bending
-         text = text//error_cell(total%errors(k))
-      end do
-      text = text//right_aligned(to_text(total%iterations), wide)//fixed_cell(total%seconds, wide, 4)
-      if (finest%seconds > 0.0_wp) then
-         text = text//fixed_cell(total%seconds/finest%seconds, narrow, 4)
-      else
-         text = text//right_aligned(absent, narrow)
-      end if
-      if (is_missing(total%memory)) then
-         text = text//right_aligned(absent, narrow)
-      else
-         text = text//fixed_cell(total%memory/megabyte, narrow, 2)
-      end if
-      text = text//' '
-      if (worth) text = text//'*'
-      if (is_finest) text = text//'='
-      if (total%lost > 0) text = text//'!'
-   end function row
+      if (finest%seconds > 0.0_wp) cost = given(total%seconds/finest%seconds)
+      call add_cell(table, 'Model', model_width, model_name(variant%model))
+      call add_cell(table, 'Mesh', mesh_width, mesh_of(units, variant))
+      call add_right(table, 'Toler.', wide, scientific_cell(tolerance, wide))
+      call add_right(table, unit_label(units, unit_wall), wide, scientific_cell(wall, wide))
+      call add_cell(table, 'Gaps', gap_width, gaps)
+      call add_cell(table, 'Solver', solver_width, solver)
+      call add_right(table, 'Hook load', cell, error_cell(total%errors(error_hookload)))
+      call add_right(table, 'Torque', cell, error_cell(total%errors(error_torque)))
+      call add_right(table, 'Contact', cell, error_cell(total%errors(error_normal_force)))
+      call add_right(table, 'Moment', cell, error_cell(total%errors(error_bending)))
+      call add_cell(table, 'Iterat.', wide, total%iterations)
+      call add_cell(table, 'Seconds', wide, total%seconds, one, 4)
+      call add_cell(table, 'Cost', narrow, cost, one, 4)
+      call add_cell(table, 'MB', narrow, total%memory, megabyte, 2)
+   end subroutine add_row
 
    !> How the elements of a variant are chosen: a fidelity or a length.
    pure function mesh_of(units, variant) result(text)
@@ -159,7 +148,7 @@ contains
       real(wp), intent(in) :: share
       character(cell) :: text
       if (is_missing(share)) then
-         text = right_aligned(absent, cell)
+         text = fixed_cell(share, cell, 4)
       else if (per_cent*share >= least_fixed .or. .not. share > 0.0_wp) then
          text = fixed_cell(per_cent*share, cell, 4)
       else
@@ -215,10 +204,10 @@ contains
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:, :)
-      character(:), allocatable :: text
-      real(wp) :: orders(size(records, 2))
+      type(text_table_type) :: table
+      character(:), allocatable :: gaps, solver
       logical :: first, headed
-      integer :: i, j, k
+      integer :: i, j
       headed = .false.
       do i = 1, size(variants)
          first = variants(i)%fidelity == 0
@@ -226,26 +215,26 @@ contains
             if (same_but_mesh(variants(i), variants(j))) first = .false.
          end do
          if (.not. first .or. all(is_missing(all_orders(records(i, :))))) cycle
-         if (.not. headed) then
-            call append_text(lines, '')
-            call append_text(lines, 'Order of convergence with element length: median of the cases (least to greatest)')
-            call append_text(lines, left_aligned('', model_width + gap_width + solver_width)//right_aligned('Hook load', 2*cell)// &
-                             right_aligned('Torque', 2*cell)//right_aligned('Contact', 2*cell)//right_aligned('Moment', 2*cell))
-            headed = .true.
-         end if
-         text = left_aligned(trim(model_name(variants(i)%model)), model_width)
+         gaps = ''
+         solver = ''
          if (variants(i)%model == model_mcge) then
-            text = text//left_aligned(trim(gap_location_name(variants(i)%numerics%gap_location)), gap_width)// &
-               left_aligned(trim(solver_name(variants(i)%numerics%linear_solver)), solver_width)
-         else
-            text = text//repeat(' ', gap_width + solver_width)
+            gaps = gap_location_name(variants(i)%numerics%gap_location)
+            solver = solver_name(variants(i)%numerics%linear_solver)
          end if
-         do k = error_hookload, error_bending
-            orders = [(records(i, j)%orders(k), j=1, size(records, 2))]
-            text = text//right_aligned(range_text(pack(orders, .not. is_missing(orders))), 2*cell)
-         end do
-         call append_text(lines, text)
+         call add_cell(table, 'Model', model_width, model_name(variants(i)%model))
+         call add_cell(table, 'Gaps', gap_width, gaps)
+         call add_cell(table, 'Solver', solver_width, solver)
+         call add_right(table, 'Hook load', 2*cell, range_text(records(i, :)%orders(error_hookload)))
+         call add_right(table, 'Torque', 2*cell, range_text(records(i, :)%orders(error_torque)))
+         call add_right(table, 'Contact', 2*cell, range_text(records(i, :)%orders(error_normal_force)))
+         call add_right(table, 'Moment', 2*cell, range_text(records(i, :)%orders(error_bending)))
+         call end_row(table, '')
+         headed = .true.
       end do
+      if (.not. headed) return
+      call append_text(lines, '')
+      call append_text(lines, 'Order of convergence with element length: median of the cases (least to greatest)')
+      call append_table(lines, table)
    end subroutine append_orders
 
    !> Orders of all quantities and cases of a variant.
@@ -258,34 +247,18 @@ contains
       end do
    end function all_orders
 
-   !> Median, least and greatest of some numbers; '-' where there are none.
+   !> Median, least and greatest of the numbers that are not missing; '-' where there are none.
    pure function range_text(numbers) result(text)
       real(wp), intent(in) :: numbers(:)
       character(:), allocatable :: text
-      real(wp) :: sorted(size(numbers)), value
-      integer :: i, j, n
-      n = size(numbers)
+      real(wp), allocatable :: sorted(:)
+      integer :: n
+      sorted = pack(numbers, .not. is_missing(numbers))
+      sorted = sorted(sorted_places(sorted))
+      n = size(sorted)
       text = absent
       if (n == 0) return
-      sorted = numbers
-      do i = 2, n
-         value = sorted(i)
-         j = i
-         do while (j > 1)
-            if (sorted(j - 1) <= value) exit
-            sorted(j) = sorted(j - 1)
-            j = j - 1
-         end do
-         sorted(j) = value
-      end do
-      text = order_text(0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1)))
-      if (n > 1) text = text//' ('//order_text(sorted(1))//' to '//order_text(sorted(n))//')'
+      text = fixed_text(0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1)), 1)
+      if (n > 1) text = text//' ('//fixed_text(sorted(1), 1)//' to '//fixed_text(sorted(n), 1)//')'
    end function range_text
-
-   pure function order_text(order) result(text)
-      real(wp), intent(in) :: order
-      character(:), allocatable :: text
-      integer, parameter :: width = 6
-      text = trim(adjustl(fixed_cell(order, width, 1)))
-   end function order_text
 end module dg_study_table

@@ -4,15 +4,15 @@ module dg_calibration_file
    use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
-                        row_type, set
+                        row_type
    use dg_csv_table, only: add_row, csv_table_type, is_begun, write_table
-   use dg_comparison, only: difference, percent_error
+   use dg_comparison, only: percent_error
    use dg_error, only: error_type, join_error
-   use dg_factor_columns, only: factor_file, factor_row
+   use dg_factor_columns, only: estimate_type, factor_file, factor_row, found_type
    use dg_job, only: job_type, model_name
    use dg_load_case, only: operation_name
    use dg_least_squares, only: fit_done
-   use dg_missing, only: given, is_missing, known, missing, optional_real
+   use dg_missing, only: given, is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_prediction_table, only: add_predictions
    implicit none
@@ -66,37 +66,34 @@ contains
       type(calibration_result_type), intent(in) :: result
       integer, intent(in) :: unknown
       type(row_type) :: row
-      real(wp) :: value, half
-      row = factor_row()
-      value = result%fit%unknowns(unknown)
-      half = result%statistics%half_width(unknown)
-      call set(row, 'calibration', calibration%name)
-      call set(row, 'model', model_name(result%model))
+      type(found_type) :: found
+      type(estimate_type) :: estimate
+      estimate%value = result%fit%unknowns(unknown)
+      estimate%half_width = result%statistics%half_width(unknown)
+      found%calibration = calibration%name
+      found%model = model_name(result%model)
       associate (one => calibration%unknowns(unknown))
-         if (one%hole > 0) call set(row, 'hole', model%holes(one%hole)%name)
-         if (one%operation > 0) call set(row, 'operation', operation_name(one%operation))
-         call set(row, 'bit_depth', one%bit_depth)
+         if (one%hole > 0) found%hole = model%holes(one%hole)%name
+         if (one%operation > 0) found%operation = operation_name(one%operation)
+         found%bit_depth = one%bit_depth
          if (one%is_offset) then
-            call set(row, 'parameter', 'hookload_offset')
-            call set(row, 'offset', given(value))
-            call set(row, 'offset_lower', known(difference(value, half)))
-            call set(row, 'offset_upper', known(difference(value, difference(0.0_wp, half))))
+            found%parameter = 'hookload_offset'
+            found%offset = estimate
          else
-            call set(row, 'parameter', parameter_name(calibration%parameter))
-            call set(row, 'start', given(result%start(unknown)))
-            call set(row, 'value', given(value))
-            call set(row, 'lower', known(difference(value, half)))
-            call set(row, 'upper', known(difference(value, difference(0.0_wp, half))))
-            call set(row, 'deviation', known(result%statistics%deviation(unknown)))
+            found%parameter = parameter_name(calibration%parameter)
+            found%start = result%start(unknown)
+            found%factor = estimate
+            found%factor%deviation = result%statistics%deviation(unknown)
             if (calibration%apply .and. result%fit%status == fit_done .and. .not. result%fit%unfelt(unknown)) &
-               call set(row, 'applied', given(applied_factor(value)))
+               found%applied = applied_factor(estimate%value)
          end if
       end associate
-      call set(row, 'verdict', verdict_name(verdict_of(result, unknown)))
-      call set(row, 'scatter', known(result%statistics%scatter))
-      call set(row, 'message', result%message)
-      call set(row, 'hookload_deviation', known(result%deviations(hookload_datum)))
-      call set(row, 'torque_deviation', known(result%deviations(torque_datum)))
+      found%verdict = verdict_name(verdict_of(result, unknown))
+      found%scatter = result%statistics%scatter
+      found%message = result%message
+      found%hookload_deviation = result%deviations(hookload_datum)
+      found%torque_deviation = result%deviations(torque_datum)
+      row = factor_row(found)
    end function found_row
 
    !> A measured number in the columns of calibration_data.csv.
@@ -127,16 +124,12 @@ contains
          call put(row, 'before_torque', quantity_moment, 'calculated with the friction of the deck', &
                   optional_real(.not. hooks, before))
          call put(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
-         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', error_of(before))
-         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', error_of(after))
+         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', &
+                  percent_error(before, given(datum%measured)))
+         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', &
+                  percent_error(after, given(datum%measured)))
          if (.not. is_missing(after)) residual = given((after - datum%measured)/datum%deviation)
          call put(row, 'residual', quantity_none, '(after - measured) / standard deviation', residual)
       end associate
-   contains
-      pure function error_of(calculated) result(error)
-         real(wp), intent(in) :: calculated
-         type(optional_real) :: error
-         if (.not. is_missing(calculated)) error = percent_error(calculated, given(calibration%data(number)%measured))
-      end function error_of
    end function datum_row
 end module dg_calibration_file

@@ -104,7 +104,7 @@ contains
          integer, intent(in) :: key                        !< entry of the legend
          type(optional_real) :: errors(n)
          errors = percent_error(calculated, given(calibration%data%measured))
-         call add_curve(chart, merge(errors%value, missing, errors%present .and. .not. is_missing(calculated)), &
+         call add_curve(chart, merge(errors%value, missing, errors%present), &
                         [(real(i, wp), i=1, n)], look, '', [key])
       end subroutine add_errors
    end function calibration_chart

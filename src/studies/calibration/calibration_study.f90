@@ -7,16 +7,14 @@ module dg_calibration_study
    use dg_calibration_picture, only: calibration_chart
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: calibration_table
-   use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
    use dg_deck_calibrate, only: take_calibrations
    use dg_deck_draft, only: deck_type
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_diagnostic, only: tell
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_csv_table, only: begin_table
-   use dg_factor_columns, only: factor_file, factor_row
+   use dg_factor_columns, only: factor_file, factor_row, found_type
    use dg_fit_calibration, only: fit_calibration
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: interruption_name, is_interrupted
@@ -24,14 +22,12 @@ module dg_calibration_study
    use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
    use dg_line_list, only: add_line, line_list_type
-   use dg_model, only: model_type
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
    use dg_run_outcome, only: add_part, note_lost
-   use dg_calibrate_keys, only: calibrate_keys, calibrate_rule
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, is_separator_free, joined, quoted, text_type, to_text
+   use dg_text, only: is_separator_free, joined, quoted, text_list, text_type, to_text
    implicit none
    private
    public :: calibration_study_type
@@ -43,15 +39,9 @@ module dg_calibration_study
       type(calibration_result_type), allocatable :: results(:)
       integer, allocatable :: owner(:)              !< number of the calibration of each result
    contains
-      procedure :: add_groups
       procedure :: read => read_calibrations
-      procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_calibrations
       procedure :: echo
-      procedure :: name_files
-      procedure :: add_forms
-      procedure :: add_need
       procedure :: add_pictures
    end type calibration_study_type
 
@@ -60,15 +50,6 @@ module dg_calibration_study
       'before_hookload', 'after_hookload', 'measured_torque', 'before_torque', 'after_torque', 'before_error', 'after_error']
 
 contains
-
-   !> Its group, which strings that are held share.
-   subroutine add_groups(self, groups)
-      class(calibration_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, calibrate_rule, calibrate_keys)
-      end associate
-   end subroutine add_groups
 
    !> Reads its groups, and announces what they will find of friction.
    subroutine read_calibrations(self, deck, job, notes, faults)
@@ -94,30 +75,33 @@ contains
          end associate
       end do
       call move_alloc(longer, deck%estimates)
+      self%asked = size(self%calibrations) > 0
+      self%fits = .true.
+      ! before all else where what they find is applied
+      self%phase = merge(phase_first, phase_after, any(self%calibrations%apply))
+      self%forms = text_list(factor_file, 'calibration_data.csv', 'calibration_prediction.csv')
+      self%files = self%forms(:merge(3, 2, any(predicts(self%calibrations))))
    end subroutine read_calibrations
-
-   !> Whether the deck has a calibration.
-   pure function is_asked(self) result(is)
-      class(calibration_study_type), intent(in) :: self
-      logical :: is
-      is = size(self%calibrations) > 0
-   end function is_asked
-
-   !> Before all else where what they find is applied.
-   pure function phase(self)
-      class(calibration_study_type), intent(in) :: self
-      integer :: phase
-      phase = merge(phase_first, phase_after, any(self%calibrations%apply))
-   end function phase
 
    !> A line a calibration.
    subroutine echo(self, job, lines)
       class(calibration_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
+      character(:), allocatable :: line
+      integer :: i
       associate (not_needed => job)
-         call add_calibrations(lines, self%calibrations)
       end associate
+      do i = 1, size(self%calibrations)
+         associate (calibration => self%calibrations(i))
+            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
+               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
+               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
+            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
+            if (calibration%apply) line = line//'; applied'
+            call add_line(lines, line)
+         end associate
+      end do
    end subroutine echo
 
    !> Each calibration with each of its models. Friction that is to be applied goes into the model of the run. An error tells that
@@ -177,7 +161,7 @@ contains
       end do
       self%owner = self%owner(:n)
       if (.not. divided) then
-         call begin_table(run%factors, factor_row(), run%job%units)
+         call begin_table(run%factors, factor_row(found_type()), run%job%units)
          call write_calibrations(run%job, run%given, self%calibrations, self%owner, self%results(:n), run%factors, failure)
          if (allocated(failure)) call move_alloc(failure, error)
       end if
@@ -197,39 +181,6 @@ contains
       estimate%half_widths = half_widths_of(calibration, result, sections)
       call learn_friction(calibration, result, estimate%deviations, estimate%correlation, estimate%known)
    end subroutine hand_on
-
-   !> Files of factors, of data, of predictions.
-   subroutine name_files(self, job, names)
-      class(calibration_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      if (job%merge > 0 .or. .not. self%is_asked()) return
-      call append_text(names, factor_file)
-      call append_text(names, 'calibration_data.csv')
-      if (any(predicts(self%calibrations))) call append_text(names, 'calibration_prediction.csv')
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(calibration_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, factor_file)
-         call append_text(forms, 'calibration_data.csv')
-         call append_text(forms, 'calibration_prediction.csv')
-      end associate
-   end subroutine add_forms
-
-   !> Least squares work by LAPACK.
-   subroutine add_need(self, job, model, need)
-      class(calibration_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(need_type), intent(inout) :: need
-      associate (not_needed => job, nor => model)
-         need%fits = need%fits .or. self%is_asked()
-      end associate
-   end subroutine add_need
 
    !> A picture for each calibration and model.
    subroutine add_pictures(self, run, list, error)
@@ -257,22 +208,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a calibration.
-   pure subroutine add_calibrations(lines, calibrations)
-      type(line_list_type), intent(inout) :: lines
-      type(calibration_type), intent(in) :: calibrations(:)
-      character(:), allocatable :: line
-      integer :: i
-      do i = 1, size(calibrations)
-         associate (calibration => calibrations(i))
-            line = 'calibrate   '//calibration%name//': '//trim(parameter_name(calibration%parameter))//'; '// &
-               joined(model_name(calibration%models), ', ')//'; '//to_text(size(calibration%unknowns))//' unknowns from '// &
-               to_text(size(calibration%data))//' measured values of '//to_text(size(calibration%cases))//' load cases'
-            if (predicts(calibration)) line = line//'; '//to_text(size(calibration%predicted))//' predicted'
-            if (calibration%apply) line = line//'; applied'
-            call add_line(lines, line)
-         end associate
-      end do
-   end subroutine add_calibrations
 end module dg_calibration_study

@@ -6,7 +6,7 @@ module dg_calibration_table
                              torque_datum, unknown_type
    use dg_calibration_result, only: calibration_result_type, verdict_at_bound, verdict_found, verdict_not_felt, &
       verdict_not_separated, verdict_of
-   use dg_comparison, only: percent_error
+   use dg_comparison, only: difference, percent_error
    use dg_job, only: model_name
    use dg_deck_echo, only: hole_friction_text
    use dg_learnt_friction, only: learn_friction
@@ -14,16 +14,18 @@ module dg_calibration_table
    use dg_load_case, only: operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
-   use dg_number_text, only: append_wrapped, fixed_cell, left_aligned, page_width, right_aligned
-   use dg_prediction_table, only: append_predictions, quantity_words
+   use dg_number_text, only: append_wrapped, page_width, fixed_text
+   use dg_prediction_table, only: append_predictions, quantity_words, interval_text
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: calibration_table, unknown_text
 
-   integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, interval_width = 20
+   integer, parameter :: label_width = 46, cell_width = 10, name_width = 26, quantity_width = 18, interval_width = 20
+   integer, parameter :: remark_width = 18
    real(wp), parameter :: one = 1.0_wp
    integer, parameter :: depth_digits = 7, factor_digits = 4
 
@@ -63,21 +65,14 @@ contains
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      character(:), allocatable :: head, rule, interval, remark
+      type(text_table_type) :: table
+      character(:), allocatable :: remark
       real(wp) :: unit
       integer :: k, decimals
-      head = left_aligned('Friction factor', label_width)//right_aligned('In deck', cell_width)// &
-             right_aligned('Found', cell_width)//right_aligned('95 % interval', interval_width)//'  Remark'
-      rule = repeat('-', label_width + 2*cell_width + interval_width + 20)
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do k = 1, size(calibration%unknowns)
          associate (value => result%fit%unknowns(k), half => result%statistics%half_width(k))
             unit = merge(units%force, one, calibration%unknowns(k)%is_offset)
             decimals = merge(1, factor_digits, calibration%unknowns(k)%is_offset)
-            interval = '-'
-            if (.not. is_missing(half)) interval = shown(value - half)//' to '//shown(value + half)
             remark = ''
             select case (verdict_of(result, k))
             case (verdict_at_bound); remark = 'at its bound'
@@ -92,18 +87,15 @@ contains
                end if
             case default
             end select
-            call append_text(lines, trim(left_aligned(unknown_text(units, model, calibration%unknowns(k)), label_width)// &
-               fixed_cell(result%start(k)/unit, cell_width, decimals)//right_aligned(shown(value), cell_width)// &
-               right_aligned(interval, interval_width)//'  '//remark))
+            call add_cell(table, 'Friction factor', label_width, unknown_text(units, model, calibration%unknowns(k)))
+            call add_cell(table, 'In deck', cell_width, result%start(k), unit, decimals)
+            call add_cell(table, 'Found', cell_width, value, unit, decimals)
+            call add_right(table, '95 % interval', interval_width, interval_text(value, half, unit, decimals))
+            call add_cell(table, 'Remark', remark_width, remark)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
-   contains
-      function shown(value) result(text)
-         real(wp), intent(in) :: value
-         character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(value/unit, cell_width, decimals)))
-      end function shown
+      call append_table(lines, table)
    end subroutine append_factors
 
    !> What was measured, and calculated before and after.
@@ -113,17 +105,11 @@ contains
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result
-      character(:), allocatable :: head, rule
-      type(optional_real) :: before, errors(2)
+      type(text_table_type) :: table
+      type(optional_real) :: errors(2)
       character(:), allocatable :: some_lost
       real(wp) :: unit, sums(2), worst(2)
       integer :: d, counted(2), decimals
-      head = left_aligned('Load case', name_width)//left_aligned('Quantity', 18)//right_aligned('Measured', cell_width)// &
-             right_aligned('Before', cell_width)//right_aligned('Error %', cell_width)//right_aligned('After', cell_width)// &
-             right_aligned('Error %', cell_width)//right_aligned('Diff.', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, head)
-      call append_text(lines, rule)
       sums = 0.0_wp
       worst = 0.0_wp
       counted = 0
@@ -131,42 +117,33 @@ contains
          associate (datum => calibration%data(d))
             unit = merge(units%force, units%moment, datum%kind == hookload_datum)
             decimals = merge(1, 2, datum%kind == hookload_datum)
-            before = optional_real()
-            errors(1) = optional_real()
-            if (.not. is_missing(result%before(d))) then
-               before = given(result%before(d))
-               errors(1) = percent_error(result%before(d), given(datum%measured))
-            end if
+            errors(1) = percent_error(result%before(d), given(datum%measured))
             errors(2) = percent_error(result%fit%values(d), given(datum%measured))
             where (errors%present)
                sums = sums + errors%value
                worst = max(worst, errors%value)
                counted = counted + 1
             end where
-            call append_text(lines, left_aligned(model%cases(calibration%cases(datum%case))%name, name_width)// &
-               left_aligned(quantity_words(units, datum%kind), 18)// &
-               fixed_cell(given(datum%measured), unit, cell_width, decimals)// &
-               fixed_cell(before, unit, cell_width, decimals)//fixed_cell(errors(1), one, cell_width, 2)// &
-               fixed_cell(given(result%fit%values(d)), unit, cell_width, decimals)// &
-               fixed_cell(errors(2), one, cell_width, 2)// &
-               fixed_cell(given(result%fit%values(d) - datum%measured), unit, cell_width, decimals))
+            call add_cell(table, 'Load case', name_width, model%cases(calibration%cases(datum%case))%name)
+            call add_cell(table, 'Quantity', quantity_width, quantity_words(units, datum%kind))
+            call add_cell(table, 'Measured', cell_width, datum%measured, unit, decimals)
+            call add_cell(table, 'Before', cell_width, result%before(d), unit, decimals)
+            call add_cell(table, 'Error %', cell_width, errors(1), one, 2)
+            call add_cell(table, 'After', cell_width, result%fit%values(d), unit, decimals)
+            call add_cell(table, 'Error %', cell_width, errors(2), one, 2)
+            call add_cell(table, 'Diff.', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       if (all(counted > 0)) then
          sums = sums/real(counted, wp)
          some_lost = ''
          if (counted(1) < counted(2)) some_lost = ' ('//to_text(counted(2) - counted(1))//' without solution)'
          call append_text(lines, 'Error of '//to_text(counted(2))//' values before'//some_lost//': mean '// &
-            two(sums(1))//' %, worst '// &
-            two(worst(1))//' %; after: mean '//two(sums(2))//' %, worst '//two(worst(2))//' %')
+            fixed_text(sums(1), 2)//' %, worst '// &
+            fixed_text(worst(1), 2)//' %; after: mean '//fixed_text(sums(2), 2)//' %, worst '//fixed_text(worst(2), 2)//' %')
       end if
-   contains
-      function two(number) result(text)
-         real(wp), intent(in) :: number
-         character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(number, cell_width, 2)))
-      end function two
    end subroutine append_data
 
    !> What the data cannot tell, and how far they are from what the model can be.
@@ -307,7 +284,7 @@ contains
       if (.not. known) return
       text = ''
       do i = 1, sections
-         text = text//', '//trim(adjustl(fixed_cell(deviations(i), cell_width, 5)))
+         text = text//', '//fixed_text(deviations(i), 5)
       end do
       call append_text(lines, 'In &uncertainty of another deck: friction_deviations = '//text(3:)// &
                        ", friction_parameter = '"//trim(parameter_name(calibration%parameter))//"'")
@@ -315,7 +292,7 @@ contains
       text = ''
       do i = 1, sections
          do j = i + 1, sections
-            text = text//', '//trim(adjustl(fixed_cell(correlation(i, j), cell_width, factor_digits)))
+            text = text//', '//fixed_text(correlation(i, j), factor_digits)
          end do
       end do
       call append_text(lines, '  friction_correlations = '//text(3:))

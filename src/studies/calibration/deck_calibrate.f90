@@ -1,17 +1,17 @@
 !> The groups &calibrate of a deck: which factors are looked for, and whether its measurements can tell them.
 module dg_deck_calibrate
-   use dg_kinds, only: wp
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, solutions_a_step, &
                              tells, unknown_type
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, logical_of, real_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, claim_name, group_fault, is_given, is_sound, line_of, logical_of, named, &
+      optional_of, text_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_hole_section, only: hole_section_type
    use dg_measured_cases, only: take_measured_cases, take_models
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: given
-   use dg_text, only: lower_case, name_shown, quoted, suggestion, text_type, to_text
+   use dg_text, only: name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
    public :: take_calibrations
@@ -31,32 +31,27 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(calibration_type), allocatable, intent(out) :: calibrations(:)
       type(error_list_type), intent(inout) :: faults
-      integer :: i, j, n
-      n = 0
-      do i = 1, size(groups)
-         if (is_calibration(groups(i))) n = n + 1
-      end do
-      allocate (calibrations(n))
-      n = 0
-      do i = 1, size(groups)
-         if (.not. is_calibration(groups(i))) cycle
-         n = n + 1
-         call take_one(draft, groups(i), n, calibrations(n), faults)
-         call check_apply(draft, groups(i), calibrations(:n), faults)
-         do j = 1, n - 1
-            if (lower_case(calibrations(j)%name) /= lower_case(calibrations(n)%name)) cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &calibrate: name '// &
-                           quoted(calibrations(n)%name)//' is taken; names must be unique, letter case aside')
-         end do
+      type(text_type), allocatable :: taken(:)
+      integer, allocatable :: mine(:)
+      integer :: n
+      allocate (taken(0))
+      allocate (mine, source=named(groups, 'calibrate'))
+      mine = pack(mine, [(is_calibration(groups(mine(n))), n=1, size(mine))])
+      allocate (calibrations(size(mine)))
+      do n = 1, size(mine)
+         associate (group => groups(mine(n)))
+            call take_one(draft, group, n, calibrations(n), faults)
+            call check_apply(draft, group, calibrations(:n), faults)
+            call claim_name(group, 'name', calibrations(n)%name, taken, faults)
+         end associate
       end do
    end subroutine take_calibrations
 
-   !> Whether a group looks for friction.
+   !> Whether a &calibrate looks for friction.
    pure function is_calibration(group) result(yes)
       type(checked_group_type), intent(in) :: group
       logical :: yes
-      yes = group%name == 'calibrate'
-      if (yes) yes = any(text_of(group, 'parameter', trim(parameter_name(1))) == parameter_name)
+      yes = any(text_of(group, 'parameter', trim(parameter_name(1))) == parameter_name)
    end function is_calibration
 
    subroutine take_one(draft, group, number, calibration, faults)
@@ -84,22 +79,18 @@ contains
             if (texts(i)%text == 'operations') calibration%by_operation = .true.
             if (texts(i)%text == 'depths') calibration%by_depth = .true.
             if (texts(i)%text == 'none' .and. size(texts) > 1) &
-               call add_fault(faults, draft%path, line_of(group, 'separate'), &
-                              "group &calibrate: separate holds 'none' and something else; keep one")
+               call group_fault(group, 'separate', "separate holds 'none' and something else; keep one", faults)
          end do
       end if
       do i = 1, size(not_for_friction)
          if (.not. is_given(group, trim(not_for_friction(i))) .or. .not. is_sound(group, 'parameter')) cycle
-         call add_fault(faults, draft%path, line_of(group, trim(not_for_friction(i))), 'group &calibrate: '// &
-                        trim(not_for_friction(i))//' has no meaning with parameter = '// &
-                        quoted(trim(parameter_name(calibration%parameter)))//'; leave it out')
+         call group_fault(group, trim(not_for_friction(i)), trim(not_for_friction(i))//' has no meaning with parameter = '// &
+            quoted(trim(parameter_name(calibration%parameter)))//'; leave it out', faults)
       end do
       calibration%apply = logical_of(group, 'apply', .false.)
       call take_models(group, calibration%models)
-      if (is_sound(group, 'hookload_deviation')) &
-         calibration%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
-      if (is_sound(group, 'torque_deviation')) &
-         calibration%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
+      calibration%hookload_deviation = optional_of(group, 'hookload_deviation')
+      calibration%torque_deviation = optional_of(group, 'torque_deviation')
       call take_predicted(draft, group, calibration%predicted, faults)
       call take_measured_cases(draft, group, calibration%cases, faults, calibration%predicted)
       call take_holes(draft, group, calibration%holes, faults)
@@ -123,16 +114,12 @@ contains
          call find_case(draft, group%name, line_of(group, 'predict'), wanted(i)%text, found, faults)
          if (found == 0) cycle
          if (any([(used(k)%text == wanted(i)%text, k=1, size(used))])) then
-            call fault('load case '//quoted(wanted(i)%text)//' is one of cases, so it would be no prediction; keep it in one')
+            call group_fault(group, 'predict', 'load case '//quoted(wanted(i)%text)// &
+               ' is one of cases, so it would be no prediction; keep it in one', faults)
          else if (.not. any(cases == found)) then
             cases = [cases, found]
          end if
       end do
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'predict'), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine take_predicted
 
    !> Numbers of the hole sections named; all where none is. No fault of its own where the name of a section is at fault.
@@ -156,8 +143,8 @@ contains
          end do
          if (any(names == '')) cycle
          if (.not. any([(draft%holes(k)%section%name == wanted(i)%text, k=1, size(names))])) &
-            call add_fault(faults, draft%path, line_of(group, 'holes'), 'group &calibrate: there is no hole section '// &
-                           quoted(wanted(i)%text)//'; '//suggestion(wanted(i)%text, names))
+            call group_fault(group, 'holes', 'there is no hole section '//quoted(wanted(i)%text)//'; '// &
+               suggestion(wanted(i)%text, names), faults)
       end do
    end subroutine take_holes
 
@@ -186,8 +173,8 @@ contains
       do i = 1, size(calibration%holes)
          if (any(calibration%unknown_of(:, i) > 0)) cycle
          if (.not. (calibration%by_hole .or. is_given(group, 'holes'))) cycle
-         call fault('holes', 'no bit of its cases reaches hole section '//quoted(holes(calibration%holes(i))%name)// &
-                    '; leave it out of holes')
+         call group_fault(group, 'holes', 'no bit of its cases reaches hole section '// &
+            quoted(holes(calibration%holes(i))%name)//'; leave it out of holes', faults)
       end do
       call check_predicted(draft, group, calibration, faults)
       if (size(calibration%unknowns) == 0 .or. .not. all(draft%cases%sound)) return
@@ -197,14 +184,14 @@ contains
             telling(d, u) = tells(calibration, load_cases, d, u)
          end do
          if (any(telling(:, u))) cycle
-         call fault('cases', 'nothing measured tells '//unknown_words(draft, calibration%unknowns(u))// &
-                    ': hook loads tell friction along the hole, torques friction around it, where the string moves so; '// &
-                    'add such a case or leave out those that ask for it')
+         call group_fault(group, 'cases', 'nothing measured tells '//unknown_words(draft, calibration%unknowns(u))// &
+            ': hook loads tell friction along the hole, torques friction around it, where the string moves so; '// &
+            'add such a case or leave out those that ask for it', faults)
       end do
       if (count(any(telling, dim=2)) < size(calibration%unknowns)) &
-         call fault('cases', 'fewer data than unknowns: '//to_text(count(any(telling, dim=2)))// &
-                    ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
-                    ' unknowns; add measurements or separate less')
+         call group_fault(group, 'cases', 'fewer data than unknowns: '//to_text(count(any(telling, dim=2)))// &
+            ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
+            ' unknowns; add measurements or separate less', faults)
    contains
       !> Whether a number is above its bound, which is told then.
       function too_many(number, most, what) result(yes)
@@ -212,14 +199,9 @@ contains
          character(*), intent(in) :: what
          logical :: yes
          yes = number > most
-         if (yes) call fault('cases', to_text(number)//' '//what//'; a calibration has at most '//to_text(most)// &
-                             '; name fewer cases or holes, or separate less')
+         if (yes) call group_fault(group, 'cases', to_text(number)//' '//what//'; a calibration has at most '//to_text(most)// &
+            '; name fewer cases or holes, or separate less', faults)
       end function too_many
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine lay_out
 
    !> A load case can be predicted where the factors found are those of its depth and operation, too.
@@ -231,20 +213,16 @@ contains
       integer :: i
       if (size(calibration%predicted) == 0) return
       if (calibration%by_depth .or. calibration%offset == offset_depths) &
-         call fault('predict has no meaning with a factor or an offset a depth: none is that of another depth')
+         call group_fault(group, 'predict', &
+            'predict has no meaning with a factor or an offset a depth: none is that of another depth', faults)
       if (.not. calibration%by_operation) return
       do i = 1, size(calibration%predicted)
          associate (case => draft%cases(calibration%predicted(i))%load_case)
             if (any(calibration%unknowns%operation == case%operation)) cycle
-            call fault('load case '//quoted(case%name)//': no measured case tells a factor of '// &
-                       trim(operation_name(case%operation))//'; leave it out or separate less')
+            call group_fault(group, 'predict', 'load case '//quoted(case%name)//': no measured case tells a factor of '// &
+               trim(operation_name(case%operation))//'; leave it out or separate less', faults)
          end associate
       end do
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'predict'), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine check_predicted
 
    !> What is applied must be one factor a hole section, must not be overruled by its own load cases, and must not be two.
@@ -256,37 +234,36 @@ contains
       integer :: i, j
       associate (mine => calibrations(size(calibrations)))
          if (.not. (mine%apply .and. allocated(mine%holes))) return
-         if (mine%by_operation .or. mine%by_depth) call fault("apply needs separate = 'none' or 'holes': a factor of an "// &
-            'operation or depth has no place in a hole section; put it into load cases by hand')
-         if (size(mine%models) > 1) call fault('apply needs one model, to tell whose factors are meant')
+         if (mine%by_operation .or. mine%by_depth) call group_fault(group, 'apply', &
+            "apply needs separate = 'none' or 'holes': a factor of an "// &
+            'operation or depth has no place in a hole section; put it into load cases by hand', faults)
+         if (size(mine%models) > 1) call group_fault(group, 'apply', 'apply needs one model, to tell whose factors are meant', &
+            faults)
          do i = 1, size(mine%cases)
             associate (case => draft%cases(mine%cases(i)))
                if (case%load_case%friction_axial%present .and. mine%parameter /= calibrate_friction_rotary .or. &
                    case%load_case%friction_rotary%present .and. mine%parameter /= calibrate_friction_axial) &
-                  call fault('load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)//') has friction of '// &
-                             'its own, which stands above that of the hole; leave it out there, or leave out apply')
+                  call group_fault(group, 'apply', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
+                     ') has friction of '// &
+                     'its own, which stands above that of the hole; leave it out there, or leave out apply', faults)
             end associate
          end do
          do i = 1, size(calibrations) - 1
             if (.not. (calibrations(i)%apply .and. allocated(calibrations(i)%holes))) cycle
             if (draft%rig%given .and. mine%offset == offset_one .and. calibrations(i)%offset == offset_one) &
-               call fault('calibration '//quoted(calibrations(i)%name)//' applies an offset to the block_weight of &rig '// &
-                          'already; keep one')
+               call group_fault(group, 'apply', 'calibration '//quoted(calibrations(i)%name)// &
+                  ' applies an offset to the block_weight of &rig '//'already; keep one', faults)
             if (mine%parameter /= calibrate_friction .and. calibrations(i)%parameter /= calibrate_friction .and. &
                 mine%parameter /= calibrations(i)%parameter) cycle
             do j = 1, size(mine%holes)
                if (any(calibrations(i)%holes == mine%holes(j))) exit
             end do
             if (j > size(mine%holes)) cycle
-            call fault('calibration '//quoted(calibrations(i)%name)//' applies friction of hole section '// &
-                       quoted(draft%holes(mine%holes(j))%section%name)//' already; keep one')
+            call group_fault(group, 'apply', 'calibration '//quoted(calibrations(i)%name)// &
+               ' applies friction of hole section '//quoted(draft%holes(mine%holes(j))%section%name)//' already; keep one', &
+               faults)
          end do
       end associate
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'apply'), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine check_apply
 
    !> What an unknown is, for messages.

@@ -11,15 +11,16 @@ module dg_prediction_table
    use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name
    use dg_missing, only: is_missing, known, missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_text
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_predictions, add_predictions, quantity_words
+   public :: append_predictions, add_predictions, interval_text, quantity_words
 
-   integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20
+   integer, parameter :: name_width = 24, quantity_width = 18, cell_width = 10, interval_width = 20, within_width = 7
    real(wp), parameter :: one = 1.0_wp
 
 contains
@@ -33,16 +34,11 @@ contains
       type(calibration_result_type), intent(in) :: result
       type(calibration_type) :: ahead
       type(optional_real) :: value, measured, error
-      character(:), allocatable :: head, rule, interval, verdict
+      type(text_table_type) :: table
+      character(:), allocatable :: verdict
       real(wp) :: unit
       integer :: d, decimals
       ahead = ahead_of(calibration, model%cases)
-      head = left_aligned('Predicted load case', name_width)//left_aligned('Quantity', quantity_width)// &
-             right_aligned('Predicted', cell_width)//right_aligned('95 % interval', interval_width)// &
-             right_aligned('Measured', cell_width)//right_aligned('Error %', cell_width)//'  Within'
-      rule = repeat('-', len(head))
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do d = 1, size(ahead%data)
          associate (datum => ahead%data(d), case => model%cases(ahead%cases(ahead%data(d)%case)), &
                     half => result%prediction%half_width(d))
@@ -50,27 +46,33 @@ contains
             decimals = merge(1, 2, datum%kind == hookload_datum)
             value = known(result%prediction%values(d))
             measured = measured_of(case, datum%kind)
-            error = optional_real()
-            if (value%present) error = percent_error(value%value, measured)
-            interval = '-'
-            if (.not. is_missing(half)) interval = shown(value%value - half)//' to '//shown(value%value + half)
+            error = percent_error(result%prediction%values(d), measured)
             verdict = within(result%prediction%values(d), half, measured)
             if (verdict == 'yes') verdict = ''
-            call append_text(lines, trim(left_aligned(case%name, name_width)// &
-               left_aligned(quantity_words(units, datum%kind), quantity_width)//fixed_cell(value, unit, cell_width, decimals)// &
-               right_aligned(interval, interval_width)//fixed_cell(measured, unit, cell_width, decimals)// &
-               fixed_cell(error, one, cell_width, 2)//'  '//verdict))
+            call add_cell(table, 'Predicted load case', name_width, case%name)
+            call add_cell(table, 'Quantity', quantity_width, quantity_words(units, datum%kind))
+            call add_cell(table, 'Predicted', cell_width, value, unit, decimals)
+            call add_right(table, '95 % interval', interval_width, interval_text(value%value, half, unit, decimals))
+            call add_cell(table, 'Measured', cell_width, measured, unit, decimals)
+            call add_cell(table, 'Error %', cell_width, error, one, 2)
+            call add_cell(table, 'Within', within_width, verdict)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       call append_verdict(lines, units, model, ahead, result)
-   contains
-      function shown(number) result(text)
-         real(wp), intent(in) :: number
-         character(:), allocatable :: text
-         text = trim(adjustl(fixed_cell(number/unit, cell_width, decimals)))
-      end function shown
    end subroutine append_predictions
+
+   !> Both ends of an interval; '-' where it is not known.
+   pure function interval_text(value, half, unit, decimals) result(text)
+      real(wp), intent(in) :: value, half      !< its middle and half its width
+      real(wp), intent(in) :: unit
+      integer, intent(in) :: decimals
+      character(:), allocatable :: text
+      text = '-'
+      if (is_missing(half)) return
+      text = fixed_text((value - half)/unit, decimals)//' to '//fixed_text((value + half)/unit, decimals)
+   end function interval_text
 
    !> Errors of what was measured too, how many lie within their intervals, and what is left in the mean by operation.
    subroutine append_verdict(lines, units, model, ahead, result)
@@ -100,23 +102,18 @@ contains
       end do
       if (.not. any(errors%present)) return
       text = to_text(count(errors%present))//' measured values predicted: mean error '// &
-         two(sum(errors%value, mask=errors%present)/count(errors%present))//' %, worst '//two(maxval(errors%value))//' %'
+         fixed_text(sum(errors%value, mask=errors%present)/count(errors%present), 2)//' %, worst '// &
+         fixed_text(maxval(errors%value), 2)//' %'
       if (judged > 0) text = text//'; '//to_text(held)//' of '//to_text(judged)//' within their 95 % interval'
       call append_text(lines, text)
       text = ''
       do o = 1, operation_count
          of_it = measured%present .and. operation == o .and. ahead%data%kind == hookload_datum
          if (any(of_it)) text = text//'; '//trim(operation_label(o))//' '// &
-            two(sum(excess, mask=of_it)/count(of_it)/units%force)
+            fixed_text(sum(excess, mask=of_it)/count(of_it)/units%force, 2)
       end do
       if (text /= '') call append_text(lines, 'Measured less predicted hook load in the mean, '//trim(units%force_label)//': '// &
                                        text(len('; ') + 1:))
-   contains
-      function two(number) result(shown)
-         real(wp), intent(in) :: number
-         character(:), allocatable :: shown
-         shown = trim(adjustl(fixed_cell(number, cell_width, 2)))
-      end function two
    end subroutine append_verdict
 
    !> Puts the rows of a calibration at the end of calibration_prediction.csv, which is begun where it is not.
@@ -152,7 +149,7 @@ contains
       measured = measured_of(load_case, kind)
       lower = difference(value, half)
       upper = difference(value, difference(0.0_wp, half))
-      if (.not. is_missing(value)) error = percent_error(value, measured)
+      error = percent_error(value, measured)
       call put(row, 'calibration', quantity_text, 'its name', calibration%name)
       call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
       call put(row, 'case', quantity_text, 'load case that is predicted', load_case%name)

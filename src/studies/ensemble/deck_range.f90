@@ -1,10 +1,11 @@
 !> A range of bit depths in a group of a deck: which string, in which operations, by which models.
 module dg_deck_range
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, places_of, real_of, reals_of, text_of, texts_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, places_of, real_of, reals_of, &
+      text_of, texts_of
    use dg_deck_check, only: check_case
    use dg_deck_draft, only: draft_case_type, draft_type
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_job, only: model_name
    use dg_load_case, only: moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
       operation_trip_out, rotates
@@ -43,8 +44,8 @@ contains
       before = faults%count
       allocate (texts(0), numbers(0))   ! the compiler's flow analysis takes them for undefined otherwise
       sweep%name = text_of(group, 'name', to_text(number))
-      if (.not. is_separator_free(sweep%name)) call fault('name', 'name = '//quoted(sweep%name)// &
-         ' cannot be part of a file name; use letters, digits and _ - . +, no dot first')
+      if (.not. is_separator_free(sweep%name)) call group_fault(group, 'name', 'name = '//quoted(sweep%name)// &
+         ' cannot be part of a file name; use letters, digits and _ - . +, no dot first', faults)
       sweep%string = text_of(group, 'string', 'main')
       sweep%operations = [operation_trip_out, operation_trip_in, operation_rotate_off_bottom]
       if (is_given(group, 'operations')) then
@@ -57,14 +58,14 @@ contains
       end if
       sweep%models = models
       if (is_given(group, 'model')) sweep%models = places_of(group, 'model', model_name)
-      call take_loads(draft, group, sweep, faults)
+      call take_loads(group, sweep, faults)
       key = 'frictions'
       if (group%name /= 'sweep') key = 'friction'      ! one of them
       numbers = reals_of(group, key)
       allocate (sweep%frictions(max(size(numbers), 1)))
       do i = 1, size(numbers)
          if (any(abs(numbers(:i - 1) - numbers(i)) <= 0.0_wp)) &
-            call fault('frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one')
+            call group_fault(group, 'frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one', faults)
          sweep%frictions(i) = given(numbers(i))
       end do
       if (group%name == 'sweep') call take_pairs(draft, group, sweep, faults)
@@ -87,24 +88,20 @@ contains
       if (faults%count > before .or. .not. (last > 0.0_wp .and. step > 0.0_wp)) return
       if (.not. (is_sound(group, 'bit_depth_from') .and. is_sound(group, 'bit_depth_step'))) return
       if (first > last) then
-         call fault('bit_depth_from', 'bit_depth_from = '//shown(first)//' lies below bit_depth_to = '//shown(last))
+         call group_fault(group, 'bit_depth_from', 'bit_depth_from = '//shown(first)//' lies below bit_depth_to = '// &
+            shown(last), faults)
          return
       end if
       points = ((last - first)/step + 1.0_wp)*size(sweep%operations)*size(sweep%frictions)*size(sweep%models)
       if (points > real(most_points, wp)) then
-         call fault('bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 7)// &
-                    ' points; at most '//to_text(most_points)//' can be solved in one sweep')
+         call group_fault(group, 'bit_depth_step', 'bit_depth_step = '//shown(step)//' makes '//to_text(points, 7)// &
+            ' points; at most '//to_text(most_points)//' can be solved in one sweep', faults)
          return
       end if
       sweep%depths = regular_depths(first, last, step)
       call take_measured(draft, sweep)
 
    contains
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
-      end subroutine fault
 
       pure function is_sound_or_absent(key) result(yes)
          character(*), intent(in) :: key
@@ -120,8 +117,7 @@ contains
    end subroutine take_range
 
    !> Loads and speeds, one of all operations or one of each; reaming needs both speeds.
-   subroutine take_loads(draft, group, sweep, faults)
-      type(draft_type), intent(in) :: draft
+   subroutine take_loads(group, sweep, faults)
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
       type(error_list_type), intent(inout) :: faults
@@ -142,21 +138,16 @@ contains
          real(wp), allocatable, intent(out) :: loads(:)
          loads = reals_of(group, key)
          if (any(size(loads) == [0, 1, size(sweep%operations)]) .or. .not. is_sound(group, 'operations')) return
-         call fault(key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
-                    ' operations; give one, or one for each')
+         call group_fault(group, key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
+            ' operations; give one, or one for each', faults)
       end subroutine take
 
       subroutine need_speed(key, value)
          character(*), intent(in) :: key
          real(wp), intent(in) :: value
          if (value > 0.0_wp .or. .not. is_sound(group, key)) return
-         call fault(key, 'reaming needs '//key//' > 0')
+         call group_fault(group, key, 'reaming needs '//key//' > 0', faults)
       end subroutine need_speed
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &'//group%name//': '//message)
-      end subroutine fault
    end subroutine take_loads
 
    !> Pairs of friction in cased and open hole.
@@ -177,27 +168,24 @@ contains
       open = reals_of(group, 'frictions_open')
       key = 'frictions_cased'
       if (.not. is_given(group, key)) key = 'frictions_open'
-      if (is_given(group, 'frictions')) call fault('frictions_cased and frictions_open stand in place of frictions; keep one way')
-      if (size(cased) /= size(open)) call fault('frictions_cased has '//to_text(size(cased))//' values, frictions_open has '// &
-                                                to_text(size(open))//'; they go in pairs')
+      if (is_given(group, 'frictions')) call group_fault(group, key, &
+         'frictions_cased and frictions_open stand in place of frictions; keep one way', faults)
+      if (size(cased) /= size(open)) call group_fault(group, key, 'frictions_cased has '//to_text(size(cased))// &
+         ' values, frictions_open has '//to_text(size(open))//'; they go in pairs', faults)
       if (.not. (any(draft%holes%section%cased) .and. any(.not. draft%holes%section%cased))) &
-         call fault('pairs of friction need a hole section with cased = .true., and one without')
+         call group_fault(group, key, 'pairs of friction need a hole section with cased = .true., and one without', faults)
       if (size(cased) /= size(open) .or. size(cased) == 0) return
       do i = 1, size(cased)
          do j = 1, i - 1
             if (max(abs(cased(i) - cased(j)), abs(open(i) - open(j))) <= 0.0_wp) &
-               call fault('the pair '//to_text(cased(i))//', '//to_text(open(i))//' stands there twice; keep one')
+               call group_fault(group, key, 'the pair '//to_text(cased(i))//', '//to_text(open(i))// &
+                  ' stands there twice; keep one', faults)
          end do
       end do
       sweep%frictions_cased = cased
       deallocate (sweep%frictions)
       allocate (sweep%frictions(size(open)))
       sweep%frictions = given(open)
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
-      end subroutine fault
    end subroutine take_pairs
 
    !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.

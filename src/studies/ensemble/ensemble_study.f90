@@ -22,12 +22,12 @@ module dg_ensemble_study
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: is_solved
    use dg_sweep_work, only: in_part
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: append_text, quoted, text_list, text_or_nothing, text_type, to_text
    use dg_threads, only: thread_count
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: ensemble_study_type, prepare_ensembles
+   public :: ensemble_study_type, name_ranges, prepare_ensembles
    public :: range_text_type
 
    !> What it is called.
@@ -49,11 +49,7 @@ module dg_ensemble_study
       procedure(solve_interface), deferred :: solve
       procedure(report_interface), deferred :: report
       procedure(place_interface), deferred :: place
-      procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_ensembles
-      procedure :: name_files
-      procedure :: add_forms
       procedure :: name_records
       procedure :: add_need
       procedure :: prepare => prepare_ensembles
@@ -117,21 +113,21 @@ module dg_ensemble_study
 
 contains
 
-   !> Whether the deck has one.
-   pure function is_asked(self) result(is)
-      class(ensemble_study_type), intent(in) :: self
-      logical :: is
-      is = size(self%ranges) > 0
-   end function is_asked
-
-   !> Runs after all other studies.
-   pure function phase(self)
-      class(ensemble_study_type), intent(in) :: self
-      integer :: phase
-      associate (not_needed => self)
-         phase = phase_points
-      end associate
-   end function phase
+   !> Names what it is called and, once its ranges are read, its files. They run after all other studies.
+   subroutine name_ranges(self, texts)
+      class(ensemble_study_type), intent(inout) :: self
+      type(range_text_type), intent(in) :: texts
+      integer :: i
+      self%texts = texts
+      self%asked = size(self%ranges) > 0
+      self%phase = phase_points
+      self%record_kind = texts%what
+      self%forms = text_list(points_file(texts%what, '*'))
+      allocate (self%files(0))
+      do i = 1, size(self%ranges)
+         call append_text(self%files, points_file(texts%what, text_or_nothing(self%ranges(i)%name)))
+      end do
+   end subroutine name_ranges
 
    !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined, with their
    !> faults. An error (bad input) where a record does not fit the deck.
@@ -289,27 +285,6 @@ contains
       end associate
       call tell(text)
    end subroutine report_lost
-
-   !> A file each.
-   subroutine name_files(self, job, names)
-      class(ensemble_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      integer :: i
-      associate (not_needed => job)
-         do i = 1, size(self%ranges)
-            call append_text(names, points_file(self%texts%what, self%ranges(i)%name))
-         end do
-      end associate
-   end subroutine name_files
-
-   !> Forms of their names, and of those of records.
-   subroutine add_forms(self, forms, kinds)
-      class(ensemble_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      call append_text(forms, points_file(self%texts%what, '*'))
-      call append_text(kinds, self%texts%what)
-   end subroutine add_forms
 
    !> A record each, and of an undivided run one of points that did not converge.
    subroutine name_records(self, job, names)

@@ -3,9 +3,9 @@
 module dg_model_text
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_type, has_bend, has_pad, opens
+   use dg_component, only: component_keys, component_numbers, component_type
    use dg_fluid, only: fluid_type
-   use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
+   use dg_hole_section, only: hole_keys, hole_numbers
    use dg_job, only: model_name
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_name
@@ -14,7 +14,7 @@ module dg_model_text
    use dg_numerics, only: numerics_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_task_record, only: solver_key
-   use dg_text, only: text_type, to_text
+   use dg_text, only: joined, text_type, to_text
    use dg_version, only: program_name, program_version
    implicit none
    private
@@ -45,16 +45,8 @@ contains
       integer :: i
       call append_model(lines, model, sweep%string)
       call add_line(lines, 'sweep = '//sweep%name)
-      text = ''
-      do i = 1, size(sweep%models)
-         text = text//' '//trim(model_name(sweep%models(i)))
-      end do
-      call add_line(lines, 'models ='//text)
-      text = ''
-      do i = 1, size(sweep%operations)
-         text = text//' '//trim(operation_name(sweep%operations(i)))
-      end do
-      call add_line(lines, 'operations ='//text)
+      call add_line(lines, 'models = '//joined(model_name(sweep%models), ' '))
+      call add_line(lines, 'operations = '//joined(operation_name(sweep%operations), ' '))
       text = ''
       do i = 1, size(sweep%frictions)
          if (sweep%frictions(i)%present) then
@@ -117,7 +109,7 @@ contains
       call append_numbers(lines, 'survey, azimuth', model%trajectory%azimuth)
       call add_line(lines, 'survey, number of arcs = '//to_text(size(model%trajectory%arcs)))
       do i = 1, size(model%holes)
-         call append_hole(lines, 'hole '//to_text(i)//', ', model%holes(i))
+         call append_keys(lines, 'hole '//to_text(i)//', ', hole_keys, hole_numbers(model%holes(i)))
       end do
       associate (pipes => model%strings(string_index(model%strings, string))%components)
          call add_line(lines, 'string = '//string//' of '//to_text(size(pipes)))
@@ -150,17 +142,17 @@ contains
       if (fluid%surface_pressure > 0.0_wp) call add_line(lines, head//'surface_pressure = '//to_text(fluid%surface_pressure))
    end subroutine append_fluid
 
-   subroutine append_hole(lines, head, hole)
+   !> Numbers by their keys; those that are missing are left out.
+   subroutine append_keys(lines, head, keys, numbers)
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: head
-      type(hole_section_type), intent(in) :: hole
-      real(wp) :: numbers(size(hole_keys))
+      character(*), intent(in) :: keys(:)
+      real(wp), intent(in) :: numbers(:)      !< as many
       integer :: k
-      numbers = hole_numbers(hole)
-      do k = 1, size(numbers)
-         if (.not. is_missing(numbers(k))) call add_line(lines, head//trim(hole_keys(k))//' = '//to_text(numbers(k)))
+      do k = 1, size(keys)
+         if (.not. is_missing(numbers(k))) call add_line(lines, head//trim(keys(k))//' = '//to_text(numbers(k)))
       end do
-   end subroutine append_hole
+   end subroutine append_keys
 
    !> What acts on forces; strength and make-up torque do not.
    subroutine append_component(lines, head, part)
@@ -168,38 +160,8 @@ contains
       character(*), intent(in) :: head
       type(component_type), intent(in) :: part
       call add_line(lines, head//'kind = '//part%kind)
-      call add_line(lines, head//'length = '//to_text(part%length))
-      call add_line(lines, head//'od = '//to_text(part%od))
-      call add_line(lines, head//'id = '//to_text(part%id))
-      call add_line(lines, head//'mass = '//to_text(part%mass))
-      call add_line(lines, head//'density = '//to_text(part%density))
-      call add_line(lines, head//'youngs = '//to_text(part%youngs))
-      call add_line(lines, head//'poisson = '//to_text(part%poisson))
-      call add_line(lines, head//'joint_od = '//to_text(part%joint_od))
-      if (opens(part)) then
-         call add_line(lines, head//'opened_od = '//to_text(part%opened_od))
-         call add_line(lines, head//'opened_below = '//to_text(part%opened_below))
-      end if
-      call add_line(lines, head//'joint_length = '//to_text(part%joint_length))
-      call add_line(lines, head//'joint_spacing = '//to_text(part%joint_spacing))
-      if (.not. is_missing(part%friction_axial)) &
-         call add_line(lines, head//'friction_axial = '//to_text(part%friction_axial))
-      if (.not. is_missing(part%friction_rotary)) &
-         call add_line(lines, head//'friction_rotary = '//to_text(part%friction_rotary))
-      if (abs(part%scale_axial - 1.0_wp) > 0.0_wp) &
-         call add_line(lines, head//'friction_scale_axial = '//to_text(part%scale_axial))
-      if (abs(part%scale_rotary - 1.0_wp) > 0.0_wp) &
-         call add_line(lines, head//'friction_scale_rotary = '//to_text(part%scale_rotary))
+      call append_keys(lines, head, component_keys, component_numbers(part))
       if (part%centralizer%present) call append_centralizer(lines, head//'centralizer ', part%centralizer)
-      if (has_bend(part)) then
-         call add_line(lines, head//'bend = '//to_text(part%bend))
-         call add_line(lines, head//'bend_position = '//to_text(part%bend_position))
-      end if
-      if (has_pad(part)) then
-         call add_line(lines, head//'pad_force = '//to_text(part%pad_force))
-         call add_line(lines, head//'pad_clock = '//to_text(part%pad_clock))
-         call add_line(lines, head//'pad_position = '//to_text(part%pad_position))
-      end if
    end subroutine append_component
 
    subroutine append_centralizer(lines, head, centralizer)

@@ -5,7 +5,6 @@ module dg_study
    use dg_case_result, only: case_result_type
    use dg_csv_table, only: csv_table_type
    use dg_deck_draft, only: deck_type
-   use dg_deck_schema, only: group_keys_type
    use dg_error, only: error_list_type, error_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type
@@ -41,18 +40,20 @@ module dg_study
       integer :: status = 0                         !< exit status so far
    end type run_type
 
+   !> Reading a deck sets what a study tells of itself.
    type, abstract :: study_type
+      logical :: asked = .false.                 !< the deck asks for it
+      integer :: phase = phase_cases             !< when it runs
+      logical :: fits = .false.                  !< it makes least squares, by LAPACK
+      type(text_type), allocatable :: files(:)   !< names of the results of a run
+      type(text_type), allocatable :: forms(:)   !< the same for any deck, '*' for something of the deck
+      character(:), allocatable :: record_kind   !< beginning of names of records; not allocated: it keeps none
    contains
       procedure(read_interface), deferred :: read
-      procedure(asked_interface), deferred :: is_asked
       procedure(run_interface), deferred :: run
-      procedure :: phase => with_cases
-      procedure :: add_groups => no_groups
       procedure :: echo => echo_nothing
-      procedure :: name_files => no_files
-      procedure :: add_forms => no_forms
-      procedure :: name_records => no_files
-      procedure :: add_need => need_nothing
+      procedure :: name_records => no_records
+      procedure :: add_need => need_of_fits
       procedure :: prepare => prepare_nothing
       procedure :: finish => finish_nothing
       procedure :: add_pictures => no_pictures
@@ -70,14 +71,6 @@ module dg_study
          type(error_list_type), intent(inout) :: faults
       end subroutine read_interface
 
-      !> Whether the deck asks for it.
-      pure function asked_interface(self) result(is)
-         import :: study_type
-         implicit none
-         class(study_type), intent(in) :: self
-         logical :: is
-      end function asked_interface
-
       !> Solves, prints and writes. Failures are told and raise the status of the run; `error` keeps what is to come from being run.
       subroutine run_interface(self, run, error)
          import :: study_type, run_type, error_type
@@ -90,23 +83,6 @@ module dg_study
 
 contains
 
-   !> When it runs: with the load cases.
-   pure function with_cases(self) result(phase)
-      class(study_type), intent(in) :: self
-      integer :: phase
-      associate (none => self)
-         phase = phase_cases
-      end associate
-   end function with_cases
-
-   !> Groups of a deck that it has, with their keys.
-   subroutine no_groups(self, groups)
-      class(study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (none => self, changes => groups)
-      end associate
-   end subroutine no_groups
-
    !> Lines that tell what it understood of the deck.
    subroutine echo_nothing(self, job, lines)
       class(study_type), intent(in) :: self
@@ -116,32 +92,25 @@ contains
       end associate
    end subroutine echo_nothing
 
-   !> Names of files that a run of the job will write: results, or records of unfinished work.
-   subroutine no_files(self, job, names)
+   !> Names of records of unfinished work that a run of the job may write.
+   subroutine no_records(self, job, names)
       class(study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: names(:)
       associate (none => self, of_these => job, changes => names)
       end associate
-   end subroutine no_files
+   end subroutine no_records
 
-   !> Forms of names of results that it writes for any deck, '*' for something of the deck, and beginnings of names of records.
-   subroutine no_forms(self, forms, kinds)
-      class(study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (none => self, of_these => forms, changes => kinds)
-      end associate
-   end subroutine no_forms
-
-   !> Memory that it takes.
-   subroutine need_nothing(self, job, model, need)
+   !> Memory that it takes beside load cases.
+   subroutine need_of_fits(self, job, model, need)
       class(study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(need_type), intent(inout) :: need
-      associate (none => self, of_these => job, changes => model, nor => need)
+      associate (none => job, of_these => model)
+         need%fits = need%fits .or. (self%asked .and. self%fits)
       end associate
-   end subroutine need_nothing
+   end subroutine need_of_fits
 
    !> Looks for what keeps it from being run, before results of an earlier run are removed: an error, or faults of parts in the run.
    subroutine prepare_nothing(self, run, error)

@@ -1,52 +1,103 @@
 !> Columns of calibration.csv, which has rows of all that is found from measurements.
 module dg_factor_columns
-   use dg_column, only: put_none, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_text, row_type
+   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_text, row_type
+   use dg_comparison, only: difference
+   use dg_kinds, only: wp
+   use dg_missing, only: missing, optional_real
    implicit none
    private
-   public :: factor_row, factor_file
+   public :: estimate_type, found_type, held_type, factor_row, factor_file
 
    character(*), parameter :: factor_file = 'calibration.csv'
 
+   !> A number found by least squares; missing where it is not known.
+   type :: estimate_type
+      real(wp) :: value = missing
+      real(wp) :: half_width = missing       !< of its 95 % confidence interval
+      real(wp) :: deviation = missing
+   end type estimate_type
+
+   !> What holds a string; missing where it is not known.
+   type :: held_type
+      real(wp) :: depth = missing, depth_frictionless = missing      !< [m]
+      real(wp) :: tension_above = missing, tension_below = missing   !< [N]
+      real(wp) :: half_width = missing                               !< of the interval of their difference [N]
+      real(wp) :: torque_above = missing, torque_below = missing     !< [N.m]
+   end type held_type
+
+   !> A row of the file in SI units; what is not set is an empty field.
+   type :: found_type
+      character(:), allocatable :: calibration, model, parameter, hole, operation, load_case, verdict, message
+      type(optional_real) :: bit_depth
+      real(wp) :: start = missing, applied = missing, scatter = missing
+      type(estimate_type) :: factor, offset
+      type(held_type) :: held
+      real(wp) :: hookload_deviation = missing, torque_deviation = missing
+   end type found_type
+
 contains
 
-   !> A row without values. New columns are put at the end only: others rely on the names and the order.
-   pure function factor_row() result(row)
+   !> A row. New columns are put at the end only: others rely on the names and the order.
+   pure function factor_row(found) result(row)
+      type(found_type), intent(in) :: found
       type(row_type) :: row
-      call put_none(row, 'calibration', quantity_text, 'its name')
-      call put_none(row, 'model', quantity_text, 'as in summary.csv')
-      call put_none(row, 'parameter', quantity_text, &
-                    'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point')
-      call put_none(row, 'hole', quantity_text, 'hole section that it is for; empty: all named')
-      call put_none(row, 'operation', quantity_text, 'operation that it is for; empty: all')
-      call put_none(row, 'bit_depth', quantity_length, 'depth of the bit that it is for; empty: all')
-      call put_none(row, 'start', quantity_none, 'the factor as the deck has it (mean over cases and sections)')
-      call put_none(row, 'value', quantity_none, 'the factor that fits best')
-      call put_none(row, 'lower', quantity_none, 'lower end of its 95 % confidence interval; empty: not known')
-      call put_none(row, 'upper', quantity_none, 'upper end')
-      call put_none(row, 'deviation', quantity_none, 'standard deviation')
-      call put_none(row, 'verdict', quantity_text, &
-                    'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), '// &
-                    'not_separated (data tell only a mixture), no_fit, no_solution; below_bit: the string is free')
-      call put_none(row, 'scatter', quantity_none, &
-                    'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
-                    'are right')
-      call put_none(row, 'message', quantity_text, 'why there is no fit')
-      call put_none(row, 'offset', quantity_force, 'what the gauge shows beyond string and block, in rows of a hookload_offset')
-      call put_none(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval')
-      call put_none(row, 'offset_upper', quantity_force, 'upper end')
-      call put_none(row, 'case', quantity_text, 'load case, in rows of sticking and free_point (its second pull)')
-      call put_none(row, 'depth', quantity_length, &
-                    'of the stuck point, as given (sticking) or found with friction (free_point)')
-      call put_none(row, 'depth_frictionless', quantity_length, 'free point by the usual formula, without friction')
-      call put_none(row, 'tension_above', quantity_force, 'in the string just above the stuck point')
-      call put_none(row, 'tension_below', quantity_force, 'there if nothing stuck')
-      call put_none(row, 'resistance', quantity_force, 'above less below: > 0 holds the string down, < 0 up')
-      call put_none(row, 'resistance_interval', quantity_force, 'half its 95 % interval, from hookload_deviation alone')
-      call put_none(row, 'torque_above', quantity_moment, 'in the string just above the stuck point')
-      call put_none(row, 'torque_below', quantity_moment, 'there if nothing stuck')
-      call put_none(row, 'torque_resistance', quantity_moment, 'above less below')
-      call put_none(row, 'applied', quantity_none, 'the factor that the rest of the run used; empty: that of the deck')
-      call put_none(row, 'hookload_deviation', quantity_force, 'standard deviation of hook loads by the residuals')
-      call put_none(row, 'torque_deviation', quantity_moment, 'of torques')
+      call put(row, 'calibration', quantity_text, 'its name', found%calibration)
+      call put(row, 'model', quantity_text, 'as in summary.csv', found%model)
+      call put(row, 'parameter', quantity_text, &
+               'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point', found%parameter)
+      call put(row, 'hole', quantity_text, 'hole section that it is for; empty: all named', found%hole)
+      call put(row, 'operation', quantity_text, 'operation that it is for; empty: all', found%operation)
+      call put(row, 'bit_depth', quantity_length, 'depth of the bit that it is for; empty: all', found%bit_depth)
+      call put(row, 'start', quantity_none, 'the factor as the deck has it (mean over cases and sections)', found%start)
+      call put(row, 'value', quantity_none, 'the factor that fits best', found%factor%value)
+      call put(row, 'lower', quantity_none, &
+               'lower end of its 95 % confidence interval; empty: not known', lower_end(found%factor))
+      call put(row, 'upper', quantity_none, 'upper end', upper_end(found%factor))
+      call put(row, 'deviation', quantity_none, 'standard deviation', found%factor%deviation)
+      call put(row, 'verdict', quantity_text, &
+               'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), '// &
+               'not_separated (data tell only a mixture), no_fit, no_solution; below_bit: the string is free', found%verdict)
+      call put(row, 'scatter', quantity_none, &
+               'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
+               'are right', found%scatter)
+      call put(row, 'message', quantity_text, 'why there is no fit', found%message)
+      call put(row, 'offset', quantity_force, &
+               'what the gauge shows beyond string and block, in rows of a hookload_offset', found%offset%value)
+      call put(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval', lower_end(found%offset))
+      call put(row, 'offset_upper', quantity_force, 'upper end', upper_end(found%offset))
+      call put(row, 'case', quantity_text, &
+               'load case, in rows of sticking and free_point (its second pull)', found%load_case)
+      call put(row, 'depth', quantity_length, &
+               'of the stuck point, as given (sticking) or found with friction (free_point)', found%held%depth)
+      call put(row, 'depth_frictionless', quantity_length, &
+               'free point by the usual formula, without friction', found%held%depth_frictionless)
+      call put(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
+      call put(row, 'tension_below', quantity_force, 'there if nothing stuck', found%held%tension_below)
+      call put(row, 'resistance', quantity_force, &
+               'above less below: > 0 holds the string down, < 0 up', &
+               difference(found%held%tension_above, found%held%tension_below))
+      call put(row, 'resistance_interval', quantity_force, &
+               'half its 95 % interval, from hookload_deviation alone', found%held%half_width)
+      call put(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
+      call put(row, 'torque_below', quantity_moment, 'there if nothing stuck', found%held%torque_below)
+      call put(row, 'torque_resistance', quantity_moment, &
+               'above less below', difference(found%held%torque_above, found%held%torque_below))
+      call put(row, 'applied', quantity_none, &
+               'the factor that the rest of the run used; empty: that of the deck', found%applied)
+      call put(row, 'hookload_deviation', quantity_force, &
+               'standard deviation of hook loads by the residuals', found%hookload_deviation)
+      call put(row, 'torque_deviation', quantity_moment, 'of torques', found%torque_deviation)
    end function factor_row
+
+   pure function lower_end(estimate) result(lower)
+      type(estimate_type), intent(in) :: estimate
+      real(wp) :: lower
+      lower = difference(estimate%value, estimate%half_width)
+   end function lower_end
+
+   pure function upper_end(estimate) result(upper)
+      type(estimate_type), intent(in) :: estimate
+      real(wp) :: upper
+      upper = difference(estimate%value, difference(0.0_wp, estimate%half_width))
+   end function upper_end
 end module dg_factor_columns

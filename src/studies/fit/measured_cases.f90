@@ -1,8 +1,8 @@
 !> What groups of a deck that fit measurements have in common: their load cases and models.
 module dg_measured_cases
-   use dg_checked_group, only: checked_group_type, is_given, line_of, places_of, texts_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, line_of, places_of, texts_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_job, only: model_name, model_soft
    use dg_model, only: hold_free
    use dg_text, only: quoted, text_type, to_text
@@ -41,26 +41,23 @@ contains
          if (present(left_out)) measured(left_out) = .false.
          measured = measured .and. .not. held
          cases = pack([(k, k=1, size(measured))], measured)
-         if (size(cases) == 0) call fault('no load case has a measured_hookload or measured_torque to calibrate with')
+         if (size(cases) == 0) call group_fault(group, 'cases', &
+            'no load case has a measured_hookload or measured_torque to calibrate with', faults)
       end if
       do i = 1, size(wanted)
          call find_case(draft, group%name, line_of(group, 'cases'), wanted(i)%text, found, faults)
          if (found == 0) cycle
          if (.not. measured(found)) then
             if (.not. draft%cases(found)%sound) cycle
-            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
-                       ') has neither measured_hookload nor measured_torque; give one or leave it out')
+            call group_fault(group, 'cases', 'load case '//quoted(wanted(i)%text)//' (line '// &
+               to_text(draft%cases(found)%line)// &
+               ') has neither measured_hookload nor measured_torque; give one or leave it out', faults)
          else if (held(found)) then
-            call fault('load case '//quoted(wanted(i)%text)//' (line '//to_text(draft%cases(found)%line)// &
-                       ') is held by its packer, whose load depends on friction; leave it out')
+            call group_fault(group, 'cases', 'load case '//quoted(wanted(i)%text)//' (line '// &
+               to_text(draft%cases(found)%line)//') is held by its packer, whose load depends on friction; leave it out', faults)
          else if (.not. any(cases == found)) then
             cases = [cases, found]
          end if
       end do
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine take_measured_cases
 end module dg_measured_cases

@@ -1,13 +1,14 @@
 !> The groups &legacy of a deck: which columns of which file, laid beside which load case.
 module dg_deck_legacy
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, text_of
+   use dg_checked_group, only: checked_group_type, claim_name, group_fault, integer_of, is_given, is_sound, line_of, named, &
+      text_of
    use dg_deck_draft, only: draft_type, find_case
-   use dg_error, only: add_fault, error_at, error_list_type
+   use dg_error, only: error_at, error_list_type
    use dg_file_lines, only: beside
    use dg_legacy_file, only: column_count, column_name, column_quantity, column_type, read_legacy_file, unit_value
    use dg_legacy_comparison, only: legacy_table_type
-   use dg_text, only: is_separator_free, lower_case, quoted
+   use dg_text, only: is_separator_free, quoted, text_type
    use dg_unit_kind, only: unit_label
    use dg_units, only: unit_system, unit_system_type
    implicit none
@@ -28,22 +29,17 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(legacy_table_type), allocatable, intent(out) :: tables(:)
       type(error_list_type), intent(inout) :: faults
-      integer :: i, j, n
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name == 'legacy') n = n + 1
-      end do
-      allocate (tables(n))
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name /= 'legacy') cycle
-         n = n + 1
-         call take_one(draft, groups(i), tables(n), faults)
-         do j = 1, n - 1
-            if (tables(n)%label == '' .or. lower_case(tables(j)%label) /= lower_case(tables(n)%label)) cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'label'), 'group &legacy: label '// &
-                           quoted(tables(n)%label)//' is taken; labels must be unique, letter case aside')
-         end do
+      type(text_type), allocatable :: taken(:)
+      integer, allocatable :: mine(:)
+      integer :: n
+      allocate (taken(0))
+      allocate (mine, source=named(groups, 'legacy'))
+      allocate (tables(size(mine)))
+      do n = 1, size(mine)
+         associate (group => groups(mine(n)))
+            call take_one(draft, group, tables(n), faults)
+            call claim_name(group, 'label', tables(n)%label, taken, faults)
+         end associate
       end do
    end subroutine take_legacy
 
@@ -61,8 +57,8 @@ contains
       table%label = text_of(group, 'label', '')
       table%skipped = ''
       table%file = beside(draft%path, text_of(group, 'file', ''))
-      if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call fault('label', 'label = '// &
-         quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first')
+      if (is_sound(group, 'label') .and. .not. is_separator_free(table%label)) call group_fault(group, 'label', 'label = '// &
+         quoted(table%label)//' cannot be part of a file name; use 1 to 100 letters, digits and _ - . +, no dot first', faults)
       if (is_sound(group, 'case')) then
          call find_case(draft, group%name, line_of(group, 'case'), text_of(group, 'case', ''), table%case_index, faults)
          sound = sound .and. table%case_index > 0
@@ -74,8 +70,9 @@ contains
       end do
       if (any(columns%last > 0)) then
          do k = 1, column_count
-            if (columns(k)%last == 0 .and. columns(k)%required) call fault(trim(column_name(k)), trim(column_name(k))// &
-               ' = '//quoted(columns(k)%place)//' is no place of characters, other columns are; give all as ''first:last''')
+            if (columns(k)%last == 0 .and. columns(k)%required) call group_fault(group, trim(column_name(k)), &
+               trim(column_name(k))//' = '//quoted(columns(k)%place)// &
+               ' is no place of characters, other columns are; give all as ''first:last''', faults)
          end do
       end if
       if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, &
@@ -84,12 +81,6 @@ contains
       table%has = columns(2:)%number > 0 .or. columns(2:)%last > 0
 
    contains
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         sound = .false.
-         call add_fault(faults, draft%path, line_of(group, key), 'group &legacy: '//message)
-      end subroutine fault
 
       !> Place and unit of one column.
       subroutine take_column(k, key, column)
@@ -102,24 +93,26 @@ contains
          if (is_given(group, key) .and. .not. is_sound(group, key)) sound = .false.
          colon = index(column%place, ':')
          if (column%place == '') then
-            call fault(key, key//' is empty; give a heading, a number, or characters ''first:last''')
+            call group_fault(group, key, key//' is empty; give a heading, a number, or characters ''first:last''', faults)
          else if (is_number(column%place)) then
             read (column%place, *) column%number
-            if (column%number == 0) call fault(key, key//' = 0 is no column; the first is 1')
+            if (column%number == 0) call group_fault(group, key, key//' = 0 is no column; the first is 1', faults)
          else if (colon > 0) then
             if (is_number(column%place(:colon - 1)) .and. is_number(column%place(colon + 1:))) then
                read (column%place(:colon - 1), *) column%first
                read (column%place(colon + 1:), *) column%last
             end if
             if (column%first < 1 .or. column%last < column%first) &
-               call fault(key, key//' = '//quoted(column%place)//' are no characters of a row; as in ''11:20''')
+               call group_fault(group, key, key//' = '//quoted(column%place)//' are no characters of a row; as in ''11:20''', &
+                  faults)
          end if
          column%unit_name = unit_label(units, column_quantity(k))
          column%unit_given = is_given(group, key//'_unit')
          if (column%unit_given) column%unit_name = text_of(group, key//'_unit', column%unit_name)
          column%unit = unit_value(k, column%unit_name)
          if (.not. column%unit > 0.0_wp) then
-            call fault(key//'_unit', key//'_unit = '//quoted(column%unit_name)//' is unknown; legal: '//trim(legal_units(k)))
+            call group_fault(group, key//'_unit', key//'_unit = '//quoted(column%unit_name)//' is unknown; legal: '// &
+               trim(legal_units(k)), faults)
             column%unit = 1.0_wp
          end if
       end subroutine take_column

@@ -1,4 +1,4 @@
-!> Reads what another program printed: columns parted by comma, semicolon, tab or blanks, or at fixed places.
+!> Reads what another program printed: columns parted by comma, semicolon, bar, tab or blanks, or at fixed places.
 module dg_legacy_file
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
@@ -7,8 +7,8 @@ module dg_legacy_file
    use dg_file_lines, only: read_lines
    use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, rows, system_count
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
-   use dg_table_text, only: blank_brackets, close_brackets, skipped_rows_type, skipped_words, split_fields, split_row, &
-                            split_unit, without_comment
+   use dg_table_text, only: close_brackets, find_separator, skipped_rows_type, skipped_words, split_fields, split_row, &
+                            split_unit, squeezed, without_comment
    use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
    implicit none
    private
@@ -115,7 +115,7 @@ contains
          end if
          if (.not. started) then
             started = .true.
-            call find_separator(text, table%separator)
+            table%separator = find_separator(text)
             call split_fields(close_brackets(text), table%separator, fields)
             table%wide = size(fields)
             call find_columns(fields, columns, table, faults)
@@ -343,31 +343,20 @@ contains
       if (.not. legal) call fault(table, table%line, trim(column_name(k))//' = '//quoted(field)//' is no number', faults)
    end subroutine take
 
-   !> The character between columns of a row.
-   pure subroutine find_separator(text, separator)
-      character(*), intent(in) :: text
-      character, intent(out) :: separator
-      character(:), allocatable :: bare
-      bare = blank_brackets(text)
-      separator = ' '
-      if (index(bare, achar(9)) > 0) separator = achar(9)
-      if (index(bare, ',') > 0) separator = ','
-      if (index(bare, ';') > 0) separator = ';'
-   end subroutine find_separator
-
-   !> SI value of a unit of a column, letter case, points and dashes aside; 0 where it is none.
+   !> SI value of a unit of a column, letter case, points, dashes and stars aside; 0 where it is none.
    pure recursive function unit_value(column, name) result(value)
       integer, intent(in) :: column
       character(*), intent(in) :: name
       real(wp) :: value
       character(:), allocatable :: plain
+      character(*), parameter :: marks = '.-*'
       integer :: system
-      plain = bare(name)
+      plain = squeezed(name, marks)
       value = 0.0_wp
       do system = 1, system_count
          associate (unit => rows(column_quantity(column))%units(system))
-            if (plain == bare(unit%label) .or. plain == bare(unit%suffix)) value = unit%factor
-            if (unit%alike /= '' .and. plain == bare(unit%alike)) value = unit%factor/unit%alike_count
+            if (plain == squeezed(unit%label, marks) .or. plain == squeezed(unit%suffix, marks)) value = unit%factor
+            if (unit%alike /= '' .and. plain == squeezed(unit%alike, marks)) value = unit%factor/unit%alike_count
          end associate
       end do
       select case (column_quantity(column))
@@ -382,17 +371,4 @@ contains
       case default
       end select
    end function unit_value
-
-   !> Small letters without points, dashes, stars and blanks.
-   pure function bare(name) result(plain)
-      character(*), intent(in) :: name
-      character(:), allocatable :: plain
-      character :: letter
-      integer :: i
-      plain = ''
-      do i = 1, len(name)
-         letter = lower_case(name(i:i))
-         if (scan(letter, '.-* ') == 0) plain = plain//letter
-      end do
-   end function bare
 end module dg_legacy_file

@@ -8,8 +8,9 @@ module dg_legacy_report
    use dg_legacy_comparison, only: agreement, comparison_type, parting_type, legacy_table_type, quantity_axial, quantity_count, &
                                    quantity_of, quantity_side_force
    use dg_legacy_file, only: column_name
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: left_aligned
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_length, unit_factor, unit_label
    use dg_units, only: unit_system_type
    implicit none
@@ -23,7 +24,7 @@ module dg_legacy_report
    !> Digits of forces and depths in words.
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
-   real(wp), parameter :: per_cent = 100.0_wp
+   real(wp), parameter :: one = 1.0_wp, per_cent = 100.0_wp
    !> Growth that is zero but for round-off, over the largest [-].
    real(wp), parameter :: round_off = 1.0e-9_wp
    !> Difference over our largest from which on theirs is hardly in the unit that is read [-].
@@ -59,7 +60,7 @@ contains
       end if
       do k = 1, quantity_count
          if (.not. comparison%parting(k)%present) cycle
-         if (with_tables) call append_table(lines, units, k, comparison)
+         if (with_tables) call append_columns(lines, units, k, comparison)
          call append_words(lines, units, k, comparison, comparison%parting(k))
       end do
    end function legacy_report
@@ -77,40 +78,35 @@ contains
    end function grows_with_depth
 
    !> Ours and theirs against depth, thinned out to `most_rows`.
-   pure subroutine append_table(lines, units, k, comparison)
+   pure subroutine append_columns(lines, units, k, comparison)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: k
       type(comparison_type), intent(in) :: comparison
-      character(:), allocatable :: rule
+      type(text_table_type) :: table
       character(:), allocatable :: unit
       real(wp) :: factor, ours, theirs
       integer :: i, interval, n, row, rows
       factor = unit_factor(units, quantity_of(k))
-      unit = unit_label(units, quantity_of(k))
-      rule = repeat('-', 2*cell + hole_width + 3*cell)
+      unit = '|'//unit_label(units, quantity_of(k))
       n = size(comparison%md)
       rows = min(n, most_rows)
-      call append_text(lines, rule)
-      call append_text(lines, right_aligned('Depth', cell)//'  '//left_aligned('Hole', hole_width)// &
-                       right_aligned('Ours', cell)//right_aligned('Legacy', cell)//right_aligned('Difference', cell)// &
-                       right_aligned('%', cell - 2))
-      call append_text(lines, right_aligned(trim(units%length_label), cell)//repeat(' ', hole_width + 2)// &
-                       right_aligned(unit, cell)//right_aligned(unit, cell)//right_aligned(unit, cell))
-      call append_text(lines, rule)
       do row = 1, rows
          i = 1
          if (rows > 1) i = 1 + ((row - 1)*(n - 1))/(rows - 1)
-         ours = comparison%ours(i, k)/factor
-         theirs = comparison%theirs(i, k)/factor
+         ours = comparison%ours(i, k)
+         theirs = comparison%theirs(i, k)
          interval = interval_at(comparison%intervals, comparison%md(i))
-         call append_text(lines, fixed_cell(comparison%md(i)/units%length, cell, 1)//'  '// &
-                          left_aligned(trim(interval_name(comparison%intervals(interval)%kind)), hole_width)// &
-                          fixed_cell(ours, cell, 3)//fixed_cell(theirs, cell, 3)//fixed_cell(theirs - ours, cell, 3)// &
-                          fixed_cell(share_of(theirs - ours, comparison%parting(k)%scale/factor), cell - 2, 2))
+         call add_cell(table, 'Depth|'//trim(units%length_label), cell, comparison%md(i), units%length, 1)
+         call add_cell(table, 'Hole', hole_width, interval_name(comparison%intervals(interval)%kind))
+         call add_cell(table, 'Ours'//unit, cell, ours, factor, 3)
+         call add_cell(table, 'Legacy'//unit, cell, theirs, factor, 3)
+         call add_cell(table, 'Difference'//unit, cell, theirs - ours, factor, 3)
+         call add_cell(table, '%', cell - 2, share_of(theirs - ours, comparison%parting(k)%scale), one, 2)
+         call end_row(table, '')
       end do
-      call append_text(lines, rule)
-   end subroutine append_table
+      call append_table(lines, table)
+   end subroutine append_columns
 
    !> Largest and mean difference, growth by interval of the hole, and where they part.
    pure subroutine append_words(lines, units, k, comparison, parting)

@@ -4,7 +4,6 @@ module dg_legacy_study
                         row_type
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_deck_draft, only: deck_type
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_legacy, only: take_legacy
    use dg_error, only: error_list_type, error_type
    use dg_exit_status, only: note_failure
@@ -18,9 +17,8 @@ module dg_legacy_study
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_printed_text, only: print_and_keep
-   use dg_legacy_keys, only: legacy_keys, legacy_rule
    use dg_study, only: run_type, study_type
-   use dg_text, only: append_text, text_type
+   use dg_text, only: append_text, text_list, text_type
    use dg_comparison, only: difference
    use dg_hole_interval, only: interval_at, interval_name
    implicit none
@@ -31,32 +29,19 @@ module dg_legacy_study
       private
       type(legacy_table_type), allocatable :: tables(:)
    contains
-      procedure :: add_groups
       procedure :: read => read_tables
-      procedure :: is_asked
       procedure :: run => compare_tables
-      procedure :: name_files
-      procedure :: add_forms
       procedure :: add_pictures
    end type legacy_study_type
 
-   !> Columns of the table beneath the picture.
    !> What a row has of a quantity that no program gives.
    real(wp), parameter :: nothing(quantity_count) = missing
+   !> Columns of the table beneath the picture.
    character(*), parameter :: shown(12) = [character(24) :: 'model', 'md', 'hole', 'axial', 'legacy_axial', &
       'axial_difference', 'torque', 'legacy_torque', 'torque_difference', 'side_force', 'legacy_side_force', &
       'side_force_difference']
 
 contains
-
-   !> Its group.
-   subroutine add_groups(self, groups)
-      class(legacy_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, legacy_rule, legacy_keys)
-      end associate
-   end subroutine add_groups
 
    !> Reads its groups, with the files that they name.
    subroutine read_tables(self, deck, job, notes, faults)
@@ -69,19 +54,16 @@ contains
       associate (not_needed => job)
          call take_legacy(deck%draft, deck%groups, self%tables, faults)
       end associate
+      self%asked = size(self%tables) > 0
+      self%forms = text_list('legacy_*.csv')
+      allocate (self%files(0))
       do i = 1, size(self%tables)
+         call append_text(self%files, file_of(self%tables(i)))
          call append_text(deck%inputs, self%tables(i)%file)
          if (self%tables(i)%skipped /= '') &
             call append_text(notes, 'legacy '//self%tables(i)%file//': '//self%tables(i)%skipped)
       end do
    end subroutine read_tables
-
-   !> Whether the deck has a table.
-   pure function is_asked(self) result(is)
-      class(legacy_study_type), intent(in) :: self
-      logical :: is
-      is = size(self%tables) > 0
-   end function is_asked
 
    !> Each table beside all results of its case.
    subroutine compare_tables(self, run, error)
@@ -157,27 +139,6 @@ contains
                                                comparisons(owner(rows(i))), depth(rows(i))), shown)
       end do
    end function page_rows
-
-   !> One file a table.
-   subroutine name_files(self, job, names)
-      class(legacy_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      integer :: i
-      if (job%merge > 0) return
-      do i = 1, size(self%tables)
-         call append_text(names, file_of(self%tables(i)))
-      end do
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(legacy_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, 'legacy_*.csv')
-      end associate
-   end subroutine add_forms
 
    !> A picture for each table.
    subroutine add_pictures(self, run, list, error)

@@ -1,10 +1,9 @@
 !> The group &steering of a deck: the load cases whose assemblies are asked where they drill to.
 module dg_deck_steering
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_sound, line_of, real_of, reals_of
+   use dg_checked_group, only: checked_group_type, group_fault, real_of, reals_of, optional_of
    use dg_deck_draft, only: draft_type, take_cases
-   use dg_error, only: add_fault, error_list_type
-   use dg_missing, only: given
+   use dg_error, only: error_list_type
    use dg_steering, only: steering_type
    use dg_text, only: quoted, to_text
    implicit none
@@ -29,20 +28,20 @@ contains
          steering%length = real_of(groups(i), 'length', steering%length)
          steering%hole_enlargement = real_of(groups(i), 'hole_enlargement', 0.0_wp)
          allocate (steering%measured, source=reals_of(groups(i), 'measured_dogleg'))
-         if (all(size(steering%measured) /= [0, 1, size(steering%cases)])) call add_fault(faults, draft%path, &
-            line_of(groups(i), 'measured_dogleg'), 'group &steering: '//to_text(size(steering%measured))// &
-            ' values of measured_dogleg for '//to_text(size(steering%cases))//' cases; needs one, or one a case')
-         if (is_sound(groups(i), 'side_cutting')) steering%side_cutting = given(real_of(groups(i), 'side_cutting', 0.0_wp))
-         if (.not. draft%boundary%bit_centred) call add_fault(faults, draft%path, groups(i)%line, &
-            'group &steering: the bit is free; its side force needs bit_lateral = ''centred'' in &boundary')
+         if (all(size(steering%measured) /= [0, 1, size(steering%cases)])) call group_fault(groups(i), 'measured_dogleg', &
+            to_text(size(steering%measured))//' values of measured_dogleg for '//to_text(size(steering%cases))// &
+            ' cases; needs one, or one a case', faults)
+         steering%side_cutting = optional_of(groups(i), 'side_cutting')
+         if (.not. draft%boundary%bit_centred) call group_fault(groups(i), '', &
+            'the bit is free; its side force needs bit_lateral = ''centred'' in &boundary', faults)
          if (.not. steering%side_cutting%present .and. size(steering%measured) == 0) return
          key = merge('side_cutting   ', 'measured_dogleg', steering%side_cutting%present)
          do k = 1, size(steering%cases)
             associate (case => draft%cases(steering%cases(k)))
                if (.not. case%sound .or. case%load_case%wob > 0.0_wp) cycle
-               call add_fault(faults, draft%path, line_of(groups(i), trim(key)), 'group &steering: '//trim(key)//' goes by '// &
-                  'weight on bit, and load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
-                  ') has none; needs wob > 0 or no '//trim(key))
+               call group_fault(groups(i), trim(key), trim(key)//' goes by '//'weight on bit, and load case '// &
+                  quoted(case%load_case%name)//' (line '//to_text(case%line)//') has none; needs wob > 0 or no '//trim(key), &
+                  faults)
             end associate
          end do
          return

@@ -3,12 +3,11 @@ module dg_steering_study
    use dg_kinds, only: wp
    use dg_case_result, only: result_not_converged
    use dg_deck_draft, only: deck_type
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_steering, only: take_steering
    use dg_diagnostic, only: tell
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_error, only: error_list_type, error_type, status_not_converged
-   use dg_exit_status, only: graver, note_failure
+   use dg_exit_status, only: graver
    use dg_interruption, only: is_interrupted
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
@@ -17,9 +16,8 @@ module dg_steering_study
    use dg_run_outcome, only: add_part, note_lost
    use dg_steering, only: steering_result_type, steering_type
    use dg_steering_table, only: steering_table, steering_row
-   use dg_steering_keys, only: steering_keys, steering_rule
    use dg_study, only: run_type, study_type
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: quoted, text_list, text_type, to_text
    use dg_threads, only: thread_count
    use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
@@ -30,27 +28,14 @@ module dg_steering_study
       private
       type(steering_type), allocatable :: steering
    contains
-      procedure :: add_groups
       procedure :: read => read_steering
-      procedure :: is_asked
       procedure :: run => run_steering
       procedure :: echo
-      procedure :: name_files
-      procedure :: add_forms
    end type steering_study_type
 
    character(*), parameter :: file = 'steering.csv'
 
 contains
-
-   !> Its group.
-   subroutine add_groups(self, groups)
-      class(steering_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, steering_rule, steering_keys)
-      end associate
-   end subroutine add_groups
 
    !> Reads its group.
    subroutine read_steering(self, deck, job, notes, faults)
@@ -62,14 +47,10 @@ contains
       associate (not_needed => job, nor => notes)
          call take_steering(deck%draft, deck%groups, self%steering, faults)
       end associate
+      self%asked = allocated(self%steering)
+      self%files = text_list(file)
+      self%forms = self%files
    end subroutine read_steering
-
-   !> Whether the deck asks for it.
-   pure function is_asked(self) result(is)
-      class(steering_study_type), intent(in) :: self
-      logical :: is
-      is = allocated(self%steering)
-   end function is_asked
 
    !> How many cases and toolfaces.
    subroutine echo(self, job, lines)
@@ -77,7 +58,7 @@ contains
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
       associate (not_needed => job)
-         if (self%is_asked()) call add_line(lines, 'steering    '//to_text(size(self%steering%cases))//' cases, '// &
+         if (self%asked) call add_line(lines, 'steering    '//to_text(size(self%steering%cases))//' cases, '// &
             to_text(max(size(self%steering%toolfaces), 1))//' toolfaces')
       end associate
    end subroutine echo
@@ -87,7 +68,6 @@ contains
       class(steering_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
-      type(error_type), allocatable :: failure
       type(steering_result_type), allocatable :: results(:)
       type(csv_table_type) :: table
       type(text_type), allocatable :: lines(:)
@@ -102,14 +82,12 @@ contains
       do i = 1, size(results)
          call add_row(table, steering_row(run%model, results(i)), run%job%units)
       end do
-      call write_table(table, run%job%output_dir//'/'//file, failure)
-      if (.not. allocated(failure)) then
+      call write_table(table, run%job%output_dir//'/'//file, error)
+      if (.not. allocated(error)) then
          allocate (lines, source=steering_table(run%job, run%model, results))
          call print_and_keep(run%printed, lines)
       end if
-      call note_failure(failure, run%status)
       if (lost > 0) run%status = graver(run%status, status_not_converged)
-      if (allocated(error)) return
    end subroutine run_steering
 
    !> Every case at every toolface, on all cores.
@@ -163,23 +141,6 @@ contains
                    trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
       end do
    end subroutine report_lost
-
-   !> One file.
-   subroutine name_files(self, job, names)
-      class(steering_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      if (self%is_asked() .and. job%merge == 0) call append_text(names, file)
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(steering_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, file)
-      end associate
-   end subroutine add_forms
 
    !> A case that no toolface changes has one row.
    subroutine once_each(results)

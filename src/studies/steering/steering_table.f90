@@ -5,9 +5,10 @@ module dg_steering_table
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_text
    use dg_steering, only: steering_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_instead, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_factor, unit_label
    use dg_column, only: put, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
    implicit none
@@ -27,8 +28,8 @@ contains
       type(model_type), intent(in) :: model
       type(steering_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: rule, row, head
-      real(wp) :: force, curvature
+      type(text_table_type) :: table
+      real(wp) :: force, curvature, bend(2)
       integer :: i
       force = unit_factor(job%units, quantity_force)
       curvature = unit_factor(job%units, quantity_curvature)
@@ -36,29 +37,24 @@ contains
       call append_text(lines, '')
       call append_text(lines, 'Steering: the bit in the hole as it is ('//unit_label(job%units, quantity_force)//', deg), and '// &
                        'the curvature at which the hole goes on ('//unit_label(job%units, quantity_curvature)//')')
-      head = left_aligned('Load case', name_width)//cells('Toolface', 'Side force', 'Side force', 'Tilt')// &
-             cells('Tilt', 'Build', 'Turn', 'Dogleg')//right_aligned('to', width)
-      rule = repeat('-', len(head))
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, left_aligned('', name_width)//cells('', 'high', 'right', 'high')// &
-                       cells('right', 'rate', 'rate', ''))
-      call append_text(lines, rule)
       do i = 1, size(results)
          associate (found => results(i))
-            row = left_aligned(model%cases(found%case_index)%name, name_width)//cell(turned(found%toolface), degree, 1)// &
-                  cell(found%side_force(1), force, 2)//cell(found%side_force(2), force, 2)// &
-                  cell(found%tilt(1), degree, 3)//cell(found%tilt(2), degree, 3)
-            if (found%found) then
-               row = row//cell(found%curvature(1), curvature, 2)//cell(turn_rate(found, found%curvature), curvature, 2)// &
-                     cell(norm2(found%curvature), curvature, 2)//cell(turned(dogleg_clock(found%curvature)), degree, 1)
-            else
-               row = row//'  no curvature'
-            end if
-            call append_text(lines, row)
+            call add_cell(table, 'Load case', name_width, model%cases(found%case_index)%name)
+            call add_cell(table, 'Toolface', width, turned(found%toolface), degree, 1)
+            call add_cell(table, 'Side force|high', width, found%side_force(1), force, 2)
+            call add_cell(table, 'Side force|right', width, found%side_force(2), force, 2)
+            call add_cell(table, 'Tilt|high', width, found%tilt(1), degree, 3)
+            call add_cell(table, 'Tilt|right', width, found%tilt(2), degree, 3)
+            bend = merge(found%curvature, 0.0_wp, found%found)
+            if (.not. found%found) call add_instead(table, '  no curvature')
+            call add_cell(table, 'Build|rate', width, bend(1), curvature, 2)
+            call add_cell(table, 'Turn|rate', width, turn_rate(found, bend), curvature, 2)
+            call add_cell(table, 'Dogleg', width, norm2(bend), curvature, 2)
+            call add_cell(table, 'to', width, turned(dogleg_clock(bend)), degree, 1)
+            call end_row(table, '')
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       call add_ranges(job, model, results, lines)
    contains
       !> A clock angle that one decimal shows below 360.
@@ -68,20 +64,6 @@ contains
          shown = angle
          if (.not. is_missing(angle)) shown = modulo(anint(10.0_wp*angle/degree), 3600.0_wp)*0.1_wp*degree
       end function turned
-
-      function cells(one, two, three, four) result(text)
-         character(*), intent(in) :: one, two, three, four
-         character(4*width) :: text
-         text = right_aligned(one, width)//right_aligned(two, width)//right_aligned(three, width)//right_aligned(four, width)
-      end function cells
-
-      function cell(value, unit, decimals) result(text)
-         real(wp), intent(in) :: value, unit
-         integer, intent(in) :: decimals
-         character(width) :: text
-         text = right_aligned('-', width)
-         if (.not. is_missing(value)) text = fixed_cell(value/unit, width, decimals)
-      end function cell
    end function steering_table
 
    !> A line for each load case with a bent housing, from three points to zero side force, and for each side cutting found.
@@ -105,7 +87,7 @@ contains
             most = max(most, results(i)%three_points, norm2(results(i)%curvature))
          end do
          if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': '// &
-            trim(adjustl(fixed_cell(least/curvature, width, 1)))//' to '//trim(adjustl(fixed_cell(most/curvature, width, 1)))// &
+            fixed_text(least/curvature, 1)//' to '//fixed_text(most/curvature, 1)// &
             unit//', from three-point geometry to the curvature above')
          do i = 1, size(results)
             if (results(i)%case_index == k .and. .not. is_missing(results(i)%side_cutting)) call append_text(lines, &

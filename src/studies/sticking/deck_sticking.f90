@@ -1,9 +1,9 @@
 !> The groups &calibrate of a deck that ask for a resistance at a stuck point, or for the free point.
 module dg_deck_sticking
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, is_given, is_sound, line_of, real_of, text_of
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, named, real_of, text_of, optional_of
    use dg_deck_draft, only: draft_type
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_missing, only: given
    use dg_measured_cases, only: take_measured_cases, take_models
    use dg_rig, only: string_load
@@ -30,64 +30,68 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(sticking_type), allocatable, intent(out) :: stickings(:)
       type(error_list_type), intent(inout) :: faults
-      integer :: i, kind, n, pass
-      do pass = 1, 2              ! first count, then take
-         n = 0
-         do i = 1, size(groups)
-            if (groups(i)%name /= 'calibrate') cycle
-            do kind = 1, size(sticking_name)
-               if (text_of(groups(i), 'parameter', '') /= sticking_name(kind)) cycle
-               n = n + 1
-               if (pass == 2) call take_one(draft, groups(i), n, kind, stickings(n), faults)
-            end do
-         end do
-         if (pass == 1) allocate (stickings(n))
+      integer, allocatable :: mine(:)
+      integer :: n
+      allocate (mine, source=named(groups, 'calibrate'))
+      mine = pack(mine, [(kind_of(groups(mine(n))) > 0, n=1, size(mine))])
+      allocate (stickings(size(mine)))
+      do n = 1, size(mine)
+         call take_one(draft, groups(mine(n)), n, stickings(n), faults)
       end do
    end subroutine take_stickings
 
-   subroutine take_one(draft, group, number, kind, sticking, faults)
+   !> What a &calibrate looks for: a resistance or a free point; 0: friction.
+   pure function kind_of(group) result(kind)
+      type(checked_group_type), intent(in) :: group
+      integer :: kind
+      kind = findloc(sticking_name == text_of(group, 'parameter', ''), .true., dim=1)
+   end function kind_of
+
+   subroutine take_one(draft, group, number, sticking, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
-      integer, intent(in) :: number, kind
+      integer, intent(in) :: number
       type(sticking_type), intent(out) :: sticking
       type(error_list_type), intent(inout) :: faults
-      integer :: i, other, before
+      integer :: i, kind, other, before
       before = faults%count
+      kind = kind_of(group)
       sticking%kind = kind
       sticking%name = text_of(group, 'name', trim(sticking_name(kind))//' '//to_text(number))
       sticking%depth = real_of(group, 'sticking_depth', 0.0_wp)
       sticking%stretch = real_of(group, 'stretch', 0.0_wp)
-      if (is_sound(group, 'hookload_deviation')) &
-         sticking%hookload_deviation = given(real_of(group, 'hookload_deviation', 0.0_wp))
-      if (is_sound(group, 'torque_deviation')) sticking%torque_deviation = given(real_of(group, 'torque_deviation', 0.0_wp))
+      sticking%hookload_deviation = optional_of(group, 'hookload_deviation')
+      sticking%torque_deviation = optional_of(group, 'torque_deviation')
       do i = 1, size(of_friction)
          call refuse_key(of_friction(i))
       end do
       other = merge(find_free_point, find_resistance, kind == find_resistance)
       call refuse_key(own_key(other))
       if (.not. is_given(group, trim(own_key(kind)))) &
-         call fault('parameter', 'parameter = '//quoted(trim(sticking_name(kind)))//' needs '//trim(own_key(kind)))
+         call group_fault(group, 'parameter', 'parameter = '//quoted(trim(sticking_name(kind)))//' needs '// &
+            trim(own_key(kind)), faults)
       call take_models(group, sticking%models)
       call take_measured_cases(draft, group, sticking%cases, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (size(sticking%cases)*size(sticking%models) > most_results) then
-         call fault('cases', to_text(size(sticking%cases)*size(sticking%models))//' pairs of load case and model; a group has '// &
-                    'at most '//to_text(most_results)//'; name fewer cases')
+         call group_fault(group, 'cases', to_text(size(sticking%cases)*size(sticking%models))// &
+            ' pairs of load case and model; a group has '//'at most '//to_text(most_results)//'; name fewer cases', faults)
          return
       end if
       do i = 1, size(sticking%cases)
          associate (case => draft%cases(sticking%cases(i)))
             if (.not. case%load_case%measured_hookload%present) then
                if (.not. case%sound) cycle
-               call fault('cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
-                          ') has no measured_hookload; give it or leave the case out')
+               call group_fault(group, 'cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
+                  ') has no measured_hookload; give it or leave the case out', faults)
             else if (case%sound .and. string_load(draft%rig, case%load_case%operation, case%load_case%measured_hookload%value) &
                      <= 0.0_wp) then
-               call fault('cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
-                          ') has no more measured_hookload than block_weight of &rig alone; nothing is left for the string')
+               call group_fault(group, 'cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
+                  ') has no more measured_hookload than block_weight of &rig alone; nothing is left for the string', faults)
             else if (kind == find_resistance .and. case%sound .and. sticking%depth > case%load_case%bit_depth) then
-               call fault('sticking_depth', 'sticking_depth = '//shown(sticking%depth)//' lies below the bit of load case '// &
-                          quoted(case%load_case%name)//' at '//shown(case%load_case%bit_depth))
+               call group_fault(group, 'sticking_depth', 'sticking_depth = '//shown(sticking%depth)// &
+                  ' lies below the bit of load case '//quoted(case%load_case%name)//' at '//shown(case%load_case%bit_depth), &
+                  faults)
             end if
          end associate
       end do
@@ -97,14 +101,9 @@ contains
 
       subroutine refuse_key(key)
          character(*), intent(in) :: key
-         if (is_given(group, trim(key))) call fault(trim(key), trim(key)//' has no meaning with parameter = '// &
-                                                    quoted(trim(sticking_name(kind)))//'; leave it out')
+         if (is_given(group, trim(key))) call group_fault(group, trim(key), trim(key)//' has no meaning with parameter = '// &
+            quoted(trim(sticking_name(kind)))//'; leave it out', faults)
       end subroutine refuse_key
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &calibrate: '//message)
-      end subroutine fault
 
       function shown(depth) result(text)
          real(wp), intent(in) :: depth
@@ -121,24 +120,21 @@ contains
       type(error_list_type), intent(inout) :: faults
       if (.not. all(draft%cases%sound)) return
       if (size(sticking%cases) /= 2) then
-         call fault(to_text(size(sticking%cases))//' load cases; a free point needs two, the string at two pulls')
+         call group_fault(group, 'cases', to_text(size(sticking%cases))// &
+            ' load cases; a free point needs two, the string at two pulls', faults)
          return
       end if
       associate (one => draft%cases(sticking%cases(1))%load_case, two => draft%cases(sticking%cases(2))%load_case)
          if (one%string /= two%string .or. one%operation /= two%operation .or. &
              abs(one%bit_depth - two%bit_depth) > 0.0_wp) then
-            call fault('load cases '//quoted(one%name)//' and '//quoted(two%name)// &
-                       ' must have the same string, operation and bit_depth')
+            call group_fault(group, 'cases', 'load cases '//quoted(one%name)//' and '//quoted(two%name)// &
+               ' must have the same string, operation and bit_depth', faults)
          else if (abs(one%measured_hookload%value - two%measured_hookload%value) <= 0.0_wp) then
-            call fault('load cases '//quoted(one%name)//' and '//quoted(two%name)//' must differ in measured_hookload')
+            call group_fault(group, 'cases', 'load cases '//quoted(one%name)//' and '//quoted(two%name)// &
+               ' must differ in measured_hookload', faults)
          else if (one%measured_hookload%value > two%measured_hookload%value) then
             sticking%cases = sticking%cases([2, 1])
          end if
       end associate
-   contains
-      subroutine fault(message)
-         character(*), intent(in) :: message
-         call add_fault(faults, draft%path, line_of(group, 'cases'), 'group &calibrate: '//message)
-      end subroutine fault
    end subroutine check_pulls
 end module dg_deck_sticking

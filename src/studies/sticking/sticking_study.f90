@@ -1,7 +1,6 @@
 !> &calibrate of strings that are held: resistances at a known depth, free points from stretch.
 module dg_sticking_study
    use dg_kinds, only: wp
-   use dg_case_memory, only: need_type
    use dg_case_result, only: result_not_converged
    use dg_csv_table, only: add_row, begin_table, write_table
    use dg_deck_draft, only: deck_type
@@ -9,12 +8,11 @@ module dg_sticking_study
    use dg_diagnostic, only: tell
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
-   use dg_factor_columns, only: factor_file, factor_row
+   use dg_factor_columns, only: factor_file, factor_row, found_type, held_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type
-   use dg_model, only: model_type
    use dg_printed_text, only: print_and_keep
    use dg_progress, only: progress_type, show_time, start_progress
    use dg_run_outcome, only: add_part, note_lost
@@ -22,13 +20,11 @@ module dg_sticking_study
                           sticking_status_name
    use dg_sticking_table, only: sticking_table
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: append_text, joined, quoted, text_type, to_text
+   use dg_text, only: joined, quoted, text_list, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
-   use dg_units, only: unit_system_type
-   use dg_column, only: row_type, set
-   use dg_comparison, only: difference
+   use dg_column, only: row_type
    use dg_load_case, only: load_case_type, operation_name
-   use dg_missing, only: given, known
+   use dg_missing, only: given
    implicit none
    private
    public :: sticking_study_type
@@ -36,16 +32,10 @@ module dg_sticking_study
    type, extends(study_type) :: sticking_study_type
       private
       type(sticking_type), allocatable :: stickings(:)
-      logical :: first = .false.    !< friction is changed before the load cases: strings are held with that
    contains
       procedure :: read => read_stickings
-      procedure :: is_asked
-      procedure :: phase
       procedure :: run => run_stickings
       procedure :: echo
-      procedure :: name_files
-      procedure :: add_forms
-      procedure :: add_need
    end type sticking_study_type
 
    !> Significant digits of a length.
@@ -63,29 +53,31 @@ contains
       associate (not_needed => job, nor => notes)
          call take_stickings(deck%draft, deck%groups, self%stickings, faults)
       end associate
-      self%first = any(deck%estimates%applied)
+      self%asked = size(self%stickings) > 0
+      self%fits = .true.
+      ! friction is changed before the load cases: strings are held with that
+      self%phase = merge(phase_first, phase_after, any(deck%estimates%applied))
+      self%files = text_list(factor_file)
+      self%forms = self%files
    end subroutine read_stickings
-
-   !> Whether the deck has a string that is held.
-   pure function is_asked(self) result(is)
-      class(sticking_study_type), intent(in) :: self
-      logical :: is
-      is = size(self%stickings) > 0
-   end function is_asked
-
-   !> With the calibrations.
-   pure function phase(self)
-      class(sticking_study_type), intent(in) :: self
-      integer :: phase
-      phase = merge(phase_first, phase_after, self%first)
-   end function phase
 
    !> A line a string.
    subroutine echo(self, job, lines)
       class(sticking_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call echo_stickings(lines, self%stickings, job%units)
+      real(wp) :: where
+      integer :: i
+      do i = 1, size(self%stickings)
+         associate (sticking => self%stickings(i))
+            where = sticking%depth
+            if (sticking%kind == find_free_point) where = sticking%stretch
+            call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
+               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
+               trim(in_units(job%units, unit_length, where, digits))//'; '// &
+               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
+         end associate
+      end do
    end subroutine echo
 
    !> Each with each of its models; their rows are put at the end of calibration.csv. A run that is a part of others, or joins
@@ -102,7 +94,7 @@ contains
          if (is_interrupted()) exit
          done = i
       end do
-      call begin_table(run%factors, factor_row(), run%job%units)
+      call begin_table(run%factors, factor_row(found_type()), run%job%units)
       call write_table(run%factors, run%job%output_dir//'/'//factor_file, error)
       if (is_interrupted() .and. .not. allocated(error)) call raise(error, status_failure, 'calibrations: ended by '// &
          interruption_name()//' with '//to_text(done)//' held strings of '//to_text(size(self%stickings))//' done')
@@ -141,7 +133,7 @@ contains
       call add_part(run%printed%outcome, 'calibration '//sticking%name, n, 0, count(results(:n)%status == sticking_no_solution))
       allocate (lines, source=sticking_table(run%job%units, run%model, sticking, results(:n)))
       call print_and_keep(run%printed, lines)
-      call begin_table(run%factors, factor_row(), run%job%units)
+      call begin_table(run%factors, factor_row(found_type()), run%job%units)
       do k = 1, n
          call add_row(run%factors, sticking_row(run%model%cases(results(k)%case_index), sticking, results(k)), run%job%units)
       end do
@@ -161,76 +153,23 @@ contains
       run%status = graver(run%status, status_not_converged)
    end subroutine report_lost
 
-   !> Its rows stand in the file of the factors.
-   subroutine name_files(self, job, names)
-      class(sticking_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: names(:)
-      if (self%is_asked() .and. job%merge == 0) call append_text(names, factor_file)
-   end subroutine name_files
-
-   !> Forms of their names.
-   subroutine add_forms(self, forms, kinds)
-      class(sticking_study_type), intent(in) :: self
-      type(text_type), allocatable, intent(inout) :: forms(:), kinds(:)
-      associate (not_needed => self, nor => kinds)
-         call append_text(forms, factor_file)
-      end associate
-   end subroutine add_forms
-
-   !> Least squares work by LAPACK.
-   subroutine add_need(self, job, model, need)
-      class(sticking_study_type), intent(in) :: self
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(need_type), intent(inout) :: need
-      associate (not_needed => job, nor => model)
-         need%fits = need%fits .or. self%is_asked()
-      end associate
-   end subroutine add_need
-
-   !> One line a held string.
-   pure subroutine echo_stickings(lines, stickings, units)
-      type(line_list_type), intent(inout) :: lines
-      type(sticking_type), intent(in) :: stickings(:)
-      type(unit_system_type), intent(in) :: units
-      real(wp) :: where
-      integer :: i
-      do i = 1, size(stickings)
-         associate (sticking => stickings(i))
-            where = sticking%depth
-            if (sticking%kind == find_free_point) where = sticking%stretch
-            call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
-               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
-               trim(in_units(units, unit_length, where, digits))//'; '// &
-               joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
-         end associate
-      end do
-   end subroutine echo_stickings
-
    !> A result in the columns of calibration.csv.
    function sticking_row(load_case, sticking, result) result(row)
       type(load_case_type), intent(in) :: load_case
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: result
       type(row_type) :: row
-      row = factor_row()
-      call set(row, 'calibration', sticking%name)
-      call set(row, 'model', model_name(result%model))
-      call set(row, 'parameter', sticking_name(sticking%kind))
-      call set(row, 'operation', operation_name(load_case%operation))
-      call set(row, 'bit_depth', given(load_case%bit_depth))
-      call set(row, 'verdict', sticking_status_name(result%status))
-      call set(row, 'message', result%message)
-      call set(row, 'case', load_case%name)
-      call set(row, 'depth', known(result%depth))
-      call set(row, 'depth_frictionless', known(result%depth_without_friction))
-      call set(row, 'tension_above', known(result%tension_above))
-      call set(row, 'tension_below', known(result%tension_below))
-      call set(row, 'resistance', known(difference(result%tension_above, result%tension_below)))
-      call set(row, 'resistance_interval', known(result%half_width))
-      call set(row, 'torque_above', known(result%torque_above))
-      call set(row, 'torque_below', known(result%torque_below))
-      call set(row, 'torque_resistance', known(difference(result%torque_above, result%torque_below)))
+      type(found_type) :: found
+      found%calibration = sticking%name
+      found%model = model_name(result%model)
+      found%parameter = sticking_name(sticking%kind)
+      found%operation = operation_name(load_case%operation)
+      found%bit_depth = given(load_case%bit_depth)
+      found%verdict = sticking_status_name(result%status)
+      found%message = result%message
+      found%load_case = load_case%name
+      found%held = held_type(result%depth, result%depth_without_friction, result%tension_above, result%tension_below, &
+                             result%half_width, result%torque_above, result%torque_below)
+      row = factor_row(found)
    end function sticking_row
 end module dg_sticking_study

@@ -4,19 +4,20 @@ module dg_sticking_table
    use dg_comparison, only: difference
    use dg_job, only: model_name
    use dg_load_case, only: operation_label
-   use dg_missing, only: is_missing, known
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: left_aligned, fixed_text
    use dg_sticking, only: find_free_point, sticking_at_bound, sticking_below_bit, sticking_no_solution, &
                            sticking_result_type, sticking_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_instead, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: sticking_table
 
-   integer, parameter :: name_width = 20, model_width = 7, label_width = 18, cell_width = 10
+   integer, parameter :: name_width = 20, model_width = 7, label_width = 18, cell_width = 10, interval_width = 8
    integer, parameter :: depth_digits = 7, stretch_digits = 4
 
 contains
@@ -43,51 +44,35 @@ contains
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: results(:)
-      character(:), allocatable :: head, rule, row
+      type(text_table_type) :: table
       integer :: i
       call append_text(lines, 'Sticking '//sticking%name//': resistance at '// &
                        trim(in_units(units, unit_length, sticking%depth, depth_digits))// &
                        ', from measured hook load and torque; in '//trim(units%force_label)//' and '// &
                        unit_label(units, unit_moment))
-      head = left_aligned('Load case', name_width)//left_aligned('Model', model_width)// &
-             left_aligned('Operation', label_width)//right_aligned('Measured', cell_width)//right_aligned('Free', cell_width)// &
-             right_aligned('Above', cell_width)//right_aligned('Below', cell_width)//right_aligned('Resists', cell_width)// &
-             right_aligned('+-', 8)//right_aligned('Torque', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do i = 1, size(results)
          associate (found => results(i), case => model%cases(results(i)%case_index))
-            row = left_aligned(case%name, name_width)//left_aligned(trim(model_name(found%model)), model_width)// &
-                  left_aligned(trim(operation_label(case%operation)), label_width)
-            if (found%status == sticking_no_solution) then
-               call append_text(lines, row//'no solution')
-               cycle
-            end if
-            row = row//fixed_cell(case%measured_hookload, units%force, cell_width, 1)// &
-                  force(found%free_hookload, cell_width)//force(found%tension_above, cell_width)// &
-                  force(found%tension_below, cell_width)// &
-                  force(difference(found%tension_above, found%tension_below), cell_width)//force(found%half_width, 8)// &
-                  fixed_cell(known(difference(found%torque_above, found%torque_below)), units%moment, cell_width, 2)
-            if (found%status == sticking_at_bound) row = row//' !'
-            call append_text(lines, row)
+            call add_cell(table, 'Load case', name_width, case%name)
+            call add_cell(table, 'Model', model_width, model_name(found%model))
+            call add_cell(table, 'Operation', label_width, operation_label(case%operation))
+            if (found%status == sticking_no_solution) call add_instead(table, 'no solution')
+            call add_cell(table, 'Measured', cell_width, case%measured_hookload, units%force, 1)
+            call add_cell(table, 'Free', cell_width, found%free_hookload, units%force, 1)
+            call add_cell(table, 'Above', cell_width, found%tension_above, units%force, 1)
+            call add_cell(table, 'Below', cell_width, found%tension_below, units%force, 1)
+            call add_cell(table, 'Resists', cell_width, difference(found%tension_above, found%tension_below), units%force, 1)
+            call add_cell(table, '+-', interval_width, found%half_width, units%force, 1)
+            call add_cell(table, 'Torque', cell_width, difference(found%torque_above, found%torque_below), units%moment, 2)
+            call end_row(table, merge(' !', '  ', found%status == sticking_at_bound))
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       call append_text(lines, 'Free: hook load if nothing stuck. Above: tension in the string just above the point; below: '// &
                        'there if nothing stuck.')
       call append_text(lines, 'Resists > 0: the point holds the string down, < 0: up. +-: 95 % of the gauge alone, '// &
                        'friction being as in the deck.')
       if (any(results%status == sticking_at_bound)) call append_text(lines, &
          '! less torque was measured than friction above the point takes. Lower the friction around the hole')
-   contains
-      function force(value, width) result(cell)
-         real(wp), intent(in) :: value
-         integer, intent(in) :: width
-         character(width) :: cell
-         cell = fixed_cell(known(value), units%force, width, 1)
-      end function force
    end subroutine append_resistances
 
    subroutine append_free_points(lines, units, model, sticking, results)
@@ -128,7 +113,7 @@ contains
       function shown(value) result(words)
          real(wp), intent(in) :: value
          character(:), allocatable :: words
-         words = trim(adjustl(fixed_cell(value/units%force, cell_width, 1)))
+         words = fixed_text(value/units%force, 1)
       end function shown
    end subroutine append_free_points
 end module dg_sticking_table

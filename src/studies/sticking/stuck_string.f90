@@ -9,7 +9,7 @@ module dg_stuck_string
    use dg_profile, only: profile_type
    implicit none
    private
-   public :: cut_string, value_at, compliance, free_point_without_friction, stretch_between
+   public :: cut_string, value_at, free_point_without_friction, stretch_between
 
 contains
 
@@ -49,23 +49,6 @@ contains
       i = min(max(count(md <= depth), 1), size(md) - 1)
       value = values(i) + (values(i + 1) - values(i))*(depth - md(i))/(md(i + 1) - md(i))
    end function value_at
-
-   !> Stretch of the string between surface and a depth for a pull of one newton that does not change along it [m/N].
-   pure function compliance(string, bit_depth, depth) result(stretch)
-      type(drillstring_type), intent(in) :: string
-      real(wp), intent(in) :: bit_depth, depth    !< [m]
-      real(wp) :: stretch
-      real(wp) :: tops(size(string%components)), top, bottom
-      integer :: i
-      tops = bit_depth - component_tops(string, bit_depth)      ! depths of the upper ends
-      stretch = 0.0_wp
-      bottom = bit_depth
-      do i = 1, size(tops)
-         top = tops(i)
-         stretch = stretch + max(0.0_wp, min(bottom, depth) - top)/axial_stiffness(string%components(i))
-         bottom = top
-      end do
-   end function compliance
 
    !> Depth at which the string is held, from its stretch under an additional pull, if nothing rubs [m]: the usual formula,
    !> part by part. Beyond `bit_depth` where the whole string stretches less.

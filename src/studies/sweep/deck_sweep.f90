@@ -1,14 +1,14 @@
 !> The groups &sweep of a deck: which string over which depths, with what was measured there.
 module dg_deck_sweep
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, line_of, reals_of, texts_of
+   use dg_checked_group, only: checked_group_type, claim_name, group_fault, named, reals_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: take_range
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_load_case, only: operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
    use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, sweep_type, with_depths
-   use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_text, only: append_text, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
@@ -27,24 +27,19 @@ contains
       type(sweep_type), allocatable, intent(out) :: sweeps(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
-      integer :: i, j, n
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name == 'sweep') n = n + 1
-      end do
-      allocate (sweeps(n))
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name /= 'sweep') cycle
-         n = n + 1
-         call take_range(draft, groups(i), n, models, sweeps(n), faults)
-         if (allocated(sweeps(n)%depths)) call take_listed(draft, groups(i), sweeps(n), faults)
-         do j = 1, n - 1
-            if (lower_case(sweeps(j)%name) /= lower_case(sweeps(n)%name)) cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &sweep: name '//quoted(sweeps(n)%name)// &
-                           ' is taken; names must be unique, letter case aside')
-         end do
-         call note_bit_loads(sweeps(n), notes)
+      type(text_type), allocatable :: taken(:)
+      integer, allocatable :: mine(:)
+      integer :: n
+      allocate (taken(0))
+      allocate (mine, source=named(groups, 'sweep'))
+      allocate (sweeps(size(mine)))
+      do n = 1, size(mine)
+         associate (group => groups(mine(n)))
+            call take_range(draft, group, n, models, sweeps(n), faults)
+            if (allocated(sweeps(n)%depths)) call take_listed(draft, group, sweeps(n), faults)
+            call claim_name(group, 'name', sweeps(n)%name, taken, faults)
+            call note_bit_loads(sweeps(n), notes)
+         end associate
       end do
    end subroutine take_sweeps
 
@@ -68,9 +63,10 @@ contains
       call check_size('measured_torques', size(torques), .false.)
       call check_size('measured_operations', size(operations), .true.)
       if (n == 0) return
-      if (size(operations) == 0) call fault('measured_depths', 'measured_depths needs measured_operations: what was done then')
+      if (size(operations) == 0) call group_fault(group, 'measured_depths', &
+         'measured_depths needs measured_operations: what was done then', faults)
       if (max(size(hookloads), size(torques)) == 0) &
-         call fault('measured_depths', 'measured_depths needs measured_hookloads or measured_torques')
+         call group_fault(group, 'measured_depths', 'measured_depths needs measured_hookloads or measured_torques', faults)
       if (.not. any(size(operations) == [1, n]) .or. .not. any(size(hookloads) == [0, n]) .or. &
           .not. any(size(torques) == [0, n])) return
       allocate (listed(n))
@@ -85,15 +81,15 @@ contains
             if (torques(i) > 0.0_wp) listed(i)%torque = given(torques(i))
          end if
          if (.not. any(sweep%operations == listed(i)%operation)) then
-            call fault('measured_operations', 'measured_operations holds '// &
-                       trim(operation_name(listed(i)%operation))//', which is none of the operations of this sweep')
+            call group_fault(group, 'measured_operations', 'measured_operations holds '// &
+               trim(operation_name(listed(i)%operation))//', which is none of the operations of this sweep', faults)
             return
          end if
          if (depths(i) < sweep%depths(1) .or. depths(i) > sweep%depths(size(sweep%depths))) then
-            call fault('measured_depths', 'measured_depths('//to_text(i)//') = '// &
-                       to_text(depths(i)/draft%units%length, depth_digits)//' lies outside the depths of the sweep, '// &
-                       to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '// &
-                       trim(in_units(draft%units, unit_length, sweep%depths(size(sweep%depths)), depth_digits)))
+            call group_fault(group, 'measured_depths', 'measured_depths('//to_text(i)//') = '// &
+               to_text(depths(i)/draft%units%length, depth_digits)//' lies outside the depths of the sweep, '// &
+               to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '//trim(in_units(draft%units, unit_length, &
+               sweep%depths(size(sweep%depths)), depth_digits)), faults)
             return
          end if
       end do
@@ -102,18 +98,13 @@ contains
 
    contains
 
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &sweep: '//message)
-      end subroutine fault
-
       !> As many values as depths, or none, or one for all.
       subroutine check_size(key, found, one_will_do)
          character(*), intent(in) :: key
          integer, intent(in) :: found
          logical, intent(in) :: one_will_do
          if (found == 0 .or. found == n .or. (one_will_do .and. found == 1 .and. n > 0)) return
-         call fault(key, key//' has '//to_text(found)//' values, measured_depths has '//to_text(n))
+         call group_fault(group, key, key//' has '//to_text(found)//' values, measured_depths has '//to_text(n), faults)
       end subroutine check_size
    end subroutine take_listed
 

@@ -5,11 +5,13 @@ module dg_measured_table
    use dg_case_result, only: has_numbers, result_converged
    use dg_job, only: model_name
    use dg_load_case, only: operation_label
+   use dg_merge_sort, only: sorted_places
    use dg_missing, only: given, optional_real
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_cell
    use dg_sweep, only: point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -32,33 +34,25 @@ contains
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: model
       integer, parameter :: most_factors = 5
-      character(:), allocatable :: head, rule
-      integer :: i, f, shown
+      type(text_table_type) :: table
+      integer :: i, shown
       shown = min(size(sweep%frictions), most_factors)
       if (size(sweep%measured) == 0) return
       call append_text(lines, '')
       call append_text(lines, 'Measured, and calculated by '//trim(model_name(sweep%models(model)))//' at friction factors')
-      head = left_aligned('Load case', name_width)//right_aligned('Bit depth', depth_width)//'  '// &
-         left_aligned('Operation', label_width)//right_aligned('Measured', cell_width + 1)
-      do f = 1, shown
-         head = head//right_aligned(factor_text(sweep, f), cell_width - 1)//' '
-      end do
-      if (can_fit(sweep)) head = head//right_aligned('Fits', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
       do i = 1, size(sweep%measured)
          if (sweep%measured(i)%hookload%present) &
-            call append_text(lines, measured_row(units, sweep, points, model, i, quantity_hookload, shown))
+            call add_row(table, units, sweep, points, model, i, quantity_hookload, shown)
          if (sweep%measured(i)%torque%present) &
-            call append_text(lines, measured_row(units, sweep, points, model, i, quantity_torque, shown))
+            call add_row(table, units, sweep, points, model, i, quantity_torque, shown)
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       if (can_fit(sweep)) call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
    end subroutine append_measured
 
-   pure function measured_row(units, sweep, points, model, number, quantity, shown) result(row)
+   !> Puts what was measured at a point.
+   pure subroutine add_row(table, units, sweep, points, model, number, quantity, shown)
+      type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
@@ -66,7 +60,7 @@ contains
       integer, intent(in) :: number    !< of the measured point
       integer, intent(in) :: quantity
       integer, intent(in) :: shown     !< friction factors in the row
-      character(:), allocatable :: row
+      character(cell_width - 1) :: cell
       type(point_type) :: point
       real(wp) :: values(size(sweep%frictions)), unit, one
       logical :: solved(size(sweep%frictions))
@@ -78,9 +72,12 @@ contains
          unit = units%force
          if (quantity == quantity_torque) measured = told%torque
          if (quantity == quantity_torque) unit = units%moment
-         row = left_aligned(told%name, name_width)//fixed_cell(told%bit_depth/units%length, depth_width, 1)//'  '// &
-            left_aligned(trim(operation_label(told%operation)), label_width)//fixed_cell(measured, unit, cell_width + 1, quantity)
-         point = point_type(model, findloc_of(sweep%operations, told%operation), 1, depth_of(sweep, told%bit_depth))
+         call add_cell(table, 'Load case', name_width, told%name)
+         call add_cell(table, 'Bit depth', depth_width, told%bit_depth, units%length, 1)
+         call add_cell(table, 'Operation', label_width, operation_label(told%operation))
+         call add_cell(table, 'Measured', cell_width + 1, measured, unit, quantity)
+         point = point_type(model, findloc(sweep%operations, told%operation, dim=1), 1, &
+                            minloc(abs(sweep%depths - told%bit_depth), dim=1))
       end associate
       do f = 1, size(values)
          point%friction = f
@@ -88,14 +85,14 @@ contains
             values(f) = as_measured(found%hookload, found%weight_indicator)
             if (quantity == quantity_torque) values(f) = found%torque
             solved(f) = found%status == result_converged
-            if (f <= shown) row = row//fixed_cell(optional_real(has_numbers(found%status), values(f)), unit, cell_width - 1, &
-                                                        quantity)// &
-               merge(' ', '!', found%status == result_converged)
+            cell = fixed_cell(optional_real(has_numbers(found%status), values(f)), unit, len(cell), quantity)
+            if (f <= shown) call add_right(table, factor_text(sweep, f)//' ', cell_width, cell//merge(' ', '!', solved(f)))
          end associate
       end do
-      if (can_fit(sweep)) row = row// &
-         fixed_cell(fitting_friction(sweep%frictions, values, solved, measured%value), one, cell_width, 3)
-   end function measured_row
+      if (can_fit(sweep)) call add_cell(table, 'Fits', cell_width, &
+                                        fitting_friction(sweep%frictions, values, solved, measured%value), one, 3)
+      call end_row(table, '')
+   end subroutine add_row
 
    !> True where measured values may lie between those of two friction factors: not of pairs, nor of the friction of the hole.
    pure function can_fit(sweep) result(can)
@@ -112,17 +109,9 @@ contains
       logical, intent(in) :: solved(:)         !< whether they are solutions
       real(wp), intent(in) :: measured
       type(optional_real) :: friction
-      integer :: order(size(frictions)), i, j, moving
+      integer :: order(size(frictions)), i
       if (.not. all(frictions%present)) return
-      order = [(i, i=1, size(order))]
-      do i = 2, size(order)
-         do j = i, 2, -1
-            if (frictions(order(j - 1))%value <= frictions(order(j))%value) exit
-            moving = order(j)
-            order(j) = order(j - 1)
-            order(j - 1) = moving
-         end do
-      end do
+      order = sorted_places(frictions%value)
       do i = 2, size(order)
          associate (a => values(order(i - 1)), b => values(order(i)), from => frictions(order(i - 1))%value, &
                     to => frictions(order(i))%value)
@@ -133,24 +122,6 @@ contains
          end associate
       end do
    end function fitting_friction
-
-   !> Place of a number in a list.
-   pure function findloc_of(list, number) result(place)
-      integer, intent(in) :: list(:), number
-      integer :: place
-      do place = 1, size(list) - 1
-         if (list(place) == number) return
-      end do
-      place = size(list)
-   end function findloc_of
-
-   !> Place of the depth nearest to one that is among them [m].
-   pure function depth_of(sweep, depth) result(place)
-      type(sweep_type), intent(in) :: sweep
-      real(wp), intent(in) :: depth
-      integer :: place
-      place = minloc(abs(sweep%depths - depth), dim=1)
-   end function depth_of
 
    !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
    pure function factor_text(sweep, number) result(text)

@@ -2,9 +2,8 @@
 module dg_sweep_study
    use dg_column, only: fields_of
    use dg_deck_draft, only: deck_type, note_use
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_sweep, only: take_sweeps
-   use dg_ensemble_study, only: ensemble_study_type, range_text_type
+   use dg_ensemble_study, only: ensemble_study_type, name_ranges, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_list_type, error_type
    use dg_job, only: job_type, model_name
@@ -13,10 +12,9 @@ module dg_sweep_study
    use dg_model_text, only: sweep_lines
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
-   use dg_sweep_keys, only: sweep_keys, sweep_rule
    use dg_result_name, only: points_file
    use dg_study, only: run_type
-   use dg_sweep, only: model_of, point_at, point_count, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count
    use dg_sweep_file, only: sweep_row
    use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
@@ -33,7 +31,6 @@ module dg_sweep_study
 
    type, extends(ensemble_study_type) :: sweep_study_type
    contains
-      procedure :: add_groups
       procedure :: read => read_sweeps
       procedure :: echo
       procedure :: add_pictures
@@ -53,15 +50,6 @@ module dg_sweep_study
 
 contains
 
-   !> Its group.
-   subroutine add_groups(self, groups)
-      class(sweep_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, sweep_rule, sweep_keys)
-      end associate
-   end subroutine add_groups
-
    !> Reads its groups.
    subroutine read_sweeps(self, deck, job, notes, faults)
       class(sweep_study_type), intent(inout) :: self
@@ -70,8 +58,8 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      self%texts = range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step')
       call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
+      call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step'))
       do i = 1, size(self%ranges)
          if (allocated(self%ranges(i)%depths)) call note_use(deck, self%ranges(i)%string, maxval(self%ranges(i)%depths))
       end do
@@ -82,7 +70,29 @@ contains
       class(sweep_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call add_sweeps(lines, self%ranges, job%units)
+      character(:), allocatable :: factors
+      integer :: i, k
+      do i = 1, size(self%ranges)
+         associate (sweep => self%ranges(i))
+            factors = ''
+            do k = 1, size(sweep%frictions)
+               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
+               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
+            end do
+            if (factors == '') factors = ' of the hole'
+            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
+               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
+               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
+               shown(sweep%depths(size(sweep%depths)))//' '//trim(job%units%length_label)//'; '// &
+               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
+         end associate
+      end do
+   contains
+      pure function shown(depth) result(text)
+         real(wp), intent(in) :: depth     !< [m]
+         character(:), allocatable :: text
+         text = to_text(depth/job%units%length, digits)
+      end function shown
    end subroutine echo
 
    !> Points of all models, operations, frictions and depths.
@@ -168,34 +178,4 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a sweep.
-   pure subroutine add_sweeps(lines, sweeps, units)
-      type(line_list_type), intent(inout) :: lines
-      type(sweep_type), intent(in) :: sweeps(:)
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: factors
-      integer :: i, k
-      do i = 1, size(sweeps)
-         associate (sweep => sweeps(i))
-            factors = ''
-            do k = 1, size(sweep%frictions)
-               if (sweep%frictions(k)%present) factors = factors//' '//to_text(sweep%frictions(k)%value)
-               if (allocated(sweep%frictions_cased)) factors = factors//' (cased '//to_text(sweep%frictions_cased(k))//')'
-            end do
-            if (factors == '') factors = ' of the hole'
-            call add_line(lines, 'sweep       '//sweep%name//': '//joined(model_name(sweep%models), ', ')//'; '// &
-               joined(operation_name(sweep%operations), ', ')//'; friction'//factors//'; string '//sweep%string//'; '// &
-               to_text(size(sweep%depths))//' depths, '//shown(sweep%depths(1))//' to '// &
-               shown(sweep%depths(size(sweep%depths)))//' '//trim(units%length_label)//'; '// &
-               to_text(point_count(sweep))//' points, '//to_text(size(sweep%measured))//' measured')
-         end associate
-      end do
-   contains
-      pure function shown(depth) result(text)
-         real(wp), intent(in) :: depth     !< [m]
-         character(:), allocatable :: text
-         text = to_text(depth/units%length, digits)
-      end function shown
-   end subroutine add_sweeps
 end module dg_sweep_study

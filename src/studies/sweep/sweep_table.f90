@@ -12,6 +12,7 @@ module dg_sweep_table
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_no, answer_yes, limit_title
@@ -70,32 +71,27 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, parameter :: number_width = 9, model_width = 7
-      character(:), allocatable :: rule
+      type(text_table_type) :: table
       type(point_type) :: point
       integer :: i, lost, shown
       lost = count(points%status == result_not_converged)
       if (lost == 0) return
-      rule = repeat('-', number_width + 2 + model_width + label_width + 2*depth_width)
       call append_text(lines, '')
       call append_text(lines, to_text(lost)//' of '//to_text(size(points))//' points did not converge; the file says why')
-      call append_text(lines, rule)
-      call append_text(lines, right_aligned('Point', number_width)//'  '//left_aligned('Model', model_width)// &
-                       left_aligned('Operation', label_width)//right_aligned('Friction', depth_width)// &
-                       right_aligned('Depth, '//trim(units%length_label), depth_width))
-      call append_text(lines, rule)
       shown = 0
       do i = 1, size(points)
          if (points(i)%status /= result_not_converged) cycle
          if (shown == most_lost) exit
          shown = shown + 1
          point = point_at(sweep, i)
-         call append_text(lines, right_aligned(to_text(i), number_width)//'  '// &
-                          left_aligned(trim(model_name(sweep%models(point%model))), model_width)// &
-                          left_aligned(trim(operation_label(sweep%operations(point%operation))), label_width)// &
-                          right_aligned(factor_text(sweep, point%friction), depth_width)// &
-                          fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1))
+         call add_cell(table, 'Point', number_width, i)
+         call add_cell(table, 'Model', model_width, model_name(sweep%models(point%model)))
+         call add_cell(table, 'Operation', label_width, operation_label(sweep%operations(point%operation)))
+         call add_right(table, 'Friction', depth_width, factor_text(sweep, point%friction))
+         call add_cell(table, 'Depth, '//trim(units%length_label), depth_width, sweep%depths(point%depth), units%length, 1)
+         call end_row(table, '')
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the file has them all')
    end subroutine append_lost
 
@@ -152,57 +148,58 @@ contains
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: quantity
       type(curve_type), intent(in) :: curves(:)
-      character(:), allocatable :: head, factors, factor, row, rule
+      type(text_table_type) :: table
+      type(text_type) :: heads(size(curves))
+      character(cell_width - 1) :: cell
       type(point_type) :: point
       integer, allocatable :: depths(:)
-      integer :: i, k, n
+      integer :: i, k
       call append_text(lines, '')
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
                        quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors'// &
                        trim(merge(' cased/open', '           ', index(factor_text(sweep, 1), '/') > 0)))
-      head = right_aligned('Bit depth', depth_width)
-      factors = right_aligned(trim(units%length_label), depth_width)
-      i = 1
-      do while (i <= size(curves))
-         n = count(curves%point%operation == curves(i)%point%operation)
-         head = head//operation_head(trim(operation_label(sweep%operations(curves(i)%point%operation))), n)
-         i = i + n
-      end do
-      do k = 1, size(curves)
-         factor = 'any'
-         if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
-         factors = factors//right_aligned(factor, cell_width - 1)//' '
-      end do
-      rule = repeat('-', max(len_trim(head), len(factors)))
-      call append_text(lines, rule)
-      call append_text(lines, trim(head))
-      call append_text(lines, trim(factors))
-      call append_text(lines, rule)
+      heads = curve_heads(sweep, curves)
       allocate (depths, source=shown_depths(sweep))
       do i = 1, size(depths)
-         row = ''
+         call add_cell(table, 'Bit depth|'//trim(units%length_label), depth_width, sweep%depths(depths(i)), units%length, 1)
          do k = 1, size(curves)
             point = curves(k)%point
             point%depth = depths(i)
-            if (k == 1) row = fixed_cell(sweep%depths(point%depth)/units%length, depth_width, 1)
             associate (found => points(point_number(sweep, point)))
                if (quantity == quantity_torque) then
-                  row = row//fixed_cell(optional_real(has_numbers(found%status), found%torque), units%moment, cell_width - 1, &
-                                        torque_digits)
+                  cell = fixed_cell(optional_real(has_numbers(found%status), found%torque), units%moment, len(cell), torque_digits)
                else
-                  row = row//fixed_cell(optional_real(has_numbers(found%status), &
-                                                      as_measured(found%hookload, found%weight_indicator)), &
-                                        units%force, cell_width - 1, hookload_digits)
+                  cell = fixed_cell(optional_real(has_numbers(found%status), &
+                                                  as_measured(found%hookload, found%weight_indicator)), &
+                                    units%force, len(cell), hookload_digits)
                end if
-               row = row//merge(' ', row_mark, answer_of(found) == answer_yes)
+               call add_right(table, heads(k)%text, cell_width, cell//merge(' ', row_mark, answer_of(found) == answer_yes))
             end associate
          end do
-         call append_text(lines, trim(row))
+         call end_row(table, '')
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       if (size(depths) < size(sweep%depths)) call append_text(lines, to_text(size(depths))//' of '//to_text(size(sweep%depths))// &
                                                               ' depths; the file has them all')
    end subroutine append_curves
+
+   !> Heads of curves: a part of the name of the operation, which stands over all its curves, above the friction factor.
+   pure function curve_heads(sweep, curves) result(heads)
+      type(sweep_type), intent(in) :: sweep
+      type(curve_type), intent(in) :: curves(:)
+      type(text_type) :: heads(size(curves))
+      character(:), allocatable :: names, factor
+      integer :: k
+      names = ''
+      do k = 1, size(curves)
+         if (len(names) < k*cell_width) names = names// &
+            operation_head(trim(operation_label(sweep%operations(curves(k)%point%operation))), &
+                           count(curves%point%operation == curves(k)%point%operation))
+         factor = 'any'
+         if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
+         heads(k)%text = names((k - 1)*cell_width + 1:k*cell_width)//'|'//factor//' '
+      end do
+   end function curve_heads
 
    !> Name of an operation above its `n` columns: its first word where there is one column.
    pure function operation_head(label, n) result(head)

@@ -1,14 +1,15 @@
 !> The groups &uncertainty of a deck: a range of depths, and what is not known of well, mud and gauges.
 module dg_deck_uncertainty
    use dg_kinds, only: wp
-   use dg_checked_group, only: checked_group_type, integer_of, is_given, is_sound, line_of, real_of, reals_of, text_of
+   use dg_checked_group, only: checked_group_type, claim_name, group_fault, integer_of, is_given, is_sound, named, real_of, &
+      reals_of, text_of
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: take_range
-   use dg_error, only: add_fault, error_list_type
+   use dg_error, only: error_list_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_missing, only: missing
    use dg_sweep, only: point_count
-   use dg_text, only: lower_case, quoted, to_text
+   use dg_text, only: lower_case, quoted, to_text, text_type
    use dg_uncertainty, only: correlation_of, friction_factor_of, uncertainty_type
    implicit none
    private
@@ -29,22 +30,17 @@ contains
       type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), allocatable, intent(out) :: uncertainties(:)
       type(error_list_type), intent(inout) :: faults
-      integer :: i, j, n
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name == 'uncertainty') n = n + 1
-      end do
-      allocate (uncertainties(n))
-      n = 0
-      do i = 1, size(groups)
-         if (groups(i)%name /= 'uncertainty') cycle
-         n = n + 1
-         call take_one(draft, groups(i), n, models, estimates, uncertainties(n), faults)
-         do j = 1, n - 1
-            if (lower_case(uncertainties(j)%range%name) /= lower_case(uncertainties(n)%range%name)) cycle
-            call add_fault(faults, draft%path, line_of(groups(i), 'name'), 'group &uncertainty: name '// &
-                           quoted(uncertainties(n)%range%name)//' is taken; names must be unique, letter case aside')
-         end do
+      type(text_type), allocatable :: taken(:)
+      integer, allocatable :: mine(:)
+      integer :: n
+      allocate (taken(0))
+      allocate (mine, source=named(groups, 'uncertainty'))
+      allocate (uncertainties(size(mine)))
+      do n = 1, size(mine)
+         associate (group => groups(mine(n)))
+            call take_one(draft, group, n, models, estimates, uncertainties(n), faults)
+            call claim_name(group, 'name', uncertainties(n)%range%name, taken, faults)
+         end associate
       end do
    end subroutine take_uncertainties
 
@@ -70,20 +66,20 @@ contains
       uncertainty%interpolation = draft%interpolation
       if (draft%tortuous .and. .not. uncertainty%systematic_survey .and. &
           max(uncertainty%inclination_deviation, uncertainty%azimuth_deviation) > 0.0_wp) &
-         call add_fault(faults, draft%path, line_of(group, 'survey_errors'), 'group &uncertainty: errors of single stations '// &
-                        'would bend the hole at each station that &tortuosity adds; give survey_errors = ''systematic''')
+         call group_fault(group, 'survey_errors', 'errors of single stations '// &
+            'would bend the hole at each station that &tortuosity adds; give survey_errors = ''systematic''', faults)
       call take_range(draft, group, number, models, uncertainty%range, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (allocated(uncertainty%friction_factor) .or. uncertainty%estimate > 0) .and. &
           .not. any([uncertainty%density_deviation, uncertainty%inclination_deviation, &
                      uncertainty%azimuth_deviation, uncertainty%hookload_deviation, uncertainty%torque_deviation] > 0.0_wp)) &
-         call add_fault(faults, draft%path, group%line, 'group &uncertainty: nothing is uncertain; give a friction_deviation, '// &
-                        'density_deviation, inclination_deviation, azimuth_deviation, hookload_deviation or torque_deviation')
+         call group_fault(group, '', 'nothing is uncertain; give a friction_deviation, '// &
+            'density_deviation, inclination_deviation, azimuth_deviation, hookload_deviation or torque_deviation', faults)
       if (.not. allocated(uncertainty%range%depths)) return
       if (real(point_count(uncertainty%range), wp)*real(uncertainty%samples, wp) <= real(most_solutions, wp)) return
-      call add_fault(faults, draft%path, line_of(group, 'samples'), 'group &uncertainty: '// &
-                     to_text(point_count(uncertainty%range))//' points with '//to_text(uncertainty%samples)// &
-                     ' samples each are more than '//to_text(most_solutions)//' solutions; lower samples or raise bit_depth_step')
+      call group_fault(group, 'samples', to_text(point_count(uncertainty%range))//' points with '// &
+         to_text(uncertainty%samples)//' samples each are more than '//to_text(most_solutions)// &
+         ' solutions; lower samples or raise bit_depth_step', faults)
    end subroutine take_one
 
    !> How friction varies, and what of it together.
@@ -103,12 +99,13 @@ contains
       uncertainty%rotary = text_of(group, 'friction_parameter', '') /= axial_alone
       if (is_given(group, 'friction_from')) then
          call take_estimate(group, estimates, uncertainty, regular)
-         if (.not. regular) call fault('friction_from', 'friction_from = '//quoted(text_of(group, 'friction_from', ''))// &
-                                       ' is no &calibrate of this deck with apply = .true.')
+         if (.not. regular) call group_fault(group, 'friction_from', 'friction_from = '//quoted(text_of(group, &
+            'friction_from', ''))//' is no &calibrate of this deck with apply = .true.', faults)
          if (any([is_given(group, 'friction'), is_given(group, 'friction_deviation'), is_given(group, 'friction_correlation'), &
                   is_given(group, 'friction_deviations'), is_given(group, 'friction_correlations'), &
                   is_given(group, 'friction_parameter')])) &
-            call fault('friction_from', 'friction_from says all of friction; leave out the other keys of friction')
+            call group_fault(group, 'friction_from', &
+               'friction_from says all of friction; leave out the other keys of friction', faults)
          return
       end if
       if (is_given(group, 'friction_deviations') .and. .not. is_sound(group, 'friction_deviations')) return
@@ -116,22 +113,22 @@ contains
       above = reals_of(group, 'friction_correlations')
       if (is_given(group, 'friction_deviations')) then
          uncertainty%friction_deviations = reals_of(group, 'friction_deviations')
-         if (is_given(group, 'friction_deviation')) call fault('friction_deviations', 'give friction_deviation, or '// &
-            'friction_deviations, not both')
+         if (is_given(group, 'friction_deviation')) call group_fault(group, 'friction_deviations', &
+            'give friction_deviation, or '//'friction_deviations, not both', faults)
          if (size(uncertainty%friction_deviations) /= n) then
-            call fault('friction_deviations', to_text(size(uncertainty%friction_deviations))//' friction_deviations for '// &
-                       to_text(n)//' hole sections; give one for each')
+            call group_fault(group, 'friction_deviations', to_text(size(uncertainty%friction_deviations))// &
+               ' friction_deviations for '//to_text(n)//' hole sections; give one for each', faults)
             return
          end if
       else
          uncertainty%friction_deviations = spread(uncertainty%friction_deviation, 1, n)
       end if
       if (is_given(group, 'friction_correlations')) then
-         if (is_given(group, 'friction_correlation')) call fault('friction_correlations', 'give friction_correlation, or '// &
-            'friction_correlations, not both')
+         if (is_given(group, 'friction_correlation')) call group_fault(group, 'friction_correlations', &
+            'give friction_correlation, or '//'friction_correlations, not both', faults)
          if (size(above) /= n*(n - 1)/2) then
-            call fault('friction_correlations', to_text(size(above))//' friction_correlations; '//to_text(n)// &
-                       ' hole sections have '//to_text(n*(n - 1)/2)//' pairs')
+            call group_fault(group, 'friction_correlations', to_text(size(above))//' friction_correlations; '//to_text(n)// &
+               ' hole sections have '//to_text(n*(n - 1)/2)//' pairs', faults)
             return
          end if
       end if
@@ -140,15 +137,8 @@ contains
       call friction_factor_of(uncertainty%friction_deviations, correlation_of(n, uncertainty%friction_correlation, above), &
                               uncertainty%friction_factor, regular)
       if (size(above) > 0) uncertainty%friction_correlation = missing
-      if (.not. regular) call fault('friction_correlations', 'friction_correlations that no numbers can have: their '// &
-                                    'matrix is not positive')
-
-   contains
-
-      subroutine fault(key, message)
-         character(*), intent(in) :: key, message
-         call add_fault(faults, draft%path, line_of(group, key), 'group &uncertainty: '//message)
-      end subroutine fault
+      if (.not. regular) call group_fault(group, 'friction_correlations', &
+         'friction_correlations that no numbers can have: their '//'matrix is not positive', faults)
    end subroutine take_friction
 
    !> Number of the estimate that `friction_from` names, and which coefficients it is of.

@@ -2,9 +2,8 @@
 module dg_uncertainty_study
    use dg_column, only: fields_of, row_type
    use dg_deck_draft, only: deck_type, note_use
-   use dg_deck_schema, only: add_group, group_keys_type
    use dg_deck_uncertainty, only: take_uncertainties
-   use dg_ensemble_study, only: ensemble_study_type, prepare_points => prepare_ensembles, range_text_type
+   use dg_ensemble_study, only: ensemble_study_type, name_ranges, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_list_type, error_type, raise, status_not_converged
    use dg_friction_estimate, only: friction_estimate_type
@@ -15,7 +14,6 @@ module dg_uncertainty_study
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_sample_points, only: sample_text, solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
-   use dg_uncertainty_keys, only: uncertainty_keys, uncertainty_rule
    use dg_result_name, only: points_file
    use dg_study, only: run_type
    use dg_sweep, only: model_of, point_at, point_count
@@ -49,7 +47,6 @@ module dg_uncertainty_study
       type(uncertainty_type), allocatable :: uncertainties(:)
       type(found_type), allocatable :: found(:)      !< one for each of them, once one is reported
    contains
-      procedure :: add_groups
       procedure :: read => read_uncertainties
       procedure :: echo
       procedure :: prepare
@@ -73,15 +70,6 @@ module dg_uncertainty_study
 
 contains
 
-   !> Its group.
-   subroutine add_groups(self, groups)
-      class(uncertainty_study_type), intent(in) :: self
-      type(group_keys_type), allocatable, intent(inout) :: groups(:)
-      associate (not_needed => self)
-         call add_group(groups, uncertainty_rule, uncertainty_keys)
-      end associate
-   end subroutine add_groups
-
    !> Reads its groups.
    subroutine read_uncertainties(self, deck, job, notes, faults)
       class(uncertainty_study_type), intent(inout) :: self
@@ -93,7 +81,6 @@ contains
       associate (not_needed => notes)
          call take_uncertainties(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
       end associate
-      self%texts = range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', 'fewer samples')
       allocate (self%ranges(size(self%uncertainties)))
       do i = 1, size(self%uncertainties)
          self%ranges(i) = self%uncertainties(i)%range
@@ -101,6 +88,8 @@ contains
             if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths))
          end associate
       end do
+      call name_ranges(self, range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', &
+                                             'fewer samples'))
    end subroutine read_uncertainties
 
    !> A line a Monte Carlo.
@@ -108,7 +97,15 @@ contains
       class(uncertainty_study_type), intent(in) :: self
       type(job_type), intent(in) :: job
       type(line_list_type), intent(inout) :: lines
-      call add_uncertainties(lines, self%uncertainties, job%units)
+      integer :: i
+      do i = 1, size(self%uncertainties)
+         associate (uncertainty => self%uncertainties(i), range => self%uncertainties(i)%range)
+            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
+               joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
+               to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
+               deviations_text(job%units, uncertainty))
+         end associate
+      end do
    end subroutine echo
 
    !> Takes what others have found out about friction, then looks for earlier points.
@@ -239,22 +236,6 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> One line a Monte Carlo.
-   pure subroutine add_uncertainties(lines, uncertainties, units)
-      type(line_list_type), intent(inout) :: lines
-      type(uncertainty_type), intent(in) :: uncertainties(:)
-      type(unit_system_type), intent(in) :: units
-      integer :: i
-      do i = 1, size(uncertainties)
-         associate (uncertainty => uncertainties(i), range => uncertainties(i)%range)
-            call add_line(lines, 'uncertainty '//range%name//': '//joined(model_name(range%models), ', ')//'; '// &
-               joined(operation_name(range%operations), ', ')//'; '//to_text(size(range%depths))//' depths; '// &
-               to_text(uncertainty%samples)//' samples, '//to_text(piece_count(uncertainty))//' solutions; '// &
-               deviations_text(units, uncertainty))
-         end associate
-      end do
-   end subroutine add_uncertainties
 
    !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
    function uncertainty_lines(model, uncertainty) result(texts)

@@ -4,12 +4,12 @@ module dg_uncertainty_table
    use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: operation_label, rotates
-   use dg_missing, only: is_missing, known
-   use dg_number_text, only: fixed_cell, right_aligned
+   use dg_missing, only: is_missing
    use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: measured_at, measured_type, point_number, point_type, shown_depths
    use dg_text, only: append_text, text_type, to_text
+   use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_uncertainty, only: uncertainty_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
@@ -94,7 +94,7 @@ contains
       type(point_statistics_type), intent(in) :: statistics(:)
       type(point_type), intent(in) :: curve
       logical, intent(in) :: indicated
-      character(:), allocatable :: head, rule
+      type(text_table_type) :: table
       type(point_type) :: point
       type(measured_type) :: measured
       integer, allocatable :: depths(:)
@@ -105,26 +105,21 @@ contains
                        trim(merge('hook load as the rig shows it', 'hook load                    ', indicated))//', '// &
                        trim(units%force_label)// &
                        ', and torque, '//unit_label(units, unit_moment)//', under which 10, 50 and 90 % of the samples lie')
-      head = right_aligned('Bit depth', depth_width)//right_aligned('P10', cell_width)//right_aligned('P50', cell_width)// &
-             right_aligned('P90', cell_width)//right_aligned('Measured', cell_width)//right_aligned('P10', cell_width)// &
-             right_aligned('P50', cell_width)//right_aligned('P90', cell_width)//right_aligned('Samples', cell_width)
-      rule = repeat('-', len(head))
-      call append_text(lines, rule)
-      call append_text(lines, head)
-      call append_text(lines, rule)
       allocate (depths, source=shown_depths(uncertainty%range))
       point = curve
       do i = 1, size(depths)
          point%depth = depths(i)
          measured = measured_at(uncertainty%range, point)
          associate (found => statistics(point_number(uncertainty%range, point)))
-            call append_text(lines, fixed_cell(uncertainty%range%depths(point%depth)/units%length, depth_width, 1)// &
-                             cells(loads_of(found), units%force, 1)//fixed_cell(measured%hookload, units%force, cell_width, 1)// &
-                             cells(found%torque, units%moment, 2)//right_aligned(to_text(found%solved), cell_width)// &
-                             trim(merge('!', ' ', found%not_converged > 0)))
+            call add_cell(table, 'Bit depth', depth_width, uncertainty%range%depths(point%depth), units%length, 1)
+            call add_quantiles(table, loads_of(found), units%force, 1)
+            call add_cell(table, 'Measured', cell_width, measured%hookload, units%force, 1)
+            call add_quantiles(table, found%torque, units%moment, 2)
+            call add_cell(table, 'Samples', cell_width, found%solved)
+            call end_row(table, merge('!', ' ', found%not_converged > 0))
          end associate
       end do
-      call append_text(lines, rule)
+      call append_table(lines, table)
       n = size(uncertainty%range%depths)
       if (size(depths) < n) call append_text(lines, to_text(size(depths))//' of '//to_text(n)//' depths; the file has them all')
       point%depth = 1
@@ -179,13 +174,13 @@ contains
       text = 'Share of the variance of '//what//' at the deepest: '//text(len(', ') + 1:)
    end function shares_text
 
-   pure function cells(distribution, unit, decimals) result(text)
+   pure subroutine add_quantiles(table, distribution, unit, decimals)
+      type(text_table_type), intent(inout) :: table
       type(distribution_type), intent(in) :: distribution
       real(wp), intent(in) :: unit
       integer, intent(in) :: decimals
-      character(3*cell_width) :: text
-      text = fixed_cell(known(distribution%quantiles(p10)), unit, cell_width, decimals)// &
-             fixed_cell(known(distribution%quantiles(p50)), unit, cell_width, decimals)// &
-             fixed_cell(known(distribution%quantiles(p90)), unit, cell_width, decimals)
-   end function cells
+      call add_cell(table, 'P10', cell_width, distribution%quantiles(p10), unit, decimals)
+      call add_cell(table, 'P50', cell_width, distribution%quantiles(p50), unit, decimals)
+      call add_cell(table, 'P90', cell_width, distribution%quantiles(p90), unit, decimals)
+   end subroutine add_quantiles
 end module dg_uncertainty_table
