@@ -170,7 +170,7 @@ contains
              "&load_case name = 'c', operation = 'trip_out', bit_depth = 1277.04 /"//newline
    end function reamed_well
 
-   !> Collars and a stabiliser in a hole of half a metre.
+   !> Collars and a stabilizer in a hole of half a metre.
    pure function large_hole() result(text)
       character(:), allocatable :: text
       text = "&trajectory md = 0, 804.6, 825.93, 861.67, 870.72, inc = 0.36, 12.94, 12.91, 14.01, 13.57"//newline// &

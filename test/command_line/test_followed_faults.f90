@@ -85,7 +85,7 @@ contains
                   "&fluid tvd_top = 2000, density = 1500 / ", '')
    end subroutine test_path
 
-   !> Components and centralisers.
+   !> Components and centralizers.
    subroutine test_string()
       call follow("length = 100.0", "length = 0.0009", "length of 'collars' is 0.0009 m, shorter than the shortest contact, "// &
                   "1 mm. Give 0.001 m or more", "0.0009", "0.001")

@@ -15,7 +15,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('odd_decks')
       call suite%addTest(TestMethod('slips_of_units', test_units))
-      call suite%addTest(TestMethod('stabiliser_without_blades', test_blades))
+      call suite%addTest(TestMethod('stabilizer_without_blades', test_blades))
       call suite%addTest(TestMethod('thresholds', test_thresholds))
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
       call suite%addTest(TestMethod('sparse_spline', test_spline))
@@ -36,7 +36,7 @@ contains
       call note('od = 171.45', 'mass = 136.0, density = 2800.0, od = 171.45', 'mass = 136')
    end subroutine test_units
 
-   !> Every key has a default, so that a stabiliser may do without joint_od: its od touches.
+   !> Every key has a default, so that a stabilizer may do without joint_od: its od touches.
    subroutine test_blades()
       call note("joint_od = 168.3", "kind = 'stabiliser'", 'a stabilizer without joint_od touches at its od, 127 mm')
       call note('&component od = 127.0', "&centralizer component = 'pipe', od = 160, spacing = 10 /"//newline// &

@@ -294,7 +294,7 @@ contains
          call add(model, 'collar', 'collar', length, collar_od(k), collar_id(k), collar_mass(k))
       end subroutine collars
 
-      !> A stabiliser, full gauge or worn.
+      !> A stabilizer, full gauge or worn.
       subroutine blades()
          real(wp), parameter :: under(4) = [0.8e-3_wp, 1.6e-3_wp, 3.2e-3_wp, 6.4e-3_wp]   ! m
          call add(model, 'blades', 'stabilizer', between(state, 1.2_wp, 2.0_wp), collar_od(k), collar_id(k), &
@@ -302,7 +302,7 @@ contains
       end subroutine blades
    end subroutine draw_drill_string
 
-   !> Casing to surface, or a liner on drill pipe; with centralisers in half of them.
+   !> Casing to surface, or a liner on drill pipe; with centralizers in half of them.
    subroutine draw_casing(state, string, stations, model)
       integer(int64), intent(inout) :: state
       integer, intent(in) :: string

@@ -91,7 +91,7 @@ contains
       touches(2) = .false.
       touches(4) = .false.
       angle(3) = 0.1_wp
-      call assertFalse(any(lone_angles(angle(2:), touches(2:))), message='a stabiliser that touches alone')
+      call assertFalse(any(lone_angles(angle(2:), touches(2:))), message='a stabilizer that touches alone')
       angle = [(1.5_wp*i, i=1, 100)]
       touches = .true.
       call assertFalse(any(lone_angles(angle, touches)))

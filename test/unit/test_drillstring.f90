@@ -100,7 +100,7 @@ contains
       call assertFalse(at_joint(string%components(1), 0.0_wp), message='a collar has none')
    end subroutine test_at_joint
 
-   !> Joints are thicker than the body; a stabiliser's blades touch all along, however its kind is spelt.
+   !> Joints are thicker than the body; a stabilizer's blades touch all along, however its kind is spelt.
    subroutine test_has_joints()
       type(component_type) :: part
       part%od = 0.127_wp

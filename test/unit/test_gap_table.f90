@@ -72,7 +72,7 @@ contains
    subroutine test_lone_contacts()
       logical, parameter :: t = .true., f = .false.
       call assertTrue(all(lone_contacts([1, 1, 1, 1, 1, 0, 0, 1, 1, 0]) .eqv. [f, f, f, f, f, f, t, t, t, t]), &
-                      message='a stabiliser below a string that lies')
+                      message='a stabilizer below a string that lies')
       call assertTrue(all(lone_contacts([1, 0, 0, 1, 1, 2, 1, 0, 0]) .eqv. [t, t, f, f, f, f, f, f, f]), message='one at the top')
       call assertTrue(.not. any(lone_contacts([1, 1, 1, 1])), message='none')
       call assertTrue(all(lone_contacts([0, 1, 0, 1, 1, 0])), message='none lies')

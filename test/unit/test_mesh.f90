@@ -99,7 +99,7 @@ contains
       call assertEqual(1, count(abs(md - 291.0_wp) < 1.0_wp), message='nor at the bit')
    end subroutine test_no_sliver
 
-   !> Elements as long as a deck may have them: a stabiliser, cut into pieces, under pipe has nodes at its ends.
+   !> Elements as long as a deck may have them: a stabilizer, cut into pieces, under pipe has nodes at its ends.
    subroutine test_ends_of_components()
       type(model_type) :: model
       type(component_type) :: blades

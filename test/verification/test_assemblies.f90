@@ -24,7 +24,7 @@ module dg_test_assemblies
 
    real(wp), parameter :: w = 1500.0_wp, od = 0.17145_wp, id = 0.0714_wp, hole = 0.2159_wp
    real(wp), parameter :: depth = 80.0_wp
-   real(wp), parameter :: blade = 0.1_wp       !< length of a stabiliser [m]: the closed form's has none
+   real(wp), parameter :: blade = 0.1_wp       !< length of a stabilizer [m]: the closed form's has none
    real(wp), parameter :: one_percent = 0.01_wp
    !> Bit loads [N].
    real(wp), parameter :: loads(3) = [0.0_wp, 1.0e5_wp, 2.0e5_wp]
@@ -35,8 +35,8 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('assemblies')
       call suite%addTest(TestMethod('slick', test_slick))
-      call suite%addTest(TestMethod('two_stabilisers', test_two_stabilisers))
-      call suite%addTest(TestMethod('under_gauge_stabiliser', test_under_gauge))
+      call suite%addTest(TestMethod('two_stabilizers', test_two_stabilizers))
+      call suite%addTest(TestMethod('under_gauge_stabilizer', test_under_gauge))
       call suite%addTest(TestMethod('blades_of_real_length', test_long_blades))
       call suite%addTest(TestMethod('casing_shoe_and_change_of_size', test_change_of_size))
    end function assemblies_suite
@@ -51,7 +51,7 @@ contains
       model%numerics%gk_max = 1.0e11_wp
    end subroutine build
 
-   !> A piece of collar, or one that carries the blades of a stabiliser.
+   !> A piece of collar, or one that carries the blades of a stabilizer.
    pure function part(length, joint_od) result(component)
       real(wp), intent(in) :: length     !< [m]
       real(wp), intent(in) :: joint_od   !< of the blades, 0: a collar [m]
@@ -219,17 +219,17 @@ contains
       call assertEqual(.true., is_missing(result%bit_side_force), message='nothing holds the bit')
    end subroutine test_slick
 
-   subroutine test_two_stabilisers()
-      call stabilised(0.2127_wp, 0.2127_wp, 'two stabilisers')
-   end subroutine test_two_stabilisers
+   subroutine test_two_stabilizers()
+      call stabilized(0.2127_wp, 0.2127_wp, 'two stabilizers')
+   end subroutine test_two_stabilizers
 
-   !> The upper stabiliser half an inch under gauge: the assembly drops where the one before held or built.
+   !> The upper stabilizer half an inch under gauge: the assembly drops where the one before held or built.
    subroutine test_under_gauge()
-      call stabilised(0.2127_wp, 0.2032_wp, 'upper one under gauge')
+      call stabilized(0.2127_wp, 0.2032_wp, 'upper one under gauge')
    end subroutine test_under_gauge
 
-   !> Stabilisers 4 m and 14 m above the bit, of these diameters [m].
-   subroutine stabilised(lower, upper, what)
+   !> Stabilizers 4 m and 14 m above the bit, of these diameters [m].
+   subroutine stabilized(lower, upper, what)
       real(wp), intent(in) :: lower, upper
       character(*), intent(in) :: what
       type(model_type) :: model
@@ -243,7 +243,7 @@ contains
       model%strings(1)%components(4) = part(blade, upper)
       model%strings(1)%components(5) = part(0.0_wp, 0.0_wp)
       call compare(model, places, 0.5_wp*(hole - [lower, upper]), what)
-   end subroutine stabilised
+   end subroutine stabilized
 
    !> Blades of 1.8 m under an ordinary wall, whatever the element length: the lower one touches at its upper end, the upper one at
    !> both. Seen: 0.5 %. Where gaps of a blade moved only when they were deeper elsewhere by half the clearance, 5 m gave

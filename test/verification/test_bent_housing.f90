@@ -122,11 +122,11 @@ contains
       end function energy
    end subroutine test_tangent
 
-   !> A motor in a hole of 8-1/2 in: bit, stabiliser with blades of `piece` m, housing with its bend 1.6 m above the bit, an upper
-   !> stabiliser under gauge, collars.
+   !> A motor in a hole of 8-1/2 in: bit, stabilizer with blades of `piece` m, housing with its bend 1.6 m above the bit, an upper
+   !> stabilizer under gauge, collars.
    subroutine build(well, bottom_gauge, model)
       type(independent_well_type), intent(inout) :: well     !< its hole and loads are given
-      real(wp), intent(in) :: bottom_gauge                   !< diameter of the lower stabiliser [m]
+      real(wp), intent(in) :: bottom_gauge                   !< diameter of the lower stabilizer [m]
       type(model_type), intent(out) :: model
       character(10), parameter :: kinds(6) = [character(10) :: 'collar', 'stabilizer', 'collar', 'stabilizer', 'collar', 'collar']
       integer :: i
@@ -206,7 +206,7 @@ contains
       well%toolface = toolface*degree
    end function straight
 
-   !> Toolfaces all round, bends of 1 to 2 deg, with a lower stabiliser of full gauge and one under gauge.
+   !> Toolfaces all round, bends of 1 to 2 deg, with a lower stabilizer of full gauge and one under gauge.
    subroutine test_toolfaces()
       type(independent_well_type) :: well
       integer :: i
@@ -217,7 +217,7 @@ contains
       well = straight(80.0_wp, 1.0_wp, 20.0_wp)
       call compare(well, 0.2032_wp, operation_static, 'under gauge')
       well = straight(20.0_wp, 2.0_wp, 160.0_wp)
-      call compare(well, 0.0_wp, operation_static, 'no lower stabiliser')
+      call compare(well, 0.0_wp, operation_static, 'no lower stabilizer')
    end subroutine test_toolfaces
 
    subroutine test_sliding()

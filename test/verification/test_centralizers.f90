@@ -1,10 +1,10 @@
-!> Casing on centralisers: sag between them, what bow springs yield, friction and running forces, in closed form.
+!> Casing on centralizers: sag between them, what bow springs yield, friction and running forces, in closed form.
 !>
-!> An endless row of centralisers L apart, with axial force T and side load q per metre: by symmetry the casing has the hole's
+!> An endless row of centralizers L apart, with axial force T and side load q per metre: by symmetry the casing has the hole's
 !> direction at each of them, and between two it sags off the line that joins them by (API 10D-2; Juvkam-Wold & Wu 1992)
 !>   q L^4/(384 EI) 24/u^4 (u^2/2 - u (cosh u - 1)/sinh u),     u^2 = T L^2/(4 EI),
 !> in compression with cos and sin. In a bend of curvature k it is the same with q = w sin(theta) - T k in a build, in the frame of
-!> the hole: the line that joins centralisers is then the hole's own.
+!> the hole: the line that joins centralizers is then the hole's own.
 module dg_test_centralizers
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, contact_centralizer
@@ -26,7 +26,7 @@ module dg_test_centralizers
 
    real(wp), parameter :: od = 0.244475_wp, bore = 0.2205_wp    !< of 9-5/8 in casing [m]
    real(wp), parameter :: w = 577.0_wp                          !< its weight in mud [N/m]
-   real(wp), parameter :: hole = 0.3111_wp, blades = 0.298_wp   !< diameters of hole and rigid centralisers [m]
+   real(wp), parameter :: hole = 0.3111_wp, blades = 0.298_wp   !< diameters of hole and rigid centralizers [m]
    real(wp), parameter :: span = 12.0_wp
    integer, parameter :: spans = 20
    real(wp), parameter :: depth = spans*span
@@ -50,7 +50,7 @@ contains
       call suite%addTest(TestMethod('running_force', test_running_force))
    end function centralizers_suite
 
-   !> Casing with centralisers every span, half a span from its ends, which are free.
+   !> Casing with centralizers every span, half a span from its ends, which are free.
    subroutine build(model, weight, inclination, friction, bow)
       type(model_type), intent(out) :: model
       real(wp), intent(in) :: weight           !< [N/m]
@@ -87,10 +87,10 @@ contains
       value = (1.0_wp - share)*values(i) + share*values(i + 1)
    end function at
 
-   !> Offset towards the low side [m], and at mid-span of the span below a centraliser that less the mean at both of its ends.
+   !> Offset towards the low side [m], and at mid-span of the span below a centralizer that less the mean at both of its ends.
    pure function sag_found(profile, top) result(found)
       type(profile_type), intent(in) :: profile
-      real(wp), intent(in) :: top   !< depth of the centraliser [m]
+      real(wp), intent(in) :: top   !< depth of the centralizer [m]
       real(wp) :: found
       real(wp) :: low(size(profile%md))
       low = -profile%displacement*cos(profile%clock)
@@ -118,7 +118,7 @@ contains
       end do
    end subroutine test_straight
 
-   !> Force of the centraliser at a depth [N].
+   !> Force of the centralizer at a depth [N].
    pure function force_at(result, md) result(force)
       type(case_result_type), intent(in) :: result
       real(wp), intent(in) :: md
@@ -244,7 +244,7 @@ contains
       call assertFalse(allocated(error), message='solves')
    end subroutine solve_by
 
-   !> Centralisers carry all weight: their friction alone counts, at their diameter; within a bow the casing turns at its own.
+   !> Centralizers carry all weight: their friction alone counts, at their diameter; within a bow the casing turns at its own.
    !> mu w L, and mu r w L with the climb's 1/sqrt(1 + mu**2).
    subroutine test_friction()
       type(model_type) :: model

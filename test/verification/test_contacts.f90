@@ -1,4 +1,4 @@
-!> Concentrated contacts against statics: a slick assembly that lands, two stabilisers, the end of a bend under tension, tool
+!> Concentrated contacts against statics: a slick assembly that lands, two stabilizers, the end of a bend under tension, tool
 !> joints.
 module dg_test_contacts
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
@@ -27,7 +27,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('contacts')
       call suite%addTest(TestMethod('slick_assembly_lands', test_slick))
-      call suite%addTest(TestMethod('two_stabilisers', test_stabilisers))
+      call suite%addTest(TestMethod('two_stabilizers', test_stabilizers))
       call suite%addTest(TestMethod('end_of_a_bend', test_bend))
       call suite%addTest(TestMethod('tool_joints', test_joints))
    end function contacts_suite
@@ -85,8 +85,8 @@ contains
       model%numerics%gk_max = hard
    end subroutine set_wall
 
-   !> From the edge down, stabilisers, bit and edge carry the weight.
-   subroutine test_stabilisers()
+   !> From the edge down, stabilizers, bit and edge carry the weight.
+   subroutine test_stabilizers()
       type(model_type) :: model
       type(case_result_type) :: result
       type(component_type) :: parts(5)
@@ -108,7 +108,7 @@ contains
       end do
       model%boundary%bit_centred = .true.
       call set_wall(model)
-      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'two stabilisers')
+      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'two stabilizers')
       blades = those(result, contact_blades)
       edges = those(result, contact_edge)
       call assertEqual(2, size(blades))
@@ -121,7 +121,7 @@ contains
       call note('carried over weight', (sum(result%contacts([blades, edges])%force) + bit)/landed)
       call assertRelativelyEqual(landed, sum(result%contacts([blades, edges])%force) + bit, within)
       call check_sum(result)
-   end subroutine test_stabilisers
+   end subroutine test_stabilizers
 
    !> Weightless pipe pulled with T out of an arc of curvature k into straight hole. Its moment is EI k where it lies on the
    !> wall and fades from there as exp(-x sqrt(T/EI)): the shear force jumps by k sqrt(T EI), sqrt(EI/T) within the arc,

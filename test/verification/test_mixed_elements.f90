@@ -44,7 +44,7 @@ contains
       call suite%addTest(TestMethod('cut_trajectory', test_cut))
    end function mixed_elements_suite
 
-   !> Vertical to 300 m, built to 50 deg, held; two stabilisers in 60 m of collars under drill pipe; the bit held on the axis.
+   !> Vertical to 300 m, built to 50 deg, held; two stabilizers in 60 m of collars under drill pipe; the bit held on the axis.
    subroutine build(model, md)
       type(model_type), intent(out) :: model
       real(wp), intent(in) :: md(:)

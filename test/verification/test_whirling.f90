@@ -37,13 +37,13 @@ contains
       call suite%addTest(TestMethod('free_bit', test_free_bit))
    end function whirling_suite
 
-   !> Drilling in a vertical hole with three stabilisers, from where the collars begin to bend between them to where they coil
+   !> Drilling in a vertical hole with three stabilizers, from where the collars begin to bend between them to where they coil
    !> above: the hook carries the weight less what is on the bit. None of these was found while friction around the hole climbed
-   !> in part, while starts let stabilisers out of the hole by all of the clearance of collars, and while of two places as far
+   !> in part, while starts let stabilizers out of the hole by all of the clearance of collars, and while of two places as far
    !> off the axis each was held in turn.
    subroutine test_assembly()
       real(wp), parameter :: depth = 2200.0_wp, weights(6) = [10.0e3_wp, 30.0e3_wp, 45.0e3_wp, 60.0e3_wp, 90.0e3_wp, 120.0e3_wp]
-      real(wp), parameter :: gauges(3) = [0.2143_wp, 0.2127_wp, 0.2095_wp]      ! of the stabilisers [m]
+      real(wp), parameter :: gauges(3) = [0.2143_wp, 0.2127_wp, 0.2095_wp]      ! of the stabilizers [m]
       real(wp), parameter :: frictions(2) = [0.1_wp, 0.43_wp]
       real(wp), parameter :: coils_from = 100.0e3_wp
       integer, parameter :: most = 120, most_coiled = 400      ! up to 80 are seen where nothing coils, 330 where collars do

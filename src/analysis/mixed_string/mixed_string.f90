@@ -10,7 +10,7 @@
 !> nothing else is left to match. Valid where the rigid model is.
 !>
 !> Asked for (`mixed_parts = 'elements'`), the string next to the bit is finite elements instead (dg_assembly_elements):
-!> stabilisers, clearances and the bit's side force count there, which no string on the axis knows of.
+!> stabilizers, clearances and the bit's side force count there, which no string on the axis knows of.
 module dg_mixed_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp

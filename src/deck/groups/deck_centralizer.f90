@@ -1,4 +1,4 @@
-!> Reads &centralizer and puts centralisers on the components that they name.
+!> Reads &centralizer and puts centralizers on the components that they name.
 module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
@@ -19,7 +19,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
-      !> Keys that say nothing of a rigid centraliser.
+      !> Keys that say nothing of a rigid centralizer.
       character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
       logical :: meant(size(draft%components))    ! by a group
@@ -62,7 +62,7 @@ contains
          integer :: m
          associate (part => item%component)
             if (part%centralizer%present) &
-               call group_fault(groups(i), 'component', quoted(part%name)//' has centralisers already; a component takes one '// &
+               call group_fault(groups(i), 'component', quoted(part%name)//' has centralizers already; a component takes one '// &
                                 'kind, so cut it in two', faults)
          end associate
          call check_centralizer(centralizer, item%component, 0, draft%units, found)

@@ -50,7 +50,7 @@ module dg_deck_draft
       integer :: line = 0
       integer :: line_length = 0, line_diameter = 0, line_density = 0 !< line_diameter: of what touches first
       integer :: line_opened = 0               !< of opened_od
-      integer :: line_centralizer = 0          !< of the od of rigid centralisers; 0: none
+      integer :: line_centralizer = 0          !< of the od of rigid centralizers; 0: none
    end type draft_component_type
 
    type :: draft_case_type

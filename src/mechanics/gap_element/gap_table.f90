@@ -93,7 +93,7 @@ contains
 
    !> Gaps whose contacts stand by themselves, and the open ones next to them: one gap or two next to each other, open ones beyond.
    !> Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes no difference that
-   !> the mesh could show; to move one wakes its neighbours. Where it touches at one place, at a stabiliser or in a sharp bend, that
+   !> the mesh could show; to move one wakes its neighbours. Where it touches at one place, at a stabilizer or in a sharp bend, that
    !> gap carries all of the load between two spans, and its place rules how the spans bend.
    pure function lone_contacts(state) result(lone)
       integer, intent(in) :: state(:)   !< of the gaps

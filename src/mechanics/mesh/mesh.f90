@@ -51,7 +51,7 @@ module dg_mesh
       real(wp), allocatable :: rigid(:)          !< of the wall beyond its elastic range, Gkmax [N/m2]
       real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
       real(wp), allocatable :: drag(:)           !< running force of bow springs, > 0 pushes down the hole [N]
-      logical, allocatable :: centralizer(:)     !< a centraliser touches, at the middle of its element
+      logical, allocatable :: centralizer(:)     !< a centralizer touches, at the middle of its element
       !> Angle by which an element is bent before loading, times the unit vector to which its lower end points (3,elements) [rad];
       !> not allocated where the whole string is straight.
       real(wp), allocatable :: bend(:, :)
@@ -62,7 +62,7 @@ module dg_mesh
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
    !> end at the same depth but for round-off, and a sliver of an element would only spoil the conditioning.
    real(wp), parameter :: merge_share = 1.0e-3_wp
-   !> However long elements may be, depths further apart are two nodes [m], for the ends of components are: stabilisers are cut into
+   !> However long elements may be, depths further apart are two nodes [m], for the ends of components are: stabilizers are cut into
    !> pieces of some decimetres, and with elements of 1000 m their ends were lost, and weight with them.
    real(wp), parameter :: longest_merge = 0.06_wp
 
@@ -222,7 +222,7 @@ contains
       end associate
    end subroutine put_in_hole
 
-   !> What centralisers change on an element of their component, which is in its hole: all load gathers where they touch.
+   !> What centralizers change on an element of their component, which is in its hole: all load gathers where they touch.
    pure subroutine put_centralizer(model, load_case, component, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

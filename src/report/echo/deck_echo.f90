@@ -210,7 +210,7 @@ contains
                               ' below '//quantity(part%opened_below, units%length, unit_label(units, unit_length))
    end function opening_text
 
-   !> The centralisers of a component.
+   !> The centralizers of a component.
    pure function centralizer_text(units, centralizer) result(text)
       type(unit_system_type), intent(in) :: units
       type(centralizer_type), intent(in) :: centralizer

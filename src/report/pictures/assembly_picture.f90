@@ -25,7 +25,7 @@ module dg_assembly_picture
    !> Places of the three panels from the top down, in parts of the picture.
    real(wp), parameter :: places(4, 3) = reshape([0.085_wp, 0.985_wp, 0.50_wp, 0.86_wp, 0.085_wp, 0.985_wp, 0.295_wp, 0.475_wp, &
                                                   0.085_wp, 0.985_wp, 0.09_wp, 0.27_wp], [4, 3])
-   !> Length of string that is drawn [m]: bit, motor and two or three stabilisers.
+   !> Length of string that is drawn [m]: bit, motor and two or three stabilizers.
    real(wp), parameter :: shown_length = 40.0_wp
    !> Room above and below the hole, of its diameter [-]: for the forces.
    real(wp), parameter :: air = 0.45_wp
@@ -113,7 +113,7 @@ contains
          call add_curve(chart, x/along, -axis/across, wall, '')
          call add_curve(chart, [0.0_wp, view%shown]/along, [0.0_wp, 0.0_wp], "with lines lw 0.8 dt (12,4,2,4) lc rgb '#777777'", '')
          call add_key(chart, body_look, 'body')
-         call add_key(chart, blade_look, 'blades, joints, centralisers')
+         call add_key(chart, blade_look, 'blades, joints, centralizers')
          call add_key(chart, "with lines lw 2.5 lc rgb '"//colour_of(2)//"'", 'contact, force in '//trim(chart%units%force_label))
          call add_contacts(chart, view, result)
          associate (panel => chart%panels(1))

@@ -154,7 +154,7 @@ contains
                               'arrow: buckling limits lie beyond the axis', some_shown)))
    end subroutine add_arrows
 
-   !> On the length of a joint of pipe: what a joint carries that touches alone, and what stabilisers and edges press with,
+   !> On the length of a joint of pipe: what a joint carries that touches alone, and what stabilizers and edges press with,
    !> in numbers that can be compared.
    subroutine add_side_force(chart, results, joint)
       type(chart_type), intent(inout) :: chart

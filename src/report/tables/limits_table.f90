@@ -298,7 +298,7 @@ contains
       end associate
    end subroutine append_jars
 
-   !> Whether a case runs a string with centralisers, whose standoff is looked for.
+   !> Whether a case runs a string with centralizers, whose standoff is looked for.
    pure function has_centralizers(model, case_index) result(has)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

@@ -51,12 +51,12 @@ contains
 
    !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
    !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say. A
-   !> centraliser does so, too, where it touches.
+   !> centralizer does so, too, where it touches.
    pure subroutine find_friction(hole, component, load_case, centralized, radius, scale, axial, rotary)
       type(hole_section_type), intent(in) :: hole
       type(component_type), intent(in) :: component
       type(load_case_type), intent(in) :: load_case
-      logical, intent(in) :: centralized !< its centralisers touch, not its body
+      logical, intent(in) :: centralized !< its centralizers touch, not its body
       real(wp), intent(in) :: radius     !< at which the string touches [m]
       real(wp), intent(in) :: scale      !< on all coefficients [-]
       real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]

@@ -28,7 +28,7 @@ module dg_deck_keys
          meaning='a part of a drillstring; listed from the bit upwards'), &
       group_rule_type('strength', meaning='design factors, and the slips that the string hangs in'), &
       group_rule_type('centralizer', repeatable=.true., &
-         meaning='centralisers on a component, which they keep off the wall at places along it'), &
+         meaning='centralizers on a component, which they keep off the wall at places along it'), &
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
       group_rule_type('load_case', repeatable=.true., required=.true., &
          meaning='what is done to the string, at which depth, with which loads'), &

@@ -178,7 +178,7 @@ contains
       call check_range(ranges, prefix//'fatigue_turns', fatigue%turns, found)
    end subroutine check_fatigue_ranges
 
-   !> The same for the centralisers of a component.
+   !> The same for the centralizers of a component.
    subroutine check_centralizer_ranges(centralizer, place, units, found)
       type(centralizer_type), intent(in) :: centralizer    !< that is present
       integer, intent(in) :: place

@@ -1,4 +1,4 @@
-!> Centralisers keep a component off the wall at places along it. A rigid one touches at its diameter. A bow spring presses
+!> Centralizers keep a component off the wall at places along it. A rigid one touches at its diameter. A bow spring presses
 !> as an elastic gap does, from where its bows reach the wall until the body itself touches.
 module dg_centralizer
    use dg_kinds, only: wp
@@ -7,7 +7,7 @@ module dg_centralizer
    private
    public :: centralizer_type, contact_length, bow_stiffness, bow_opening, at_centralizer, centralizer_ends
 
-   !> Length of string at which a centraliser touches [m]. It acts at the middle, as at a point. On elements of 0.2 m, round-off in
+   !> Length of string at which a centralizer touches [m]. It acts at the middle, as at a point. On elements of 0.2 m, round-off in
    !> the places of nodes leaves lateral forces of a millinewton.
    real(wp), parameter :: contact_length = 0.5_wp
    !> Part of the clearance by which a body is off the axis at a standoff of 67 % (API 10D), at which a restoring force is told [-].
@@ -15,7 +15,7 @@ module dg_centralizer
    !> A bow that fills its hole presses from this offset on [m]: a gap has a direction only where the string is off the axis.
    real(wp), parameter :: least_opening = 1.0e-6_wp
 
-   !> The centralisers of one component, all alike.
+   !> The centralizers of one component, all alike.
    type :: centralizer_type
       logical :: present = .false.
       logical :: bow = .false.                 !< a bow spring, else rigid
@@ -47,7 +47,7 @@ contains
       opening = max(0.5_wp*(hole - centralizer%od), least_opening)
    end function bow_opening
 
-   !> Whether a place, by its distance above the lower end of its component [m], is at a centraliser.
+   !> Whether a place, by its distance above the lower end of its component [m], is at a centralizer.
    pure function at_centralizer(centralizer, distance) result(at)
       type(centralizer_type), intent(in) :: centralizer
       real(wp), intent(in) :: distance
@@ -60,7 +60,7 @@ contains
            <= 0.5_wp*contact_length
    end function at_centralizer
 
-   !> Ends of the contacts of a component's centralisers, as distances above its lower end [m].
+   !> Ends of the contacts of a component's centralizers, as distances above its lower end [m].
    pure function centralizer_ends(centralizer, length) result(ends)
       type(centralizer_type), intent(in) :: centralizer
       real(wp), intent(in) :: length       !< of the component in the hole [m]

@@ -16,8 +16,8 @@ module dg_component
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
              room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
-   !> How the kind of a stabiliser begins, in either spelling.
-   character(*), parameter :: stabiliser = 'stabili'
+   !> How the kind of a stabilizer begins, in either spelling.
+   character(*), parameter :: stabilizer = 'stabili'
    !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
    real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Tilt that a bit's own cut leaves room for [-]: more than the largest bend, 5 deg, tilts it.
@@ -156,7 +156,7 @@ contains
       if (is_open(component, upper_end)) diameter = component%opened_od
    end function contact_diameter
 
-   !> Whether the component is a tool that opens: under-reamer, expandable stabiliser, bicentre bit, packer.
+   !> Whether the component is a tool that opens: under-reamer, expandable stabilizer, bicentre bit, packer.
    elemental function opens(component) result(does)
       type(component_type), intent(in) :: component
       logical :: does
@@ -228,13 +228,13 @@ contains
       if (allocated(component%kind)) is = lower_case(component%kind) == 'bit'
    end function is_bit
 
-   !> Whether the component has blades, which touch all along it: a stabiliser at its joint_od, at its od where it has none, or
+   !> Whether the component has blades, which touch all along it: a stabilizer at its joint_od, at its od where it has none, or
    !> another tool that opens, open or closed. A bit has none.
    elemental function has_blades(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
       has = .false.
-      if (allocated(component%kind)) has = index(lower_case(component%kind), stabiliser) == 1
+      if (allocated(component%kind)) has = index(lower_case(component%kind), stabilizer) == 1
       if (.not. has) has = opens(component) .and. .not. is_bit(component)
    end function has_blades
 

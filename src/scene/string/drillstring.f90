@@ -13,7 +13,7 @@ module dg_drillstring
       type(component_type), allocatable :: components(:) !< from the bit upwards
    end type drillstring_type
 
-   !> Length of the piece over which a bent housing bends, or pads press [m]: short beside the distances to bit and stabilisers,
+   !> Length of the piece over which a bent housing bends, or pads press [m]: short beside the distances to bit and stabilizers,
    !> longer than depths that are made one.
    real(wp), parameter :: piece_length = 0.1_wp
 
@@ -52,7 +52,7 @@ contains
       end do
    end function component_at
 
-   !> Ends of all tool joints, as distances above the bit [m]; components with centralisers have none. Joints stand every
+   !> Ends of all tool joints, as distances above the bit [m]; components with centralizers have none. Joints stand every
    !> joint_spacing from a component's lower end, half a joint at its ends.
    pure function joint_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
@@ -78,7 +78,7 @@ contains
       end do
    end function joint_ends
 
-   !> Ends of the contacts of all centralisers, as distances above the bit [m].
+   !> Ends of the contacts of all centralizers, as distances above the bit [m].
    pure function all_centralizer_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops

@@ -1,5 +1,5 @@
 !> The concentrated contacts of a string that has been bent again (dg_bending_profile): tool joints that stand one by one,
-!> stabilisers, edges of contact, and what holds the ends.
+!> stabilizers, edges of contact, and what holds the ends.
 module dg_contact_list
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
@@ -154,7 +154,7 @@ contains
       end associate
    end function kinds_of
 
-   !> One contact for each run of elements of one kind that touch: a joint, or a stabiliser.
+   !> One contact for each run of elements of one kind that touch: a joint, or a stabilizer.
    pure subroutine put_groups(kind, stretches, contacts)
       integer, intent(in) :: kind(:)        !< of elements of the analysis
       type(stretches_type), intent(in) :: stretches

@@ -1,6 +1,6 @@
 !> The start bent: a line of the soft string becomes the line of a beam under the soft string's axial force and torque.
 !>
-!> The soft string lies against the wall of every section of the hole, whatever it would take to bend it there. Next to stabilisers,
+!> The soft string lies against the wall of every section of the hole, whatever it would take to bend it there. Next to stabilizers,
 !> at changes of clearance, and where a survey is noisy, its line taken as a beam's starts with up to meganewtons out of balance,
 !> and says nothing of which gaps are open. The beam of dg_bending_beam on the nodes of the mesh finds that at a tenth of the cost
 !> of the whole equations: axial force and torque are known, so that what is left is contact alone, without friction and compression
