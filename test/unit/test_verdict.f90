@@ -179,7 +179,7 @@ contains
       model%cases(1)%friction_axial = given(0.7_wp)
       push = weight_of(model)*(0.7_wp*sin(angle) - cos(angle))
       call expect(optional_real(), 'String weight alone brings no load to the bit, 50 kN asked. Not possible without weight on '// &
-                  'bit either: '//kilonewtons(push)//' of push needed at surface. No shallower bit depth is possible either')
+                  'bit either: '//'string weight is '//kilonewtons(push)//' short. No shallower bit depth is possible either')
       call build(model, operation_trip_out, -asked)
       load = weight_of(model)*(cos(angle) + friction*sin(angle))
       call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &

@@ -149,7 +149,7 @@ contains
          if (limit == 0) return
          select case (limit)
          case (limit_lock_up); text = 'string weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
-         case (limit_string_weight); text = push_text(units, load_case, excess)
+         case (limit_string_weight); text = 'string weight is '//force_text(units, excess)//' short'
          case default; text = shown_title(limit)//' '//load_text(units, limit, excess)//' too much then'
          end select
       end associate
