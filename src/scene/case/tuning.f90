@@ -131,8 +131,8 @@ module dg_tuning
       real(wp) :: longest = 0.7_wp
       !> A slope at a step's end over that at its start by which the step is refused [-].
       real(wp) :: refused = 0.6_wp
-      !> Largest lateral change by the last step of a compressed string, over its clearance, at which it is in equilibrium [-]: near
-      !> its buckling load next to no force moves it.
+      !> Largest lateral change by the last step of a compressed string, over the string's largest clearance, at which it is in
+      !> equilibrium [-]: near its buckling load next to no force moves it.
       real(wp) :: still = 1.0e-4_wp
       !> Residual over the force scale from which on elements are cut and gaps are moved [-]: Newton's last steps change neither.
       real(wp) :: nearly = 1.0e-3_wp

@@ -31,11 +31,11 @@ module dg_bent_start
 contains
 
    !> The beam on the nodes of the mesh under the soft string's forces, but for its walls.
-   pure subroutine new_start_beam(model, mesh, axial, torque, rotary, beam)
+   pure subroutine new_start_beam(model, mesh, axial, torque, along, around, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
-      real(wp), intent(in) :: rotary(:)             !< circumferential friction, by element [-]
+      real(wp), intent(in) :: along(:), around(:)   !< coefficients of friction along and around the hole, by element [-]
       type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       real(wp) :: t(3, 2), n_1(3, 2), n_2(3, 2), turn(3)
@@ -53,8 +53,8 @@ contains
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
       beam%weight = mesh%weight
       beam%ei = mesh%ei
-      beam%element%lever = mesh%radius*mesh%axial
-      beam%element%around = rotary
+      beam%element%lever = mesh%radius*along
+      beam%element%around = around
       do e = 1, n - 1
          beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
          beam%owner(e) = e

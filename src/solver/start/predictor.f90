@@ -102,7 +102,7 @@ contains
       y(3:4, :) = slope
       found = .false.
       if (model%numerics%tuning%start_bent) then
-         call new_start_beam(model, mesh, axial, torque, start%scale*climb*mesh%rotary, beam)
+         call new_start_beam(model, mesh, axial, torque, start%scale*mesh%axial, start%scale*climb*mesh%rotary, beam)
          call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
