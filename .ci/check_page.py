@@ -103,16 +103,17 @@ class Profile:
         return [float(row[head]) if row[head] else None for row in self.rows]
 
     def at(self, name, depth):
-        """Value there, and the range of the column; None where there is none or the curve jumps within a metre."""
+        """Value there, and the range of nine in ten values; None where there is none or the curve jumps within a metre."""
         values = self.column(name)
         i = max(k for k in range(len(self.depth)) if self.depth[k] <= depth)
         i = min(i, len(self.depth) - 2)
         near = [v for d, v in zip(self.depth, values) if abs(d - depth) < 1.0]
         a, b = values[i], values[i + 1]
-        there = [v for v in values if v is not None]
+        there = sorted(v for v in values if v is not None)
+        cut = int(0.05 * len(there))
         if a is None or b is None or None in near or self.depth[i + 1] <= self.depth[i]:
             return None, 0.0
-        return a + (b - a) * (depth - self.depth[i]) / (self.depth[i + 1] - self.depth[i]), max(there) - min(there)
+        return a + (b - a) * (depth - self.depth[i]) / (self.depth[i + 1] - self.depth[i]), (there[-1 - cut] - there[cut]) or there[-1] - there[0]
 
 
 def faults_of_view(folder, page, data, view, field=False):

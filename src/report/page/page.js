@@ -200,7 +200,8 @@ function block(root, S) {
    function cells_of_profiles() {                               // a row a quantity
       const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2
       const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]
-      return [['quantity', 'unit', ...list.map(p => p.key.text), ...(both ? ['difference'] : [])], ...names.map(n => {
+      const parts = list.map(p => D.cases[p.case].parts.find(part => D.cases[p.case].depth - state.depth <= part.to)?.name ?? '\u2013')
+      return [['quantity', 'unit', ...list.map(p => p.key.text), ...(both ? ['difference'] : [])], ['component', '', ...parts, ...(both ? [''] : [])], ...names.map(n => {
          const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '\u2013' : text_of(x, c.quantity)
          return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '' : text(v[1] - v[0])] : [])]
       })]
@@ -266,7 +267,8 @@ function block(root, S) {
       const right = make(main, 'h:div', {class: 'right'})
       view.legend = make(right, 'h:div', {class: 'legend'})
       view.panels = make(right, 'h:div', {class: 'panels'})
-      view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)})
+      view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value),
+         onkeydown: e => { const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[e.key]; if (way) { e.preventDefault(); set_depth(state.depth + way * (e.shiftKey ? 10 : 1)) } }})
       view.readout = make(right, 'h:div', {class: 'wide readout'})
       if (S.charts) {
          const label = make(right, 'h:label', {})

@@ -1,7 +1,8 @@
 !> Curves of the page: columns of a profile as texts 'step value step value ...', thinned as pictures are.
 !>
 !> Depths are steps in thousandths of the deck's unit of length, values have five digits of its units. Straight lines between the
-!> points that are kept are within `tolerance` of the column's range of all others. A missing value is empty.
+!> points that are kept are within `tolerance` of a column's range of all others. The range is that of nine in ten values: one force
+!> on an edge, or the safety factor of a bit that bears nothing, is thousands of times the rest. A missing value is empty.
 module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -9,6 +10,7 @@ module dg_page_curves
    use dg_quantity, only: quantity_force
    use dg_constants, only: pi
    use dg_depth_curve, only: force_on_length, kept_points
+   use dg_merge_sort, only: sorted_places
    use dg_missing, only: is_missing
    use dg_profile_file, only: profile_series
    use dg_series, only: put, series_list_type
@@ -26,6 +28,8 @@ module dg_page_curves
    integer, parameter :: digits = 5, longest_pair = 32
    !> Change of an angle that is kept, at least [rad], and values that are all alike [-].
    real(wp), parameter :: least_turn = pi/180.0_wp, alike = 1.0e-9_wp
+   !> Part of the values, at each end of their order, that does not count for the range [-].
+   real(wp), parameter :: outer = 0.05_wp
    !> Largest turn of an angle between two points that are kept, where the profile has more [rad].
    real(wp), parameter :: most_turn = 0.5_wp*pi
 
@@ -96,10 +100,21 @@ contains
          kept = .false.
          kept([1, size(kept)]) = .true.
       else
-         kept = kept_points(md, values, tolerance*range)
+         kept = kept_points(md, values, tolerance*inner_range(pack(values, there), range))
       end if
       text = pairs_text(md, values, kept, unit, length)
    end function curve_text
+
+   !> Range of nine in ten values; the whole range where these are alike.
+   pure function inner_range(values, whole) result(range)
+      real(wp), intent(in) :: values(:), whole
+      real(wp) :: range
+      integer :: places(size(values)), cut
+      places = sorted_places(values)
+      cut = int(outer*size(values))
+      range = values(places(size(values) - cut)) - values(places(1 + cut))
+      if (range <= alike*whole) range = whole
+   end function inner_range
 
    !> An angle, which is thinned without its jumps from a full turn to zero.
    pure function angle_text(md, values, unit, length, tolerance) result(text)

@@ -5,8 +5,8 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '3KBVAPtNgsxR2Ei8o4ssOR+iQMxqSTy0pct40N0MUVk='
-   character(166), parameter :: script_lines_1(100) = [character(166) :: &
+   character(*), parameter :: script_hash = 'mXJakc8ZrrfGNOQFvw5mn0Mglc0GPGvSnv8VaL9i8N8='
+   character(185), parameter :: script_lines_1(100) = [character(185) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
@@ -126,7 +126,7 @@ module dg_page_script
       'gap ||= turns && Math.abs(v - curve.v[i - 1]) > 180', &
       'if (isFinite(v)) path += gap ? `M${at}h0` : ''L'' + at', &
       'gap = !isFinite(v)']
-   character(166), parameter :: script_lines_2(100) = [character(166) :: &
+   character(185), parameter :: script_lines_2(100) = [character(185) :: &
       '}', &
       'return path', &
       '}', &
@@ -233,8 +233,10 @@ module dg_page_script
       'function cells_of_profiles() {                               // a row a quantity', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2', &
       'const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]', &
-      'return [[''quantity'', ''unit'', ...list.map(p => p.key.text), ...(both ? [''difference''] : [])], ...names.ma'// &
-      'p(n => {', &
+      'const parts = list.map(p => D.cases[p.case].parts.find(part => D.cases[p.case].depth - state.depth <= part.to)'// &
+      '?.name ?? ''\u2013'')', &
+      'return [[''quantity'', ''unit'', ...list.map(p => p.key.text), ...(both ? [''difference''] : [])], [''componen'// &
+      't'', '''', ...parts, ...(both ? [''''] : [])], ...names.map(n => {', &
       'const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '''// &
       '\u2013'' : text_of(x, c.quantity)', &
       'return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '''' : text(v[1] - v[0])] : [])]', &
@@ -242,9 +244,9 @@ module dg_page_script
       '}', &
       'function cells_of_lines() {                                  // a row a line: all that reach the depth, of mar'// &
       'ks those that are near', &
-      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
-      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))']
-   character(166), parameter :: script_lines_3(100) = [character(166) :: &
+      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))']
+   character(185), parameter :: script_lines_3(100) = [character(185) :: &
+      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
       'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => told_of(l, panels[k].quantity)).find('// &
       'text => text !== ''\u2013'') ?? ''\u2013''', &
@@ -314,7 +316,9 @@ module dg_page_script
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
-      ' ''row'', oninput: e => set_depth(+e.target.value)})', &
+      ' ''row'', oninput: e => set_depth(+e.target.value),', &
+      'onkeydown: e => { const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[e.key]; if (way) { e.p'// &
+      'reventDefault(); set_depth(state.depth + way * (e.shiftKey ? 10 : 1)) } }})', &
       'view.readout = make(right, ''h:div'', {class: ''wide readout''})', &
       'if (S.charts) {', &
       'const label = make(right, ''h:label'', {})', &
@@ -354,10 +358,10 @@ module dg_page_script
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
-      'want(top, top + step * (H - up - down))', &
+      'want(top, top + step * (H - up - down))']
+   character(185), parameter :: script_lines_4(100) = [character(185) :: &
       '}', &
-      'const finish = () => {']
-   character(166), parameter :: script_lines_4(100) = [character(166) :: &
+      'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
       'from = NaN', &
@@ -472,10 +476,10 @@ module dg_page_script
       '})', &
       '}', &
       'function draw_well() {', &
-      'const [p] = shown(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))', &
+      'const [p] = shown(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))']
+   character(185), parameter :: script_lines_5(86) = [character(185) :: &
       'well.replaceChildren()', &
-      'mark_well = () => {}']
-   character(166), parameter :: script_lines_5(84) = [character(166) :: &
+      'mark_well = () => {}', &
       'if (!p) return', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]', &
       'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
@@ -584,7 +588,7 @@ module dg_page_script
       '})', &
       'return {draw: () => { draw_well(); draw_assembly() }, mark: () => { mark_well(); draw_section() }}', &
       '}']
-   character(166), parameter :: script_lines(484) = [ &
+   character(185), parameter :: script_lines(486) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
