@@ -9,7 +9,7 @@ module dg_legacy_file
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
    use dg_table_text, only: close_brackets, find_separator, skipped_rows_type, skipped_words, split_fields, split_row, &
                             split_unit, squeezed, without_comment
-   use dg_text, only: lower_case, quoted, suggestion, text_type, to_text
+   use dg_text, only: quoted, suggestion, text_type, to_text
    implicit none
    private
    public :: column_type, column_count, column_name, column_quantity, read_legacy_file, unit_value
@@ -230,9 +230,9 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable, intent(inout) :: unit
       logical :: is
-      character(:), allocatable :: wanted
-      wanted = lower_case(place)
-      is = name == wanted
+      character(:), allocatable :: wanted, in_brackets
+      call split_unit(squeezed(place, ''), wanted, in_brackets)
+      is = squeezed(name, '') == wanted
       if (is .or. len(name) < len(wanted) + 2) return
       if (name(:len(wanted) + 1) /= wanted//'_') return
       is = unit_value(k, name(len(wanted) + 2:)) > 0.0_wp
