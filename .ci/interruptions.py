@@ -281,8 +281,8 @@ def mounted(folder, *options):
 
 
 def picture(path):
-    """A picture but for its time and for the empty groups that gnuplot begins its second picture with."""
-    return re.sub(rb"<g [^>]*>\n</g>\n", b"", without_times(path))
+    """A picture but for its time, its titles, which are put in when all are drawn, and empty groups of gnuplot's second picture."""
+    return re.sub(rb"<title>[^<]*</title>|<g [^>]*>\n</g>\n", b"", without_times(path))
 
 
 def pictures_on_full_disk(program, *_):
