@@ -268,8 +268,9 @@ contains
       call assertRelativelyEqual((0.99_wp*loads(2)/weight_of(model) - cos(angle))/(friction*sin(angle)), &
                                  verdict%possible_friction%value, close)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertEqual('Hook load of the rig: '//to_text(loads(2)/1000.0_wp, 3)//' kN, '//to_text(0.99_wp*loads(2)/1000.0_wp, 3)// &
-                       ' kN allowed, '//to_text(0.01_wp*loads(2)/1000.0_wp, 3)//' kN too much, at the upper end of the 95 % '// &
+      call assertEqual('Hook load with block (rig): '//to_text(loads(2)/1000.0_wp, 3)//' kN, '// &
+                       to_text(0.99_wp*loads(2)/1000.0_wp, 3)//' kN allowed, '// &
+                       to_text(0.01_wp*loads(2)/1000.0_wp, 3)//' kN too much, at the upper end of the 95 % '// &
                        'interval of friction. With up to about 1.36 times the calibrated friction the answer is yes', text)
       ! One that cannot be done with the friction found, either.
       call judge(model, given(0.99_wp*loads(1)), verdict, upper)

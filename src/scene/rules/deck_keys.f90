@@ -171,7 +171,7 @@ module dg_deck_keys
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
          meaning='active: the sheave of the dead line turns like the others'), &
       key_rule_type('rig', 'max_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='load that the rig may carry, its block counted in: as rig_limit of &job'), &
+         meaning='load that the rig may carry, its block counted in; or rig_limit of &job, not both'), &
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
@@ -355,10 +355,10 @@ module dg_deck_keys
       key_rule_type('load_case', 'length_reference', kind_text, &
          meaning='name of the load case from which the change of length counts; default: from before the string was run'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='for comparison'), &
+         meaning='for comparison; with &rig what the weight indicator shows'), &
       key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
       key_rule_type('load_case', 'reference_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='another calculation''s, for comparison'), &
+         meaning='another calculation''s, for comparison; without block'), &
       key_rule_type('load_case', 'toolface', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
          meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
 
