@@ -15,7 +15,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 39
+   integer, parameter :: numbers = 41
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -137,7 +137,7 @@ contains
       case (5); call change('soft_penetration', tuning%soft_penetration, 0.01_wp, changed)
       case (6); call change('start_buckled', tuning%start_buckled, changed)
       case (7); call change('start_bent', tuning%start_bent, changed)
-      case (8); call change('still', tuning%still, never, changed)
+      case (8); call change('start_outside', tuning%start_outside, never, changed)
       case (9); call change('sliver', tuning%sliver, 0.0_wp, changed)
       case (10); call change('aside', tuning%aside, never, changed)
       case (11); call change('most_settlings', tuning%most_settlings, 1, changed)
@@ -168,7 +168,9 @@ contains
       case (36); call change('more_moves', tuning%more_moves, 0, changed)
       case (37); call change('astray', tuning%astray, 0.0_wp, changed)
       case (38); call change('start_mirrored', tuning%start_mirrored, changed)
-      case default; call change('longest_stall', tuning%longest_stall, 400, changed)
+      case (39); call change('longest_stall', tuning%longest_stall, 400, changed)
+      case (40); call change('coiled_longest', tuning%coiled_longest, 170, changed)
+      case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number
 

@@ -281,7 +281,7 @@ contains
    !> for the smaller load nothing is confirmed, and the message says so, and which load still is borne.
    subroutine test_lock_up_confirmed()
       real(wp), parameter :: kop = 300.0_wp, landing = 570.0_wp, bit = 1200.0_wp, less(2) = [-0.05_wp, 0.05_wp]
-      integer, parameter :: few(2) = [2, 12]
+      integer, parameter :: few(2) = [2, 24]
       type(model_type) :: model, ask
       type(component_type) :: dp, tubing
       type(case_result_type) :: result, other

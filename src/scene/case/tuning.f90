@@ -9,6 +9,7 @@ module dg_tuning
 
    !> One attempt at a case.
    type :: attempt_type
+      integer :: longest = 0               !< iterations that it may have
       real(wp) :: growth = 0.0_wp          !< of rho over the softest, to begin with [-]
       logical :: spread = .false.          !< contact forces of the start are those against soft walls
       logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
@@ -31,10 +32,14 @@ module dg_tuning
       !> others in a hundred. The second begins with contact forces that soft walls spread, and has such walls for longer: gaps
       !> settle more slowly and more surely. The third has the gaps at their other place: short packed assemblies may have no
       !> equilibrium at the place asked for. The fourth takes long steps.
-      type(attempt_type) :: attempt(4) = [attempt_type(100.0_wp), attempt_type(1.0_wp, spread=.true.), &
-                                          attempt_type(100.0_wp, other_place=.true.), attempt_type(100.0_wp, reach=long)]
+      type(attempt_type) :: attempt(4) = [attempt_type(170, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
+                                          attempt_type(150, 100.0_wp, other_place=.true.), &
+                                          attempt_type(100, 100.0_wp, reach=long)]
       !> How many of them are made, at most 4.
       integer :: most_attempts = 4
+      !> Iterations of the first attempt at a string that coils. Near lock-up many need 200 to 320. The other attempts did not find
+      !> their equilibria.
+      integer :: coiled_longest = 400
       !> Iterations without a residual less than all before, after which an attempt is given up. Hard wells that converge have at
       !> most 103. Attempts that find nothing go on for hundreds.
       integer :: longest_stall = 110
@@ -61,6 +66,11 @@ module dg_tuning
       logical :: start_mirrored = .false.
       !> The soft string's line is bent as a beam before it is the start.
       logical :: start_bent = .true.
+      !> Where a node of that line lies farther off the axis than so many times its clearance, the start is the line bent against
+      !> walls of their own stiffness [-]: a stabilizer's clearance is a thirtieth of a collar's, and soft walls that suit collars
+      !> let it out of the hole by all of theirs. With two a motor in a lateral took 13 times the iterations. Without a bound
+      !> elements of 1 m take three times as many.
+      real(wp) :: start_outside = 1.9_wp
       !> Nodes closer than this to one above, over the length of the element below, start on a smooth line between others, but at
       !> tool joints [-]: a sliver may jump there with the clearance.
       real(wp) :: sliver = 0.4_wp

@@ -151,6 +151,7 @@ contains
       type(case_result_type) :: other
       integer :: i
       neighbour = model
+      neighbour%numerics%max_iterations = min(model%numerics%max_iterations, model%numerics%tuning%attempt(1)%longest)
       do i = 1, 2
          neighbour%numerics%tuning%start_buckled = i == 2
          neighbour%numerics%tuning%start_mirrored = i == 2
@@ -183,7 +184,7 @@ contains
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
-      integer :: i, last, outcome, most, tried     ! the last: iterations at most, attempts made before
+      integer :: i, last, outcome, most, longest, tried    ! the last: iterations at most, of an attempt, attempts made before
       associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -201,7 +202,9 @@ contains
          do i = attempts(1), min(attempts(2), model%numerics%tuning%most_attempts)
             last = i
             numerics = model%numerics
-            numerics%max_iterations = most
+            longest = numerics%tuning%attempt(i)%longest
+            if (i == 1 .and. string%compressed > coiled) longest = numerics%tuning%coiled_longest
+            numerics%max_iterations = min(most, equations%iterations + nint(patience(numerics)*longest))
             numerics%tuning%longest_stall = nint(patience(numerics)*numerics%tuning%longest_stall)
             numerics%step_limit = numerics%tuning%attempt(i)%reach*numerics%step_limit
             if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)

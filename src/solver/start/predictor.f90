@@ -15,7 +15,7 @@ module dg_predictor
    use dg_gap_state, only: state_elastic, state_free
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_slope, hermite_value
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: mesh_type, widest_beside
    use dg_model, only: model_type
    use dg_numerics, only: gap_at_extremum
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
@@ -47,8 +47,8 @@ contains
 
    !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
    !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
-   !> a soft wall, and from there against the wall itself where forces are not left spread. A string under right-hand torque coils
-   !> to the left.
+   !> the soft wall, or against the wall itself where it would lie outside the hole; contact forces are those against the wall
+   !> itself, where they are not left spread. A string under right-hand torque coils to the left.
    pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -61,7 +61,7 @@ contains
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
       real(wp) :: offset(2, mesh%nodes), slope(2, mesh%nodes), load(mesh%nodes), force, n(3), friction, place, depth
       real(wp) :: y(4, mesh%nodes), forces(contact_places, mesh%elements)
-      real(wp) :: hard(contact_places, mesh%elements)
+      real(wp) :: bent(4, mesh%nodes), hard(contact_places, mesh%elements)
       real(wp) :: wound(mesh%nodes)
       type(bending_beam_type) :: beam
       logical :: found, sharp, left_handed
@@ -106,8 +106,12 @@ contains
          call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
-         call bend_start(mesh, mesh%wall, maxval(wall), beam, y, hard, sharp)
-         if (sharp) forces = hard
+         bent = y
+         call bend_start(mesh, mesh%wall, maxval(wall), beam, bent, hard, sharp)
+         if (sharp) then
+            forces = hard
+            if (lies_outside(model%numerics%tuning%start_outside, mesh, y)) y = bent
+         end if
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
@@ -148,6 +152,20 @@ contains
       offset(2, :) = -offset(2, :)
       slope(2, :) = -slope(2, :)
    end subroutine mirror
+
+   !> Whether a node of the line y(4,nodes) lies farther off the axis than so many times its clearance.
+   pure function lies_outside(times, mesh, y) result(outside)
+      real(wp), intent(in) :: times
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: y(:, :)
+      logical :: outside
+      integer :: i
+      outside = .false.
+      do i = 1, mesh%nodes
+         outside = norm2(y(1:2, i)) > times*widest_beside(mesh, i)
+         if (outside) return
+      end do
+   end function lies_outside
 
    !> Nodes through which a start is laid. Others lie on the cubic between them: nodes beside an edge of the string, and nodes close
    !> to one above next to an element many times as long, as where a component ends beside a station. The offset may jump there with
