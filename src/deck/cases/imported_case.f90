@@ -62,7 +62,7 @@ contains
       allocate (case%survey_notes(0), case%hole_notes(0), case%string_notes(0), case%fluid_notes(0))
    end function empty_case
 
-   !> Adds a section of the hole; one without depths or diameter is told and left out.
+   !> Adds a section of the hole; one without depths or diameter is left out, with a note.
    pure subroutine add_hole(case, hole)
       type(imported_case_type), intent(inout) :: case
       type(imported_hole_type), intent(in) :: hole
@@ -73,7 +73,7 @@ contains
       end if
    end subroutine add_hole
 
-   !> Adds a component above those that are there. A joint no wider than the body is none, but for blades of a stabilizer.
+   !> Adds a component above those that are there. A joint no wider than the body does not count, but blades of a stabilizer do.
    pure subroutine add_part(case, part)
       type(imported_case_type), intent(inout) :: case
       type(imported_part_type), intent(in) :: part

@@ -34,7 +34,7 @@ module dg_whirling
    public :: find_climb, turning_type, add_turning, turning_moment, add_end_torque, end_moment
 
    !> Compression over the helical load from which a rotating string's friction climbs less, and from which not at all [-]: a string
-   !> snakes from 0.71 = 1/sqrt(2) on, in bends and next to stabilizers sooner.
+   !> buckles sinusoidally from 0.71 = 1/sqrt(2) on, in bends and next to stabilizers at less.
    real(wp), parameter :: whirls_from = 0.4_wp, whirls_all = 0.72_wp
 
    !> Friction's torque at a gap.

@@ -222,7 +222,7 @@ contains
       end associate
    end subroutine put_in_hole
 
-   !> What centralizers change on an element of their component, which is in its hole: all load gathers where they touch.
+   !> Puts centralizers on an element of their component, which is in its hole: they take all of its load.
    pure subroutine put_centralizer(model, load_case, component, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -97,7 +97,7 @@ function block(root, S) {
       if (line.marks) return line.curve.v[row_beside(line)] ?? NaN
       return (line.sign ?? 1) * value_in(line.curve, state.depth, false, line.turns)
    }
-   function told_of(line, q) {
+   function shown_of(line, q) {
       const text = text_of(value_of(line), q), i = line.low ? row_beside(line) : -1
       return i < 0 ? text : `${text} (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`
    }
@@ -208,10 +208,10 @@ function block(root, S) {
    }
    function cells_of_lines() {                                  // a row a line: all that reach the depth, of marks those that are near
       const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))
-      const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))
+      const near = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))
       const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))
-      const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => told_of(l, panels[k].quantity)).find(text => text !== '\u2013') ?? '\u2013'
-      return [['curve', ...heads], ...[...new Set(told.map(l => l.name))].map(name => [name, ...panels.map((_, k) => cell(name, k))])]
+      const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => shown_of(l, panels[k].quantity)).find(text => text !== '\u2013') ?? '\u2013'
+      return [['curve', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) => cell(name, k))])]
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()

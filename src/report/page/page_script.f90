@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'mXJakc8ZrrfGNOQFvw5mn0Mglc0GPGvSnv8VaL9i8N8='
+   character(*), parameter :: script_hash = 'WgTUjg7L/dhrbnqrzRK4K/nnIX92h6wlByOfR3T/ZuA='
    character(185), parameter :: script_lines_1(100) = [character(185) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -114,7 +114,7 @@ module dg_page_script
       'if (line.marks) return line.curve.v[row_beside(line)] ?? NaN', &
       'return (line.sign ?? 1) * value_in(line.curve, state.depth, false, line.turns)', &
       '}', &
-      'function told_of(line, q) {', &
+      'function shown_of(line, q) {', &
       'const text = text_of(value_of(line), q), i = line.low ? row_beside(line) : -1', &
       'return i < 0 ? text : `${text} (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`', &
       '}', &
@@ -246,11 +246,11 @@ module dg_page_script
       'ks those that are near', &
       'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))']
    character(185), parameter :: script_lines_3(100) = [character(185) :: &
-      'const told = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))', &
+      'const near = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
-      'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => told_of(l, panels[k].quantity)).find('// &
-      'text => text !== ''\u2013'') ?? ''\u2013''', &
-      'return [[''curve'', ...heads], ...[...new Set(told.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
+      'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => shown_of(l, panels[k].quantity)).find'// &
+      '(text => text !== ''\u2013'') ?? ''\u2013''', &
+      'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
       '=> cell(name, k))])]', &
       '}', &
       'function draw_readout() {                                    // a table; a screen reader has its words from th'// &

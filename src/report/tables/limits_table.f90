@@ -298,7 +298,7 @@ contains
       end associate
    end subroutine append_jars
 
-   !> Whether a case runs a string with centralizers, whose standoff is looked for.
+   !> True for a case whose string has centralizers: its least standoff is printed.
    pure function has_centralizers(model, case_index) result(has)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
