@@ -36,6 +36,7 @@ module dg_friction_reserve
       real(wp) :: axial_ratio = 1.0_wp               !< friction of the result over that of the soft string [-]
       real(wp) :: torque_ratio = 1.0_wp              !< the same of torque
       logical :: coiled = .false.                    !< with the friction of a buckled string
+      logical :: climbs = .false.                    !< as beams do where they turn: torque grows less than friction then
    end type soft_type
 
 contains
@@ -73,38 +74,27 @@ contains
       type(optional_real), intent(out) :: found
       integer, intent(out) :: passed           !< limit that is passed just beyond the factor; 0: none
       type(soft_type) :: soft
-      type(model_type) :: climbing
       type(bracket_type) :: bracket
       real(wp) :: factor, margin(2), here
       integer :: i, limit
       passed = 0
       if (.not. allocated(result%profile%md)) return
-      climbing = climbing_as_result(model, result)
-      call begin_soft(climbing, result, soft)
+      call begin_soft(model, result, soft)
       if (.not. allocated(soft%axial)) return
       do i = 1, 2
-         call find_margin(climbing, result, design, rig_limit, soft, between(i), margin(i), limit)
+         call find_margin(model, result, design, rig_limit, soft, between(i), margin(i), limit)
       end do
       if (margin(2) >= 0.0_wp .or. margin(1) < 0.0_wp) return
       passed = limit
       bracket = new_bracket(between(1), margin(1), between(2), margin(2))
       do while (.not. is_narrow(bracket, narrowness*between(2)))
          factor = next_try(bracket, narrowness*between(2))
-         call find_margin(climbing, result, design, rig_limit, soft, factor, here, limit)
+         call find_margin(model, result, design, rig_limit, soft, factor, here, limit)
          if (here < 0.0_wp) passed = limit
          call narrow(bracket, factor, here)
       end do
       found = given(bracket%low)
    end subroutine find_factor
-
-   !> The model with a soft string that climbs the wall as it turns, where beams have done so: torque then grows less than friction.
-   pure function climbing_as_result(model, result) result(climbing)
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: result
-      type(model_type) :: climbing
-      climbing = model
-      climbing%numerics%wall_climb = model%numerics%wall_climb .or. result%model == model_mcge
-   end function climbing_as_result
 
    !> Soft string at today's friction. Not allocated where it locks up.
    pure subroutine begin_soft(model, result, soft)
@@ -115,8 +105,9 @@ contains
       real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
       ! A string that turns as it goes down was found to come farther than the soft string with the friction of coils.
       soft%coiled = result%model /= model_soft .and. .not. rotates(model%cases(result%case_index)%operation)
+      soft%climbs = result%model == model_mcge
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
-                          other=other_loads_type(coiled=soft%coiled))
+                          other=other_loads_type(coiled=soft%coiled, climbs=soft%climbs))
       if (totals%runaway) return
       soft%axial = axial
       soft%torque = torque
@@ -138,9 +129,9 @@ contains
       type(case_result_type), intent(out) :: other       !< hook load, torque, friction, profile
       logical, intent(out) :: locks_up                   !< no such result
       type(soft_type) :: soft
-      call begin_soft(climbing_as_result(model, result), result, soft)
+      call begin_soft(model, result, soft)
       locks_up = .not. allocated(soft%axial)
-      if (.not. locks_up) call shift_result(climbing_as_result(other_model, result), result, soft, 1.0_wp, other, locks_up)
+      if (.not. locks_up) call shift_result(other_model, result, soft, 1.0_wp, other, locks_up)
    end subroutine find_shifted
 
    !> The result with friction of a model times a factor. Force and torque that are added at the lower end come to the top as
@@ -155,7 +146,7 @@ contains
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), added, added_torque
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
-                          other=other_loads_type(friction_scale=factor, coiled=soft%coiled))
+                          other=other_loads_type(friction_scale=factor, coiled=soft%coiled, climbs=soft%climbs))
       locks_up = totals%runaway
       if (locks_up) return
       other%case_index = result%case_index

@@ -56,6 +56,7 @@ module dg_soft_string_loads
       real(wp) :: friction_scale = 1.0_wp   !< on every friction coefficient [-]
       real(wp) :: load_scale = 1.0_wp       !< on weight and torque on bit [-]
       logical :: coiled = .false.           !< friction of a coiled string too
+      logical :: climbs = .false.           !< a string that turns climbs the wall, whatever the model says
       type(optional_real) :: wob            !< weight on bit instead of the load case's [N]
    end type other_loads_type
 
@@ -121,7 +122,7 @@ contains
       type(other_loads_type), intent(in) :: loads
       type(piece_type), intent(out) :: piece
       type(place_type), intent(out) :: place    !< at that depth
-      piece = piece_above(model, layout, md, loads%friction_scale, loads%coiled)
+      piece = piece_above(model, layout, md, loads%friction_scale, loads%coiled, loads%climbs)
       place = place_at(piece, md - piece%arc%md)
    end subroutine enter_piece
 

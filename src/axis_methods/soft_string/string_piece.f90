@@ -72,14 +72,15 @@ contains
    end function layout_of
 
    !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
-   pure function piece_above(model, layout, md, friction_scale, coiled) result(piece)
+   pure function piece_above(model, layout, md, friction_scale, coiled, climbs) result(piece)
       type(model_type), intent(in) :: model
       type(layout_type), intent(in) :: layout
       real(wp), intent(in) :: md
       real(wp), intent(in) :: friction_scale
-      logical, intent(in), optional :: coiled   !< absent: no
+      logical, intent(in), optional :: coiled, climbs   !< absent: no, and as the model says
       type(piece_type) :: piece
       real(wp) :: middle
+      logical :: climbing
       integer :: i, k, hole
       i = arc_at(model%trajectory, md)
       if (model%trajectory%arcs(i)%md >= md .and. i > 1) i = i - 1
@@ -117,7 +118,9 @@ contains
       end associate
       if (present(coiled)) piece%coils = coiled .and. piece%clearance > 0.0_wp
       if (piece%coils) piece%least_helical = least_helical_load(piece%stiffness, piece%weight)
-      if (model%numerics%wall_climb) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
+      climbing = model%numerics%wall_climb
+      if (present(climbs)) climbing = climbing .or. climbs
+      if (climbing) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
 
    !> Shares the contact of a piece among its centralizers and the body between them: its friction is their mean by force.

@@ -74,8 +74,8 @@ contains
       call set_fidelity(numerics, fidelity)
    end function settings_of
 
-   !> How many times as long as usual an attempt may be, and stall, so that all of them together make use of max_iterations [-]. Where that
-   !> is less than usual attempts are no shorter: fewer of them are made.
+   !> How many times as long as usual an attempt may be, and stall, so that all of them together make use of max_iterations [-].
+   !> Where that is less than usual attempts are no shorter: fewer of them are made.
    pure function patience(numerics) result(times)
       type(numerics_type), intent(in) :: numerics
       type(numerics_type) :: usual
