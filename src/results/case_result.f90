@@ -22,7 +22,7 @@ module dg_case_result
    character(*), parameter :: push_needed = 'The hook load is below zero. The string must be pushed at surface'
    real(wp), parameter :: pushed_from = 1.0e-6_wp
 
-   !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not watched; the energy's
+   !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not damped; the energy's
    !> slope; the residual, which is less; it was refused. Names in files.
    integer, parameter :: judged_start = 1, judged_whole = 2, judged_energy = 3, judged_residual = 4, judged_refused = 5
    character(*), parameter :: judged_name(5) = [character(8) :: 'start', 'whole', 'energy', 'residual', 'refused']
@@ -57,7 +57,7 @@ module dg_case_result
       real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
-      real(wp) :: viscosity = 0.0_wp           !< viscous regularisation, in units of F^2/(4 EI) [-]
+      real(wp) :: damping = 0.0_wp           !< damping, in units of F^2/(4 EI) [-]
       integer :: judged = judged_start         !< what judged the step that led here
       integer :: negative_pivots = missing_count !< negative eigenvalues of the step's matrix; missing: not known
       integer :: contacts = 0                  !< gaps in contact

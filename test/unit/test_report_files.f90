@@ -188,7 +188,7 @@ contains
       call read_lines(path, found)
       call assertEqual(2, size(found))
       if (anyExceptions()) return
-      call assertEqual('attempt,increment,stage,iteration,residual_kN,residual_kNm,lateral_step_mm,viscosity,'// &
+      call assertEqual('attempt,increment,stage,iteration,residual_kN,residual_kNm,lateral_step_mm,damping,'// &
                        'judged_by,negative_pivots,contacts,flips,moves,hookload_kN', found(1)%text)
       call assertEqual('1,1,2,1,0.5000000000,0.000000000,0.000000000,0.000000000,start,,0,0,0,733.4000000', found(2)%text)
    end subroutine test_history

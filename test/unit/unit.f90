@@ -35,6 +35,7 @@ contains
       use dg_test_tortuosity, only: tortuosity_suite
       use dg_test_trajectory, only: trajectory_suite
       use dg_test_soft_string, only: soft_string_suite
+      use dg_test_attempts, only: attempts_suite
       use dg_test_beam_angle, only: beam_angle_suite
       use dg_test_beam_element, only: beam_element_suite
       use dg_test_block_matrix, only: block_matrix_suite
@@ -108,6 +109,7 @@ contains
       call suite%addTest(tortuosity_suite())
       call suite%addTest(closest_point_suite())
       call suite%addTest(soft_string_suite())
+      call suite%addTest(attempts_suite())
       call suite%addTest(beam_angle_suite())
       call suite%addTest(beam_element_suite())
       call suite%addTest(block_matrix_suite())

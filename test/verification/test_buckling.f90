@@ -437,7 +437,7 @@ contains
       end do
    end subroutine test_margin
 
-   !> Other steps, other viscosities on the way: the same rest, to what the tolerance of the residual leaves of it. Gaps stand at
+   !> Other steps, other damping on the way: the same rest, to what the tolerance of the residual leaves of it. Gaps stand at
    !> nodes: where those at their extremum come to stand depends on the way, and with it the hook load, by 4e-5 here.
    subroutine test_regularisation_leaves_no_trace()
       real(wp), parameter :: limit(3) = [0.5_wp, 1.0_wp, 2.0_wp], weight = 315.0_wp, length = 400.0_wp

@@ -14,11 +14,6 @@ module dg_equations
    public :: equations_type, release_room, make_room, find_tangent, end_iterations
    public :: add_gap_rigidity
    public :: forces_alone, whole_tangent, energy_tangent
-   public :: outcome_converged, outcome_exhausted, outcome_singular, outcome_outside
-
-   !> How an iteration ended: in equilibrium; with no iterations left; with equations that have no solution; in an equilibrium that
-   !> lies outside the hole between its contact points.
-   integer, parameter :: outcome_converged = 0, outcome_exhausted = 1, outcome_singular = 2, outcome_outside = 3
 
    !> Parts of the tangent to assemble: no part; the whole; or that of the energy (`conservative` of `assemble`).
    integer, parameter :: forces_alone = 0, whole_tangent = 1, energy_tangent = 2

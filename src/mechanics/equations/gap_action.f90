@@ -17,7 +17,8 @@ module dg_gap_action
    private
    public :: load_type, contact_type, find_contact, add_gap_force, add_gap_tangent, add_whirl, find_contact_rows, near
 
-   !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: no step that is taken closes them.
+   !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: they stay open in the linear problem. After
+   !> the step `judge_gaps` may close them.
    real(wp), parameter :: near = 0.3_wp
 
    !> Loads and supports of a load case at its present increment.

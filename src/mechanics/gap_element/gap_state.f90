@@ -17,7 +17,7 @@ module dg_gap_state
 
    !> The law of one gap, per element: rigidities times tributary length.
    type :: gap_law_type
-      real(wp) :: clearance = 0.0_wp  !< c = (D - d)/2 [m]
+      real(wp) :: clearance = 0.0_wp  !< where contact begins [m]: c = (D - d)/2, less at a bow spring
       real(wp) :: contact = 0.0_wp    !< Gkc [N/m]
       real(wp) :: maximum = 0.0_wp    !< Gkmax [N/m]
       real(wp) :: eps_nmax = 0.0_wp   !< elastic range of relative compression [-]

@@ -6,7 +6,7 @@ module dg_numerics
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type, default_wall, patience
+   public :: numerics_type, default_wall, patience, settings_of_attempt
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_name, settings_of, set_fidelity, other_location
@@ -47,7 +47,7 @@ module dg_numerics
       logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
       logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
       integer :: linear_solver = solver_block  !< number of one of solver_name
-      integer :: max_iterations = 1300         !< of all attempts at a case together: those of dg_tuning
+      integer :: max_iterations = 1300         !< of all attempts at a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
       real(wp) :: gk_min = 1.0e-3_wp           !< compressive rigidity of a free MCGE [N/m2]: Gkmin of Eq. 7
       real(wp) :: gk_contact = default_wall    !< of a wall in elastic contact [N/m2]: Gkc of Eq. 8
@@ -56,7 +56,7 @@ module dg_numerics
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
       real(wp) :: relocation = 0.5_wp          !< a closed MCGE moves when its element is deeper elsewhere by this part of c [-]
-      real(wp) :: step_limit = 2.0_wp          !< largest lateral change of a node in one iteration over its clearance [-]
+      real(wp) :: step_limit = 2.0_wp          !< largest lateral step of the linear problem over the clearance before damping is raised [-]
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
@@ -82,6 +82,24 @@ contains
       real(wp) :: times
       times = max(1.0_wp, real(numerics%max_iterations, wp)/real(usual%max_iterations, wp))
    end function patience
+
+   !> Settings of one attempt: its iterations, its stall, its steps, the place of its gaps.
+   pure function settings_of_attempt(numerics, number, coils) result(settings)
+      type(numerics_type), intent(in) :: numerics   !< of the case
+      integer, intent(in) :: number                 !< of the attempt
+      logical, intent(in) :: coils                  !< the string is compressed beyond the helical load
+      type(numerics_type) :: settings
+      real(wp) :: times
+      settings = numerics
+      times = patience(numerics)
+      associate (attempt => numerics%tuning%attempt(number))
+         settings%max_iterations = nint(times*attempt%longest)
+         if (number == 1 .and. coils) settings%max_iterations = nint(times*numerics%tuning%coiled_longest)
+         settings%tuning%longest_stall = nint(times*numerics%tuning%longest_stall)
+         settings%step_limit = attempt%reach*numerics%step_limit
+         if (attempt%other_place) settings%gap_location = other_location(numerics%gap_location)
+      end associate
+   end function settings_of_attempt
 
    !> The place of the gaps that is not asked for.
    elemental function other_location(location) result(other)

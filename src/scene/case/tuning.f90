@@ -13,7 +13,7 @@ module dg_tuning
       real(wp) :: growth = 0.0_wp          !< of rho over the softest, to begin with [-]
       logical :: spread = .false.          !< contact forces of the start are those against soft walls
       logical :: other_place = .false.     !< of the gaps: nodes for the extremum, the extremum for nodes
-      real(wp) :: reach = 1.0_wp           !< of its steps over the deck's step_limit [-]
+      real(wp) :: reach = 1.0_wp           !< its step limit over step_limit of the deck [-]
    end type attempt_type
 
    !> A mesh that a case is tried on, and the attempts that are made there.
@@ -22,7 +22,7 @@ module dg_tuning
       integer :: first = 1, last = 0       !< attempts
    end type mesh_try_type
 
-   !> Steps of the fourth attempt over those of the first [-]. Where a blade has a millimetre of room in a wide hole, the steps of
+   !> Step limit of the fourth attempt over that of the first [-]. Where a blade has a millimetre of room in a wide hole, the steps of
    !> the others are too short to bring the collars to their side: 24 of 50 such cases are lost without the fourth, 7 with it.
    real(wp), parameter :: long = 15.0_wp
 
@@ -53,7 +53,7 @@ module dg_tuning
       integer :: most_cuts = 3
       !> Part of the helical load from which equilibria are checked for stability [-]. Sinusoidal buckling comes at 1/sqrt(2) of it,
       !> Lubinski's first mode of a vertical string at 1/2, at 1/4 when it is very long.
-      real(wp) :: watch_share = 0.25_wp
+      real(wp) :: damped_share = 0.25_wp
 
       ! ---- the start (dg_predictor, dg_buckled_start, dg_bent_start, dg_walls)
       !> The softest wall yields to the expected contact load by this part of the clearance [-]: as soft as beams of some metres are
@@ -94,44 +94,43 @@ module dg_tuning
       !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
       !> element is too long for the iteration, and is cut where it stays so.
       real(wp) :: gently = 0.1_wp
-      !> Times that gaps may move near an equilibrium to the extremum of their element, or begin to follow it. With four, 205 more
-      !> iterations of 340 decks; with two, fewer gaps are out of place at the end than with four of gaps that only moved.
+      !> Times that gaps may move near an equilibrium to the extremum of their element, or begin to follow it. Four cost more
+      !> iterations and gain nothing.
       integer :: most_moves = 2
       !> Times more that contacts may which are then still far from where the string is deepest. Without that torque of a string in
       !> an enlarged bend is 6 % off: `fpm test verification -- -f lone_contacts.place` fails. Of 1,105 decks of an independent
       !> reviewer 54 cases have contact more than 1 % off that on short elements, not 59.
       integer :: more_moves = 2
-      !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more strings are moved in
-      !> vain, 125 more iterations of 340 decks.
+      !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more gaps are moved in vain.
       real(wp) :: astray = 3.0e-3_wp
       !> Iterations after its gaps last moved at which a string is given up, and taken back to where it was before.
       integer :: longest_round = 25
 
-      ! ---- viscosity (dg_viscosity, dg_step)
-      !> The least of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly
+      ! ---- damping (dg_damping, dg_step)
+      !> Least damping of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly
       !> [-].
       real(wp) :: of_soft_wall = 1.0e-2_wp
-      !> The part of viscosity that holds nodes back along the hole [-]: friction that slides them drives that, too.
+      !> The part of damping that holds nodes back along the hole [-]: friction that slides them drives that, too.
       real(wp) :: along_hole = 0.1_wp
-      !> Where it is called for anew it starts so [-].
-      real(wp) :: viscosity_start = 1.0e-3_wp
-      !> What is left of it after a step that was good at first try [-].
+      !> First damping of a string that had none [-].
+      real(wp) :: damping_start = 1.0e-3_wp
+      !> What is left of damping after a step that was accepted at first try [-].
       real(wp) :: after_success = 0.3_wp
-      !> The same after a step that was not; each refusal doubles its own factor (Nielsen 1999) [-].
+      !> The same after a step that was not accepted at first try. Each refusal doubles its own factor (Nielsen 1999) [-].
       real(wp) :: after_refusal = 0.8_wp
-      !> What it grows by while the tangent is indefinite, and at the first refusal [-].
+      !> What damping grows by while the tangent is indefinite, and at the first refusal [-].
       real(wp) :: until_definite = 2.0_wp
-      !> It is raised by this factor while a node moves by more than the step limit [-].
-      real(wp) :: held_more = 4.0_wp
-      !> So often at most; what is left is a matter of the step's share.
-      integer :: most_holds = 8
+      !> Damping is raised by this factor while a node moves by more than the step limit [-].
+      real(wp) :: raise_damping = 4.0_wp
+      !> Maximum number of increases.
+      integer :: most_raises = 8
       !> Residual over the force scale next to an equilibrium [-]: there a string that would count as stable is not held.
       real(wp) :: near = 1.0e-4_wp
 
       ! ---- the step (dg_step, dg_line_search, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.
-      !> A slope at a step's end over that at its start from which the step of a string that is watched is shortened [-].
+      !> A slope at a step's end over that at its start from which the step of a damped string is shortened [-].
       real(wp) :: uphill = 0.3_wp
       !> Times that it is shortened.
       integer :: most_searches = 3

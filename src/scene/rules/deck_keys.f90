@@ -393,7 +393,7 @@ module dg_deck_keys
       key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
          meaning='a gap moves to an extremum deeper by this part of the clearance'), &
       key_rule_type('solver', 'step_limit', low=least_step, high=1.0e3_wp, &
-         meaning='largest lateral change of a node in an iteration over its clearance'), &
+         meaning='lateral step over clearance above which damping is raised'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
          meaning='lateral offset seeded in compressed parts over the clearance'), &
       key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &

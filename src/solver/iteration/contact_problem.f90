@@ -25,11 +25,11 @@ module dg_contact_problem
    use dg_mesh, only: mesh_type
    use dg_positive_definite, only: block_positive_definite
    use dg_tuning, only: tuning_type
-   use dg_viscosity, only: viscosity_most
+   use dg_damping, only: damping_most
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, hold_by_viscosity, is_definite
+   public :: contact_problem_type, new_contact_problem, measure_contacts, add_pushes, damp_until_definite, is_definite
    public :: solve_problem, in_series
 
    type :: contact_problem_type
@@ -97,31 +97,31 @@ contains
       stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
    end function in_series
 
-   !> Whether the energy's tangent with the closed gaps' stiffness and so much viscosity is positive definite.
-   pure subroutine is_definite(energy, lump, problem, viscosity, definite)
+   !> Whether the energy's tangent with the closed gaps' stiffness and so much damping is positive definite.
+   pure subroutine is_definite(energy, lump, problem, damping, definite)
       type(block_matrix_type), intent(in) :: energy
-      real(wp), intent(in) :: lump(:, :)              !< what a unit of viscosity adds to the diagonal
+      real(wp), intent(in) :: lump(:, :)              !< what a unit of damping adds to the diagonal
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: viscosity               !< [-]
+      real(wp), intent(in) :: damping               !< [-]
       logical, intent(out) :: definite
-      call block_positive_definite(energy, viscosity, lump, definite, merge(problem%penalty, 0.0_wp, problem%closed), problem%by)
+      call block_positive_definite(energy, damping, lump, definite, merge(problem%penalty, 0.0_wp, problem%closed), problem%by)
    end subroutine is_definite
 
-   !> Raises viscosity until that tangent is positive definite with it, or with the margin.
-   pure subroutine hold_by_viscosity(tuning, energy, lump, problem, margin, viscosity)
+   !> Raises damping until that tangent is positive definite with it, or with the margin.
+   pure subroutine damp_until_definite(tuning, energy, lump, problem, margin, damping)
       type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: margin                  !< as that of viscosity [-]
-      real(wp), intent(inout) :: viscosity
+      real(wp), intent(in) :: margin                  !< as that of damping [-]
+      real(wp), intent(inout) :: damping
       logical :: definite
       do
-         call is_definite(energy, lump, problem, max(viscosity, margin), definite)
-         if (definite .or. viscosity > viscosity_most) return
-         viscosity = tuning%until_definite*max(viscosity, tuning%viscosity_start)
+         call is_definite(energy, lump, problem, max(damping, margin), definite)
+         if (definite .or. damping > damping_most) return
+         damping = tuning%until_definite*max(damping, tuning%damping_start)
       end do
-   end subroutine hold_by_viscosity
+   end subroutine damp_until_definite
 
    !> Solves the linear problem for equations%step, what it moves gaps by, the forces wanted and the gaps closed. equations%matrix
    !> is that without closed gaps; it is left with them.

@@ -8,23 +8,23 @@
 !> One iteration:
 !>   1. The linear problem of dg_contact_problem gives the step and the contact forces at its end, gaps opened and closed within
 !>      it. rho grows to the wall's own as gaps settle.
-!>   2. A compressed string is watched from the start, any other from the first step that is too long or raises the energy. The
-!>      damping term is raised until the energy's tangent is positive definite with it, and until no node moves by more than the
-!>      step limit times its clearance. A step that is then still longer than one clearance is scaled to it.
+!>   2. A compressed string is damped from the start, any other from the first step that is too long or raises the energy. Damping
+!>      is raised until the energy's tangent is positive definite with it, and until no node moves by more than the step limit
+!>      times its clearance. A step that is then still longer than one clearance is scaled to it.
 !>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
 !>      axial forces of the linear problem. Unslid, a lateral step s lengthens an element by s**2/(2 L), which EA/L turns into
 !>      kilonewtons.
-!>   4. The step of a string that is watched is shortened while the energy still rises at its end, friction's forces held constant.
+!>   4. The step of a damped string is shortened while the energy still rises at its end, friction's forces held constant.
 !>      Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
 !>   5. A step that still raises the energy, and does not lessen the residual, is refused, and damping raised.
-!> At convergence rho is the wall's stiffness; residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled; a string
-!> that is watched is stable and has stopped moving; none stands outside its hole where elements may still be cut.
+!> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A damped
+!> string is stable and has stopped moving. No element that may still be cut stands outside its hole.
 module dg_equilibrium
    use dg_kinds, only: wp
    use dg_block_matrix, only: keep_symmetric
    use dg_case_result, only: judged_energy, judged_refused, judged_residual, judged_whole
    use dg_contact_problem, only: is_definite, measure_contacts
-   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside, outcome_singular
+   use dg_equations, only: equations_type
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
    use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
@@ -32,11 +32,13 @@ module dg_equilibrium
                                  place_and_survey, rigid
    use dg_line_search, only: search_along
    use dg_mesh, only: mesh_type
+   use dg_outcome, only: outcome_converged, outcome_damped, outcome_exhausted, outcome_open, outcome_outside, outcome_stalled, &
+                         outcome_stopped
    use dg_outside_hole, only: measure_outside, outside_type
    use dg_step, only: find_step
    use dg_stopping, only: is_stopped
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: ease_viscosity, viscosity_most, weigh_string
+   use dg_damping, only: ease_damping, damping_most, weigh_string
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -53,7 +55,6 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      logical :: ended
       work%separate = .true.
       equations%gaps_taken_back = .false.
       gaps%followed = .false.
@@ -63,13 +64,16 @@ contains
       call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
       do
          call enter_row(it, equations, gaps, work)
-         call judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
-         if (ended) exit
-         call find_step(it, equations, trajectory, mesh, gaps, state, work)
-         if (it%outcome == outcome_singular) exit
+         call settle_gaps(it, equations, trajectory, mesh, gaps, state, work)
+         if (it%outcome == outcome_open) call judge_progress(it, equations, trajectory, mesh, gaps, state, work)
+         if (it%outcome == outcome_open) call find_step(it, equations, trajectory, mesh, gaps, state, work)
+         if (it%outcome /= outcome_open) exit
          call search_along(it, equations, trajectory, mesh, gaps, state, work)
          call judge_step(it, equations, trajectory, mesh, gaps, state, work)
-         if (it%viscosity > viscosity_most .or. .not. it%before < huge(it%before)) exit
+         if (it%damping > damping_most .or. .not. it%before < huge(it%before)) then
+            it%outcome = outcome_damped
+            exit
+         end if
       end do
       call enter_row(it, equations, gaps, work)
       associate (load => it%problem%load(:3, :))
@@ -77,8 +81,8 @@ contains
       end associate
    end subroutine find_equilibrium
 
-   !> Measures the state for good. Where the step before began next to an equilibrium forces are measured alone at first: most such
-   !> states are the last, and want no tangent. The stability of a string that is watched is judged by its tangent.
+   !> Residual and tangent where the string is. Where the step before began next to an equilibrium forces are measured alone at
+   !> first: most such states are the last, and need no tangent. The stability of a damped string is judged by its tangent.
    pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, stepped, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -88,14 +92,14 @@ contains
       real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: stepped       !< a step has just been taken
       type(workspace_type), intent(inout) :: work
-      logical :: last
-      last = .not. it%watched .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
-      if (last) then
+      logical :: forces_first
+      forces_first = .not. it%damped .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
+      if (forces_first) then
          call measure(it, equations, trajectory, mesh, gaps, state, .true., stepped, work)
          if (is_within(it, equations, 0.0_wp)) return
       end if
       call measure(it, equations, trajectory, mesh, gaps, state, .false., stepped, work)
-      if (it%watched) call keep_symmetric(equations%matrix, it%energy)
+      if (it%damped) call keep_symmetric(equations%matrix, it%energy)
    end subroutine measure_here
 
    !> Enters the present row in the history.
@@ -115,10 +119,9 @@ contains
       end if
    end subroutine enter_row
 
-   !> Whether the run has ended: in equilibrium, stable, with no gap that wants another place; there, but outside the hole; or with
-   !> its iterations used up. Elements are cut and gaps are moved when the equilibrium is near: what Newton's last steps change is
-   !> too little for either. Gaps that moved and find no equilibrium, or stay far off for all that, are taken back.
-   subroutine judge_equilibrium(it, equations, trajectory, mesh, gaps, state, work, ended)
+   !> Near an equilibrium: ends the run there, or where elements are to be cut, or moves gaps. Farther off Newton's steps change too
+   !> much for that.
+   subroutine settle_gaps(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -126,83 +129,119 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       real(wp), contiguous, intent(inout) :: state(:, :)
       type(workspace_type), intent(inout) :: work
-      logical, intent(out) :: ended
-      type(outside_type) :: outside
-      type(move_rule_type) :: rule
-      logical :: there, stable
-      ended = .false.
-      rule = move_rule_type(closed=.true., closely=.true.)
+      logical :: there, stable, moved
       do while (is_within(it, equations, it%numerics%tuning%nearly))
          there = is_within(it, equations, 0.0_wp)
-         if (there .and. it%watched) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
+         if (there .and. it%damped) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
          if (there) then
             call judge_stability(it, mesh, gaps, work, stable)
-            if (.not. stable) exit
+            if (.not. stable) return
          end if
-         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) then
-            call measure_outside(trajectory, mesh, work, outside, it%outside)
-            it%outside = it%outside .and. mesh%length >= it%cut_from
-            if (any(it%outside)) then
-               it%outcome = outcome_outside
-               ended = .true.
-               return
-            end if
-         end if
-         if (may_move(it, there)) then
-            call keep_gaps(gaps, it%kept)
-            rule%least = merge(0.0_wp, it%numerics%tuning%astray, it%rounds < it%numerics%tuning%most_moves)
-            call move_gaps(it, trajectory, mesh, rule, gaps, work)
-            if (it%row%moves > 0) then
-               if (it%rounds == it%numerics%tuning%most_moves + it%numerics%tuning%more_moves) then      ! it did not help
-                  call take_back(it, equations, trajectory, mesh, gaps, state, work)
-                  cycle
-               end if
-               if ((there .or. it%rounds == 0) .and. it%rounds <= it%numerics%tuning%most_moves) then
-                  it%settled = state                   ! an equilibrium, or where gaps first touched
-                  it%settled_force = work%normal
-                  call keep_gaps(it%kept, it%settled_gaps)
-               end if
-               it%rounds = it%rounds + 1
-               it%round_start = equations%iterations
-               if (any(abs(gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = it%numerics%tuning%growth
-               call judge_gaps(it, trajectory, mesh, .false., gaps, work)
-               call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
-               cycle
-            end if
-         end if
-         if (.not. there) exit
-         it%outcome = outcome_converged
-         ended = .true.
+         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) call find_outside(it, trajectory, mesh, work)
+         if (it%outcome == outcome_outside) return
+         moved = may_move(it, equations, there)
+         if (moved) call move_to_deepest(it, equations, trajectory, mesh, gaps, there, state, work, moved)
+         if (moved) cycle
+         if (there) it%outcome = outcome_converged
          return
       end do
-      ended = equations%iterations >= it%numerics%max_iterations .or. is_stopped(it%stop) .or. &
-              equations%iterations - it%least_at > it%numerics%tuning%longest_stall
-      if (it%rounds > 0 .and. .not. equations%gaps_taken_back) then
-         if (ended .and. it%rounds > it%numerics%tuning%most_moves .and. .not. is_stopped(it%stop)) then
-            ! it was in equilibrium before these
+   end subroutine settle_gaps
+
+   !> Marks the elements that stand outside the hole and may be cut; the run ends where there are any.
+   pure subroutine find_outside(it, trajectory, mesh, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(workspace_type), intent(in) :: work
+      type(outside_type) :: outside
+      call measure_outside(trajectory, mesh, work, outside, it%outside)
+      it%outside = it%outside .and. mesh%length >= it%cut_from
+      if (any(it%outside)) it%outcome = outcome_outside
+   end subroutine find_outside
+
+   !> Moves gaps to where the string is deepest, and measures there. After the last round they are taken back instead.
+   subroutine move_to_deepest(it, equations, trajectory, mesh, gaps, there, state, work, moved)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      logical, intent(in) :: there           !< in equilibrium
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      logical, intent(out) :: moved          !< a gap wanted another place
+      type(move_rule_type) :: rule
+      associate (tuning => it%numerics%tuning)
+         rule = move_rule_type(least=merge(0.0_wp, tuning%astray, it%rounds < tuning%most_moves), closed=.true., closely=.true.)
+         call keep_gaps(gaps, it%kept)
+         call move_gaps(it, trajectory, mesh, rule, gaps, work)
+         moved = it%row%moves > 0
+         if (.not. moved) return
+         if (it%rounds == tuning%most_moves + tuning%more_moves) then      ! moving did not help
             call take_back(it, equations, trajectory, mesh, gaps, state, work)
-            if (is_within(it, equations, 0.0_wp)) then
-               it%outcome = outcome_converged
-               return
-            end if
-         else if (equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
-            call take_back(it, equations, trajectory, mesh, gaps, state, work)
+            return
          end if
+         if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
+            it%settled = state                   ! an equilibrium, or where gaps first touched
+            it%settled_force = work%normal
+            call keep_gaps(it%kept, it%settled_gaps)
+         end if
+         it%rounds = it%rounds + 1
+         it%round_start = equations%iterations
+         if (any(abs(gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = tuning%growth
+      end associate
+      call judge_gaps(it, trajectory, mesh, .false., gaps, work)
+      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
+   end subroutine move_to_deepest
+
+   !> Ends a run that does not get on. Gaps that moved and lead to no equilibrium are taken back: in time for the run to go on, or
+   !> at its end, where the string was in equilibrium before they moved.
+   subroutine judge_progress(it, equations, trajectory, mesh, gaps, state, work)
+      type(equilibrium_type), intent(inout) :: it
+      type(equations_type), intent(inout) :: equations
+      type(trajectory_type), intent(in) :: trajectory
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(inout) :: gaps
+      real(wp), contiguous, intent(inout) :: state(:, :)
+      type(workspace_type), intent(inout) :: work
+      it%outcome = ending(it, equations)
+      if (it%rounds == 0 .or. equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
+      if (it%outcome /= outcome_open .and. it%rounds > it%numerics%tuning%most_moves) then
+         call take_back(it, equations, trajectory, mesh, gaps, state, work)
+         if (is_within(it, equations, 0.0_wp)) it%outcome = outcome_converged
+      else if (it%outcome == outcome_open .and. equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
+         call take_back(it, equations, trajectory, mesh, gaps, state, work)
       end if
-      if (ended) it%outcome = outcome_exhausted
-   end subroutine judge_equilibrium
+   end subroutine judge_progress
+
+   !> Why a run without equilibrium ends here; outcome_open: it goes on.
+   function ending(it, equations) result(outcome)
+      type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
+      integer :: outcome
+      outcome = outcome_open
+      if (is_stopped(it%stop)) then
+         outcome = outcome_stopped
+      else if (equations%iterations >= it%numerics%max_iterations) then
+         outcome = outcome_exhausted
+      else if (equations%iterations - it%least_at > it%numerics%tuning%longest_stall) then
+         outcome = outcome_stalled
+      end if
+   end function ending
 
    !> Whether gaps may move once more, or are looked at for the last time: after more_moves rounds, at equilibrium.
-   pure function may_move(it, there) result(may)
+   pure function may_move(it, equations, there) result(may)
       type(equilibrium_type), intent(in) :: it
+      type(equations_type), intent(in) :: equations
       logical, intent(in) :: there           !< in equilibrium
       logical :: may
       associate (tuning => it%numerics%tuning)
          may = it%rounds < tuning%most_moves .or. (there .and. it%rounds <= tuning%most_moves + tuning%more_moves)
+         may = may .and. .not. equations%gaps_taken_back
       end associate
    end function may_move
 
-   !> Back to where the string was before its gaps last moved; from here on none moves.
+   !> Back to where the string was before its gaps last moved. From here on no gap moves.
    subroutine take_back(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -216,7 +255,6 @@ contains
       call take_gaps_back(it%settled_gaps, gaps)
       call take_gaps_back(it%settled_gaps, it%kept)
       equations%gaps_taken_back = .true.
-      it%rounds = huge(it%rounds)
       it%growth = rigid
       call place_and_survey(trajectory, mesh, gaps, state, work)
       call judge_gaps(it, trajectory, mesh, .false., gaps, work)
@@ -234,7 +272,7 @@ contains
            it%unbalanced <= max(it%tolerance(2), part)*equations%force_scale
    end function is_within
 
-   !> Whether the equilibrium is stable, as far as that is watched.
+   !> Stability of the equilibrium; a string without damping counts as stable.
    subroutine judge_stability(it, mesh, gaps, work, stable)
       type(equilibrium_type), intent(inout) :: it
       type(mesh_type), intent(in) :: mesh
@@ -242,13 +280,13 @@ contains
       type(workspace_type), intent(inout) :: work
       logical, intent(out) :: stable
       stable = .true.
-      if (.not. it%watched) return
+      if (.not. it%damped) return
       call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
       it%problem%closed = gaps%state /= state_free
       call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), stable)
    end subroutine judge_stability
 
-   !> Takes the step for good where it leads down the energy, or leaves less residual; else goes back and raises viscosity.
+   !> Accepts the step if energy or residual decreases; otherwise restores the state and raises the damping.
    subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -259,15 +297,15 @@ contains
       type(workspace_type), intent(inout) :: work
       logical :: taken
       associate (tuning => it%numerics%tuning)
-         taken = .not. it%watched .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
+         taken = .not. it%damped .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
                  it%trial < it%before
          ! a string that hangs free may start with no residual but round-off, which no step makes less
          if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*equations%force_scale
          if (taken) then
             it%row%judged = judged_whole
-            if (it%watched) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
+            if (it%damped) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
             call measure_here(it, equations, trajectory, mesh, gaps, state, .true., work)
-            call ease_viscosity(tuning, it%raised <= tuning%until_definite, it%viscosity)
+            call ease_damping(tuning, it%raised <= tuning%until_definite, it%damping)
             it%raised = tuning%until_definite
          else
             it%growth = it%old_growth
@@ -275,7 +313,7 @@ contains
             call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
             it%row%flips = 0
             it%row%judged = judged_refused
-            it%viscosity = max(it%viscosity, tuning%viscosity_start)*it%raised
+            it%damping = max(it%damping, tuning%damping_start)*it%raised
             it%raised = tuning%until_definite*it%raised
          end if
       end associate

@@ -4,7 +4,7 @@ module dg_iteration_state
    use dg_block_matrix, only: block_matrix_type, new_symmetric_matrix
    use dg_case_result, only: iteration_type
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
-   use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, outcome_exhausted, whole_tangent
+   use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, whole_tangent
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
    use dg_gap_action, only: load_type
    use dg_gap_state, only: depth_of, next_state, state_free
@@ -13,18 +13,19 @@ module dg_iteration_state
    use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
+   use dg_outcome, only: outcome_open
    use dg_round_wall, only: smooth_room
    use dg_stopping, only: stop_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_2, dof_twist, place_nodes, workspace_type
    implicit none
    private
-   public :: equilibrium_type, new_equilibrium, make_room_to_watch, measure, margin_of, energy_slope, place_and_survey, go_back
+   public :: equilibrium_type, new_equilibrium, make_room_to_damp, measure, margin_of, energy_slope, place_and_survey, go_back
    public :: judge_gaps, move_gaps, rigid, stiffen_walls
 
    !> What rho grows by where it is the wall's own [-].
    real(wp), parameter :: rigid = 1.0e30_wp
-   !> Viscosity that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
+   !> Damping that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
    !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
    !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
    real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
@@ -36,22 +37,22 @@ module dg_iteration_state
       type(stop_type) :: stop
       real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
-      logical :: watched = .false.            !< compressed: the energy's tangent is to be positive definite
+      logical :: damped = .false.            !< damping keeps the energy's tangent positive definite
       real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
       logical, allocatable :: outside(:)      !< elements that stand outside there (e)
-      integer :: outcome = outcome_exhausted
+      integer :: outcome = outcome_open
       ! state
       type(contact_problem_type) :: problem
       type(iteration_type) :: row
-      type(block_matrix_type) :: energy       !< the tangent without friction and torque, where the string is watched
-      real(wp), allocatable :: lump(:, :)     !< what a unit of viscosity adds to its diagonal
-      real(wp) :: viscosity = 0.0_wp          !< in units of F^2/(4 EI) [-]
-      real(wp) :: raised = 1.0_wp             !< what a refusal raises viscosity by
+      type(block_matrix_type) :: energy       !< the tangent without friction and torque, of a damped string
+      real(wp), allocatable :: lump(:, :)     !< what a unit of damping adds to its diagonal
+      real(wp) :: damping = 0.0_wp          !< in units of F^2/(4 EI) [-]
+      real(wp) :: raised = 1.0_wp             !< what a refusal raises damping by
       real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
-      real(wp) :: before = 0.0_wp             !< largest residual at the state, pushes included [N, N.m]
-      real(wp) :: unbalanced = 0.0_wp         !< the same without pushes
-      ! of a string that is watched
-      real(wp) :: trial = 0.0_wp              !< the same at the end of a step, walls pressing with the linear problem's forces
+      real(wp) :: before = 0.0_wp             !< largest residual where the step begins, pushes included [N, N.m]
+      real(wp) :: unbalanced = 0.0_wp         !< largest residual there, without pushes [N, N.m]
+      ! of a damped string
+      real(wp) :: trial = 0.0_wp              !< largest residual where the step ends, with the linear problem's wall forces [N, N.m]
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
       ! of any string
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
@@ -59,11 +60,12 @@ module dg_iteration_state
       real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
       real(wp) :: least = huge(1.0_wp)        !< residual so far [N, N.m]
       integer :: least_at = 0                 !< the iteration that left it
-      integer :: rounds = 0, round_start = 0
+      integer :: rounds = 0                   !< times that gaps have moved near an equilibrium
+      integer :: round_start = 0              !< iteration at which they last did
       integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (6,nodes)
       real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
-      real(wp), allocatable :: room(:)        !< smoothed clearance, where the string is watched (nodes) [m]
+      real(wp), allocatable :: room(:)        !< smoothed clearance, of a damped string (nodes) [m]
       real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
       real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
@@ -76,13 +78,13 @@ module dg_iteration_state
 contains
 
    !> A run on a mesh.
-   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, watched, it)
+   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, damped, it)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(numerics_type), intent(in) :: numerics
       real(wp), intent(in) :: tolerance(2)
       real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
-      logical, intent(in) :: watched
+      logical, intent(in) :: damped
       type(equilibrium_type), intent(out) :: it
       real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
       it%numerics = numerics
@@ -91,29 +93,28 @@ contains
       it%soft = max(pressing, least)/numerics%tuning%soft_penetration
       it%raised = numerics%tuning%until_definite
       it%growth = numerics%tuning%growth
-      it%watched = watched
+      it%damped = damped
       call new_contact_problem(mesh, it%problem)
       allocate (it%residual(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
                 it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
       allocate (it%outside(mesh%elements), source=.false.)
       allocate (it%room(0))
       allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
-      if (watched) call make_room_to_watch(mesh, it)
+      if (damped) call make_room_to_damp(mesh, it)
    end subroutine new_equilibrium
 
-   !> Room for the energy's tangent and viscosity.
-   pure subroutine make_room_to_watch(mesh, it)
+   !> Room for the energy's tangent and damping.
+   pure subroutine make_room_to_damp(mesh, it)
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
-      it%watched = .true.
+      it%damped = .true.
       it%room = smooth_room(mesh%length, mesh%clearance)
       it%energy = new_symmetric_matrix(mesh%nodes)
       allocate (it%lump(6, mesh%nodes), source=0.0_wp)
-   end subroutine make_room_to_watch
+   end subroutine make_room_to_damp
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
-   !> that are too deep. The tangent is the energy's where the string is watched; where it is not, walls get stiffer here after a
-   !> step.
+   !> that are too deep. The tangent of a damped string is that of its energy. Without damping walls get stiffer here after a step.
    pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, stepped, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -126,17 +127,17 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp) :: force, moment
       integer :: wanted
-      wanted = merge(energy_tangent, whole_tangent, it%watched)
+      wanted = merge(energy_tangent, whole_tangent, it%damped)
       if (forces_only) wanted = forces_alone
       call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
-      if (it%watched .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+      if (it%damped .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
          call hold_turn(state, it%held, equations%matrix, it%residual)
       if (it%rounds > 0) call measure_followers(trajectory, mesh, it%loads, it%numerics%relocation, gaps, work, &
                                                 it%problem%followers)
-      if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%watched, equations%matrix)
+      if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%damped, equations%matrix)
       call find_largest(it%residual, force, moment)
       it%unbalanced = max(force, moment)
-      if (stepped .and. .not. it%watched) call stiffen_walls(it, equations, gaps, it%unbalanced)
+      if (stepped .and. .not. it%damped) call stiffen_walls(it, equations, gaps, it%unbalanced)
       call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
       call add_place_forces(it%problem%followers, it%residual)
       call add_pushes(gaps, it%residual, it%problem)
@@ -192,7 +193,7 @@ contains
       end associate
    end subroutine hold_turn
 
-   !> Viscosity that an equilibrium of this string may need and still count as stable [-].
+   !> Damping that an equilibrium of this string may need and still count as stable [-].
    pure function margin_of(it, mesh) result(margin)
       type(equilibrium_type), intent(in) :: it
       type(mesh_type), intent(in) :: mesh

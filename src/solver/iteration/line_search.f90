@@ -19,7 +19,7 @@ module dg_line_search
 
 contains
 
-   !> Takes the step. Where the string is watched the step is shortened at first, until the slope along it is no longer uphill or
+   !> Takes the step. A damped string has its step shortened at first, until the slope along it is no longer uphill or
    !> the residual is less than before it. Where it is not, steps are taken as they are: of 394 cases one needs more
    !> iterations this way, 12 instead of 10.
    pure subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
@@ -38,7 +38,7 @@ contains
       call keep_gaps(gaps, it%kept)
       equations%iterations = equations%iterations + 1
       call find_lengths(equations, mesh, work, state, it%length, it%longer)
-      if (it%watched) then
+      if (it%damped) then
          it%slope = slope_at_start(it, equations, work%normal)
          associate (tuning => it%numerics%tuning)
             do search = 0, tuning%most_searches
@@ -57,7 +57,7 @@ contains
          call move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
       end if
       call take_step(it, equations, trajectory, mesh, gaps, work)
-      if (it%watched) call stiffen_walls(it, equations, gaps, it%trial)
+      if (it%damped) call stiffen_walls(it, equations, gaps, it%trial)
    end subroutine search_along
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
@@ -121,7 +121,7 @@ contains
       call survey_gaps(trajectory, mesh, gaps, work)
    end subroutine move_and_survey
 
-   !> state <- state + step, along the wall where the string is watched. A lateral step makes elements longer by its square, which
+   !> state <- state + step, along the wall where the string is damped. A lateral step makes elements longer by its square, which
    !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
    !> problem, and so its axial forces.
    pure subroutine move_string(it, equations, trajectory, mesh, work, state)
@@ -133,7 +133,7 @@ contains
       real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: slide, chord(3), tangent(3), curvature(3)
       integer :: n, e
-      call move_across(it%watched, it%room, it%offset, it%share, it%across, state)
+      call move_across(it%damped, it%room, it%offset, it%share, it%across, state)
       slide = 0.0_wp
       do n = 1, mesh%nodes
          state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)

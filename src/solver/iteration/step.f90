@@ -1,19 +1,20 @@
-!> One step of the iteration to equilibrium (dg_equilibrium): the linear problem, and the viscosity that holds it.
+!> One step of the iteration to equilibrium (dg_equilibrium): the linear problem, and the damping that holds it.
 module dg_step
    use dg_kinds, only: wp
    use dg_assembly, only: add_unsymmetric_part
    use dg_block_matrix, only: copy_symmetric, keep_symmetric
    use dg_case_result, only: judged_start
-   use dg_contact_problem, only: hold_by_viscosity, solve_problem
-   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent, outcome_singular
+   use dg_contact_problem, only: damp_until_definite, solve_problem
+   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness
    use dg_gap_state, only: state_free
    use dg_gap_table, only: gap_table_type
-   use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_watch, margin_of, rigid
+   use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_damp, margin_of, rigid
    use dg_mesh, only: mesh_type
    use dg_node_moves, only: split_step
+   use dg_outcome, only: outcome_open, outcome_singular
    use dg_trajectory, only: trajectory_type
-   use dg_viscosity, only: add_viscosity, weigh_string
+   use dg_damping, only: add_damping, weigh_string
    use dg_workspace, only: workspace_type
    implicit none
    private
@@ -21,10 +22,10 @@ module dg_step
 
 contains
 
-   !> The step and the forces at its end. A string that is watched has viscosity raised as far as it must be; one that is not has
-   !> the whole tangent ready in equations%matrix, and is watched from where it moves too far or up the energy's slope. Next to an
-   !> equilibrium that slope says nothing: friction and round-off decide its sign. One that starts in equilibrium, as straight in a
-   !> vertical hole, has none, and is watched.
+   !> The step and the forces at its end. A string without damping has the whole tangent ready in equations%matrix. It is damped
+   !> from the first step that is too long or leads up the energy's slope. Next to an equilibrium that slope says nothing: friction
+   !> and round-off decide its sign. A string that starts in equilibrium, as straight in a vertical hole, has no slope, and is
+   !> damped.
    subroutine find_step(it, equations, trajectory, mesh, gaps, state, work)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
@@ -37,7 +38,7 @@ contains
       logical :: uphill
       integer :: fault
       it%problem%closed = gaps%state /= state_free
-      if (.not. it%watched) then
+      if (.not. it%damped) then
          call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
          call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, fault)
          if (fault /= 0) then
@@ -48,26 +49,26 @@ contains
          uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
                   (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
          if (reach > it%numerics%step_limit .or. uphill) then
-            call make_room_to_watch(mesh, it)
+            call make_room_to_damp(mesh, it)
             call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
             call add_place_forces(it%problem%followers, it%residual)
             call add_place_stiffness(it%problem%followers, .true., .false., equations%matrix)
             call keep_symmetric(equations%matrix, it%energy)
          end if
       end if
-      if (it%watched) call find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
-      if (it%outcome == outcome_singular) return
-      it%row%viscosity = it%viscosity
+      if (it%damped) call find_damped_step(it, equations, trajectory, mesh, gaps, state, work, reach)
+      if (it%outcome /= outcome_open) return
+      it%row%damping = it%damping
       it%row%lateral_step = maxval(abs(it%across(1:2, :)))
       it%share = 1.0_wp/max(1.0_wp, reach)
       if (.not. it%share < 1.0_wp) return
       equations%step = it%share*equations%step
    end subroutine find_step
 
-   !> The step of a string that is watched. Viscosity is raised while a node moves too far. It is also raised while gaps with full
+   !> The step of a damped string. Damping is raised while a node moves too far. It is also raised while gaps with full
    !> wall stiffness do not settle: in a linear problem that is nearly indefinite a gap may pull when closed and be in the wall when
    !> open. Such a problem has no solution, and the string would stay where it is.
-   subroutine find_held_step(it, equations, trajectory, mesh, gaps, state, work, reach)
+   subroutine find_damped_step(it, equations, trajectory, mesh, gaps, state, work, reach)
       type(equilibrium_type), intent(inout) :: it
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -86,15 +87,15 @@ contains
          margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
          if (it%before < tuning%near*equations%force_scale) margin = margin_of(it, mesh)
          live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
-         do hold = 0, tuning%most_holds
-            call hold_by_viscosity(tuning, it%energy, it%lump, it%problem, margin, it%viscosity)
+         do hold = 0, tuning%most_raises
+            call damp_until_definite(tuning, it%energy, it%lump, it%problem, margin, it%damping)
             do
                call copy_symmetric(it%energy, equations%matrix)
                if (live) then
                   call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
                   call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
                end if
-               call add_viscosity(it%viscosity, it%lump, equations%matrix)
+               call add_damping(it%damping, it%lump, equations%matrix)
                call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
                call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
                if (fault /= 0) then
@@ -108,11 +109,11 @@ contains
             end do
             call find_reach(it, equations, trajectory, mesh, work, reach)
             settled = it%problem%unsettled == 0 .or. it%growth < rigid
-            if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_holds) exit
-            it%viscosity = max(it%viscosity, tuning%viscosity_start)*tuning%held_more
+            if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_raises) exit
+            it%damping = max(it%damping, tuning%damping_start)*tuning%raise_damping
          end do
       end associate
-   end subroutine find_held_step
+   end subroutine find_damped_step
 
    !> Largest move of a node across the hole by the step, over its clearance [-]; the step is taken apart for it.
    pure subroutine find_reach(it, equations, trajectory, mesh, work, reach)

@@ -81,7 +81,7 @@ contains
             ' elements may have'
       else if (model%numerics%max_iterations < usual%max_iterations) then
          result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
-            ', its default, which leaves room for all attempts'
+            ', its default, which allows more attempts'
       end if
    end subroutine add_tried
 end module dg_no_equilibrium

@@ -17,8 +17,7 @@ module dg_static_analysis
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
    use dg_clock, only: seconds_between
    use dg_end_supports, only: force_scale, set_loads
-   use dg_equations, only: end_iterations, equations_type, make_room, outcome_converged, outcome_exhausted, outcome_outside, &
-                           release_room
+   use dg_equations, only: end_iterations, equations_type, make_room, release_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
@@ -27,8 +26,9 @@ module dg_static_analysis
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
-   use dg_numerics, only: numerics_type, other_location, patience
+   use dg_numerics, only: numerics_type, patience, settings_of_attempt
    use dg_no_equilibrium, only: list_tried, add_tried
+   use dg_outcome, only: outcome_converged, outcome_outside, outcome_stopped
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
@@ -84,7 +84,7 @@ module dg_static_analysis
 contains
 
    !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
-   !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium a finer one has one attempt.
+   !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium, those of tuning%mesh follow.
    subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -184,7 +184,9 @@ contains
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
-      integer :: i, last, outcome, most, longest, tried    ! the last: iterations at most, of an attempt, attempts made before
+      integer :: most                     ! iterations of all attempts
+      integer :: tried                    ! attempts made before
+      integer :: i, last, outcome
       associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
          call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
                             string%shortened)
@@ -201,18 +203,13 @@ contains
          last = attempts(1) - 1
          do i = attempts(1), min(attempts(2), model%numerics%tuning%most_attempts)
             last = i
-            numerics = model%numerics
-            longest = numerics%tuning%attempt(i)%longest
-            if (i == 1 .and. string%compressed > coiled) longest = numerics%tuning%coiled_longest
-            numerics%max_iterations = min(most, equations%iterations + nint(patience(numerics)*longest))
-            numerics%tuning%longest_stall = nint(patience(numerics)*numerics%tuning%longest_stall)
-            numerics%step_limit = numerics%tuning%attempt(i)%reach*numerics%step_limit
-            if (numerics%tuning%attempt(i)%other_place) numerics%gap_location = other_location(numerics%gap_location)
+            numerics = settings_of_attempt(model%numerics, i, string%compressed > coiled)
+            numerics%max_iterations = min(most, equations%iterations + numerics%max_iterations)
             call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - attempts(1), &
                               string, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
-         if (is_stopped(stop)) outcome = outcome_exhausted     ! what an attempt that was cut short led to does not count
+         if (is_stopped(stop)) outcome = outcome_stopped       ! what an attempt that was cut short led to does not count
          margin = missing
          if (outcome == outcome_converged .and. string%compressed > buckling_share) &
             call find_stability_margin(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work, &
@@ -313,7 +310,7 @@ contains
       associate (equations => string%equations)
          call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
                               string%loads, equations%force_scale), string%pressing, &
-                              string%compressed > numerics%tuning%watch_share, it)
+                              string%compressed > numerics%tuning%damped_share, it)
          it%stop = string%stop
       end associate
    end subroutine new_iteration

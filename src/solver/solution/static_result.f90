@@ -4,7 +4,7 @@ module dg_static_result
    use dg_assembly, only: load_type
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
                              result_locked_up, result_not_converged
-   use dg_equations, only: equations_type, outcome_converged, outcome_exhausted, outcome_outside
+   use dg_equations, only: equations_type
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
    use dg_job, only: model_mcge
@@ -13,6 +13,7 @@ module dg_static_result
    use dg_model, only: model_type
    use dg_no_equilibrium, only: add_place
    use dg_numerics, only: gap_location_name, numerics_type
+   use dg_outcome, only: outcome_converged, outcome_outside, outcome_singular
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_rounding, only: rounded_up
@@ -82,7 +83,11 @@ contains
          result%message = 'No equilibrium found within the hole: the string lies outside by '// &
             to_text(worst, shown_clearances)//' clearances between two contact points, at '
          call add_place(model, case_index, mesh%md(place), result%message)
-      case (outcome_exhausted)
+      case (outcome_singular)
+         result%status = result_not_converged
+         result%message = 'No unique equilibrium: the string can move freely, most at '
+         call add_place(model, case_index, equations%unbalanced_md, result%message)
+      case default
          result%status = result_not_converged
          if (last%residual_force < in_balance*equations%force_scale) then
             result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
@@ -92,10 +97,6 @@ contains
             call add_place(model, case_index, equations%unbalanced_md, result%message)
          end if
          if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
-      case default
-         result%status = result_not_converged
-         result%message = 'No unique equilibrium: the string can move freely, most at '
-         call add_place(model, case_index, equations%unbalanced_md, result%message)
       end select
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)

@@ -1,8 +1,8 @@
-!> Viscosity holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
+!> Damping holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
 !> axial compression F can make a beam's lateral stiffness negative, EI v'''' + F v'' + F^2/(4 EI) v being never so. One is
 !> therefore enough where the string is uniform; each zone gets what it needs, and weakly compressed ones grow as fast as
 !> others.
-module dg_viscosity
+module dg_damping
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
    use dg_mesh, only: mesh_type
@@ -10,18 +10,18 @@ module dg_viscosity
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, workspace_type
    implicit none
    private
-   public :: weigh_string, add_viscosity, ease_viscosity
-   public :: viscosity_most
+   public :: weigh_string, add_damping, ease_damping
+   public :: damping_most
 
-   !> Viscosity on a slope over viscosity per length times length cubed: 4/420 of the consistent matrix of a cubic element, rounded
+   !> Damping on a slope over damping per length times length cubed: 4/420 of the consistent matrix of a cubic element, rounded
    !> [-].
    real(wp), parameter :: slope_lump = 0.01_wp
    !> Beyond this a run is given up [-].
-   real(wp), parameter :: viscosity_most = 1.0e9_wp
+   real(wp), parameter :: damping_most = 1.0e9_wp
 
 contains
 
-   !> What a unit of viscosity adds to the diagonal: for lateral unknowns F^2/(4 EI) of the place times the node's length, for
+   !> What a unit of damping adds to the diagonal: for lateral unknowns F^2/(4 EI) of the place times the node's length, for
    !> slopes a part of that length's cube, as the consistent matrix of a line load has it, so that no pattern of slopes escapes.
    !> Every place has at least a part of a soft wall's stiffness, and nodes are held along the hole as well.
    pure subroutine weigh_string(tuning, mesh, work, soft, lump)
@@ -43,24 +43,24 @@ contains
       end do
    end subroutine weigh_string
 
-   !> Adds viscosity to a matrix.
-   pure subroutine add_viscosity(viscosity, lump, matrix)
-      real(wp), intent(in) :: viscosity
-      real(wp), intent(in) :: lump(:, :)            !< what a unit of viscosity adds to the diagonal
+   !> Adds damping to a matrix.
+   pure subroutine add_damping(damping, lump, matrix)
+      real(wp), intent(in) :: damping
+      real(wp), intent(in) :: lump(:, :)            !< what a unit of damping adds to the diagonal
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i
       do n = 1, size(lump, 2)
          do i = 1, block_size
-            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + viscosity*lump(i, n)
+            matrix%diagonal(i, i, n) = matrix%diagonal(i, i, n) + damping*lump(i, n)
          end do
       end do
-   end subroutine add_viscosity
+   end subroutine add_damping
 
-   !> Viscosity after a step that was good, at first try or not.
-   pure subroutine ease_viscosity(tuning, first_try, viscosity)
+   !> Damping after a step that was good, at first try or not.
+   pure subroutine ease_damping(tuning, first_try, damping)
       type(tuning_type), intent(in) :: tuning
       logical, intent(in) :: first_try
-      real(wp), intent(inout) :: viscosity
-      viscosity = viscosity*merge(tuning%after_success, tuning%after_refusal, first_try)
-   end subroutine ease_viscosity
-end module dg_viscosity
+      real(wp), intent(inout) :: damping
+      damping = damping*merge(tuning%after_success, tuning%after_refusal, first_try)
+   end subroutine ease_damping
+end module dg_damping
