@@ -14,13 +14,16 @@ from check_docs import ROOT, constructors, key_sources, source, unquoted, withou
 # Type, its file; the file and the procedure that lists its components ('': anywhere in it); components that are left out, and why.
 COPIES = (
     ("model_type", "scene/case/model.f90", "scene/case/model.f90", "copy_without_cases", {"path_notes": "texts for reports"}),
-    ("hole_section_type", "scene/hole/hole_section.f90", "scene/hole/hole_section.f90", "hole_numbers",
+    ("hole_section_type", "scene/hole/hole_section.f90", "scene/hole/hole_section.f90", "visit_hole",
      {"name": "a text", "cased": "a logical; model_text.f90 writes it where a sweep goes by it"}),
-    ("component_type", "scene/string/component.f90", "scene/string/component.f90", "component_numbers",
-     {"name": "a label", "kind": "a text; model_text.f90 writes it", "centralizer": "a type; model_text.f90 writes it", "yield": "strength", "makeup_torque": "strength", "joint_torsion": "strength", "wall_left": "strength",
-      "rating": "strength", "yield_loss": "strength",
-      "sensor": "is read off the result", "fatigue": "strength", "joint_fatigue": "strength",
-      "expansion": "changes lengths alone"}),
+    ("component_type", "scene/string/component.f90", "scene/string/component.f90", "visit_forces|visit_ratings",
+     {"name": "a label", "kind": "a text; model_text.f90 writes it", "centralizer": "a type; model_text.f90 writes it",
+      "fatigue": "a type; check_fatigue_ranges and draft_fatigue know it", "joint_fatigue": "the same"}),
+    ("load_case_type", "scene/case/load_case.f90", "scene/case/load_case.f90", "visit_case",
+     {"name": "a text", "section": "a text", "string": "a text", "operation": "a choice", "bend_stands": "no deck gives it",
+      "length_reference": "the name of a load case in decks"}),
+    ("rig_type", "scene/case/rig.f90", "scene/case/rig.f90", "visit_rig",
+     {"given": "no key", "active_deadline_sheave": "a choice"}),
     ("centralizer_type", "scene/string/centralizer.f90", "studies/ensemble/model_text.f90", "append_centralizer",
      {"present": "asked before"}),
     ("fluid_type", "scene/hole/fluid.f90", "studies/ensemble/model_text.f90", "append_fluid",
@@ -43,7 +46,7 @@ def faults_of_copies():
     for name, file, lister, procedure, left_out in COPIES:
         text = source(lister)
         if procedure:
-            text = re.search(rf"(?:subroutine|function) {procedure}\(.*?end (?:subroutine|function) {procedure}", text, re.S).group()
+            text = "".join(re.findall(rf"subroutine (?:{procedure})\(.*?end subroutine", text, re.S))
         found = components(source(file), name)
         listed = set(re.findall(r"%(\w+)", text))
         place = f"src/{lister}{': ' + procedure if procedure else ''}"
@@ -66,7 +69,9 @@ def faults_of_keys():
             if house != "src/scene":
                 literals |= set(re.findall(r"'(\w+)'", text)) | {word for words in re.findall(r"'([\w ]+)'", text)
                                                                 for word in words.split()}
-            for key in re.findall(rf"\b(?:{ASKING})\([^'()]*(?:\([^'()]*\))?[^'()]*, *'(\w+)'", text):
+            visited = re.findall(r"visitor%\w+\('(\w+)'", text)
+            literals |= set(visited)
+            for key in visited + re.findall(rf"\b(?:{ASKING})\([^'()]*(?:\([^'()]*\))?[^'()]*, *'(\w+)'", text):
                 asked += 1
                 if key not in keys:
                     faults.append(f"{file.relative_to(ROOT)} asks for the key {key}, which no deck has")

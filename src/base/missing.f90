@@ -8,7 +8,7 @@ module dg_missing
    use dg_kinds, only: wp
    implicit none
    private
-   public :: missing, missing_count, is_missing, is_shown, optional_real, given, known
+   public :: missing, missing_count, is_missing, is_mark, is_shown, optional_real, given, known
 
    !> Marks a number that is not there. No quantity of a drillstring comes near it.
    real(wp), parameter :: missing = -huge(1.0_wp)
@@ -42,6 +42,13 @@ contains
       logical :: yes
       yes = value <= missing_count
    end function is_missing_count
+
+   !> Whether a number is `missing` itself. A NaN, which traps where it is compared, is not.
+   elemental function is_mark(value) result(yes)
+      real(wp), intent(in) :: value
+      logical :: yes
+      yes = transfer(value, 0_int64) == transfer(missing, 0_int64)
+   end function is_mark
 
    !> An optional number that is present.
    elemental function given(value) result(number)

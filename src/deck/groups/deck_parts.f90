@@ -3,21 +3,22 @@
 module dg_deck_parts
    use dg_kinds, only: wp
    use dg_case_check, only: check_operation
-   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, integer_of, &
+   use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, &
       logical_of, text_of, optional_of
-   use dg_component, only: component_type, has_joints, tube_area
+   use dg_component, only: component_type, has_joints, tube_area, visit_forces, visit_ratings
    use dg_connection, only: connection_name, connection_torsion, find_connection, makeup_share
-   use dg_connection_rating, only: connection_rating_type
    use dg_design_factors, only: design_factors_type
    use dg_deck_draft, only: draft_hole_type, draft_component_type, draft_case_type
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
    use dg_error, only: error_list_type, key_of
-   use dg_load_case, only: operation_from_name
+   use dg_hole_section, only: visit_hole
+   use dg_key_visitor, only: key_visitor_type
+   use dg_load_case, only: operation_from_name, visit_case
    use dg_missing, only: is_missing, missing, optional_real
    use dg_model, only: boundary_type, hold_free, packer_hold_name
    use dg_shown_size, only: length_digits
-   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name
-   use dg_rig, only: rig_type
+   use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name, visit_numerics
+   use dg_rig, only: rig_type, visit_rig
    use dg_settings_check, only: check_numerics
    use dg_string_check, only: check_component
    use dg_text, only: is_separator_free, quoted, to_text
@@ -31,13 +32,29 @@ module dg_deck_parts
    !> Wall left by wear, in the order of the classes (API RP 7G-2).
    real(wp), parameter :: premium_wall = 0.8_wp, class_2_wall = 0.7_wp
 
+   !> Reads the numbers that it visits from a group of a deck. A number that the group does not give stays.
+   type, extends(key_visitor_type) :: group_reader_type
+      type(checked_group_type), pointer :: group => null()
+   contains
+      procedure :: number => read_number
+      procedure :: number_or_missing => read_number
+   end type group_reader_type
+
 contains
+
+   subroutine read_number(self, key, value)
+      class(group_reader_type), intent(inout) :: self
+      character(*), intent(in) :: key
+      real(wp), intent(inout) :: value              !< [SI]
+      value = real_of(self%group, key, value)
+   end subroutine read_number
 
    !> A hole section; its ends may still be open.
    subroutine draft_hole(group, number, hole)
-      type(checked_group_type), intent(in) :: group
+      type(checked_group_type), intent(in), target :: group
       integer, intent(in) :: number            !< among the hole sections of the deck
       type(draft_hole_type), intent(out) :: hole
+      type(group_reader_type) :: reader
       real(wp) :: friction
       hole%line = group%line
       hole%line_top = line_of(group, 'md_top')
@@ -50,27 +67,21 @@ contains
                             is_given(group, 'friction_rotary')
       hole%section%name = text_of(group, 'name', 'hole '//to_text(number))
       if (is_given(group, 'name') .and. .not. is_sound(group, 'name')) hole%section%name = ''
-      hole%section%md_top = real_of(group, 'md_top', 0.0_wp)
-      hole%section%md_bottom = real_of(group, 'md_bottom', 0.0_wp)
-      hole%section%diameter = real_of(group, 'diameter', 0.0_wp)
-      hole%section%friction_axial = real_of(group, 'friction_axial', friction)
-      hole%section%friction_rotary = real_of(group, 'friction_rotary', friction)
-      hole%section%friction_running_in = real_of(group, 'friction_running_in', missing)
-      hole%section%wall_stiffness = real_of(group, 'wall_stiffness', 0.0_wp)
-      hole%section%mud_sheath = real_of(group, 'mud_sheath', 0.0_wp)
+      hole%section%friction_axial = friction
+      hole%section%friction_rotary = friction
+      reader%group => group
+      call visit_hole(hole%section, reader)
       hole%section%cased = logical_of(group, 'cased', .false.)
-      hole%section%casing_od = real_of(group, 'casing_od', missing)
-      hole%section%casing_yield = real_of(group, 'casing_yield', missing)
-      hole%section%wear_factor = real_of(group, 'wear_factor', missing)
    end subroutine draft_hole
 
    !> A component; checks its diameters and its joints.
    subroutine draft_component(group, units, item, faults)
-      type(checked_group_type), intent(in) :: group
+      type(checked_group_type), intent(in), target :: group
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(out) :: item
       type(error_list_type), intent(inout) :: faults
       type(error_list_type) :: found
+      type(group_reader_type) :: reader
       integer :: i, before
       before = faults%noted
       item%line = group%line
@@ -84,35 +95,25 @@ contains
       associate (part => item%component)
          part%kind = text_of(group, 'kind', 'drillpipe')
          part%name = text_of(group, 'name', part%kind)
-         part%length = real_of(group, 'length', part%length)
-         part%od = real_of(group, 'od', part%od)
-         part%id = real_of(group, 'id', part%id)
-         part%density = real_of(group, 'density', part%density)
-         part%youngs = real_of(group, 'youngs', part%youngs)
-         part%poisson = real_of(group, 'poisson', part%poisson)
-         part%expansion = real_of(group, 'expansion', part%expansion)
-         part%joint_od = real_of(group, 'joint_od', part%joint_od)
-         part%joint_length = real_of(group, 'joint_length', part%joint_length)
-         part%opened_od = real_of(group, 'opened_od', part%opened_od)
-         part%opened_below = real_of(group, 'opened_below', part%opened_below)
-         part%joint_spacing = real_of(group, 'joint_spacing', part%joint_spacing)
-         part%yield = real_of(group, 'yield', part%yield)
-         part%yield_loss = real_of(group, 'yield_loss', part%yield_loss)
-         part%makeup_torque = real_of(group, 'makeup_torque', part%makeup_torque)
          item%mass_given = is_given(group, 'mass')
-         call draft_friction()
          select case (text_of(group, 'wear_class', 'new'))
          case ('premium'); part%wall_left = premium_wall
          case ('class2'); part%wall_left = class_2_wall
          case default
          end select
-         part%wall_left = real_of(group, 'wall_left', part%wall_left)
+         part%friction_axial = real_of(group, 'friction', missing)
+         part%friction_rotary = part%friction_axial
+         part%scale_axial = real_of(group, 'friction_scale', 1.0_wp)
+         part%scale_rotary = part%scale_axial
+         reader%group => group
+         call visit_forces(part, reader)
+         call visit_ratings(part, reader)
+         call check_friction()
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
-         call draft_rating(group, part%rating)
          call draft_tools(group, part, faults)
          if (part%joint_od > part%od) item%line_diameter = line_of(group, 'joint_od')
-         if (part%id < part%od) part%mass = real_of(group, 'mass', part%density*tube_area(part%od, part%id))
+         if (part%id < part%od .and. .not. is_sound(group, 'mass')) part%mass = part%density*tube_area(part%od, part%id)
       end associate
       call check_component(item%component, 0, units, found)
       do i = 1, found%count
@@ -128,19 +129,12 @@ contains
    contains
 
       !> Coefficients of its own, or scales of the hole's: not both for one way.
-      subroutine draft_friction()
-         real(wp) :: own, scale
+      subroutine check_friction()
          logical :: refused
-         own = real_of(group, 'friction', missing)
-         scale = real_of(group, 'friction_scale', 1.0_wp)
-         item%component%friction_axial = real_of(group, 'friction_axial', own)
-         item%component%friction_rotary = real_of(group, 'friction_rotary', own)
-         item%component%scale_axial = real_of(group, 'friction_scale_axial', scale)
-         item%component%scale_rotary = real_of(group, 'friction_scale_rotary', scale)
          refused = .false.
          call refuse_both('axial', item%component%friction_axial, refused)
          call refuse_both('rotary', item%component%friction_rotary, refused)
-      end subroutine draft_friction
+      end subroutine check_friction
 
       !> A coefficient of its own in one way leaves nothing to scale there.
       subroutine refuse_both(way, own, refused)
@@ -162,14 +156,8 @@ contains
       type(checked_group_type), intent(in) :: group
       type(component_type), intent(inout) :: part
       type(error_list_type), intent(inout) :: faults
-      part%sensor = real_of(group, 'sensor', part%sensor)
-      part%bend = real_of(group, 'bend', part%bend)
-      part%bend_position = real_of(group, 'bend_position', part%bend_position)
       if (part%bend > 0.0_wp .and. .not. is_given(group, 'bend_position')) &
          call group_fault(group, 'bend', 'bend needs bend_position, its distance above the lower end of the component', faults)
-      part%pad_force = real_of(group, 'pad_force', part%pad_force)
-      part%pad_clock = real_of(group, 'pad_clock', part%pad_clock)
-      part%pad_position = real_of(group, 'pad_position', part%pad_position)
       if (part%pad_force > 0.0_wp .and. .not. is_given(group, 'pad_position')) &
          call group_fault(group, 'pad_force', 'pad_force needs pad_position, its distance above the lower end of the '// &
                           'component', faults)
@@ -200,17 +188,6 @@ contains
       joints%turns = real_of(group, 'joint_fatigue_turns', joints%turns)
    end subroutine draft_fatigue
 
-   !> Ratings of the connections.
-   subroutine draft_rating(group, rating)
-      type(checked_group_type), intent(in) :: group
-      type(connection_rating_type), intent(inout) :: rating
-      rating%tension = real_of(group, 'tension_efficiency', rating%tension)
-      rating%compression = real_of(group, 'compression_efficiency', rating%compression)
-      rating%burst = real_of(group, 'burst_efficiency', rating%burst)
-      rating%collapse = real_of(group, 'collapse_efficiency', rating%collapse)
-      rating%dogleg = real_of(group, 'joint_dogleg', rating%dogleg)
-   end subroutine draft_rating
-
    !> Torque at which the connections of a component yield [N.m]: as given, or by their dimensions; 0: not known.
    function joint_torsion_of(group, part) result(torque)
       type(checked_group_type), intent(in) :: group
@@ -218,7 +195,7 @@ contains
       real(wp) :: torque
       real(wp) :: od, bore, yield
       integer :: number
-      torque = real_of(group, 'joint_torsion', 0.0_wp)
+      torque = part%joint_torsion
       if (torque > 0.0_wp .or. .not. is_sound(group, 'connection')) return
       number = findloc(connection_name == text_of(group, 'connection', ''), .true., dim=1)
       if (number == 0) return
@@ -250,11 +227,12 @@ contains
 
    !> A load case; checks its name and what its operation needs.
    subroutine draft_case(group, item, faults)
-      type(checked_group_type), intent(in) :: group
+      type(checked_group_type), intent(in), target :: group
       type(draft_case_type), intent(out) :: item
       type(error_list_type), intent(inout) :: faults
       type(optional_real) :: friction
       type(error_list_type) :: found
+      type(group_reader_type) :: reader
       integer :: i, before
       before = faults%noted
       item%line = group%line
@@ -270,25 +248,10 @@ contains
          case%section = text_of(group, 'section', '')
          case%string = text_of(group, 'string', 'main')
          if (is_sound(group, 'operation')) case%operation = operation_from_name(text_of(group, 'operation', ''))
-         case%bit_depth = real_of(group, 'bit_depth', 0.0_wp)
-         case%wob = real_of(group, 'wob', 0.0_wp)
-         case%tob = real_of(group, 'tob', 0.0_wp)
-         case%pump_pressure = real_of(group, 'pump_pressure', 0.0_wp)
-         case%temperature_change_top = real_of(group, 'temperature_change_top', 0.0_wp)
-         case%temperature_change_bottom = real_of(group, 'temperature_change_bottom', 0.0_wp)
-         case%above_ambient_top = real_of(group, 'above_ambient_top', 0.0_wp)
-         case%above_ambient_bottom = real_of(group, 'above_ambient_bottom', 0.0_wp)
-         case%angular_speed = real_of(group, 'rpm', 0.0_wp)
-         case%trip_speed = real_of(group, 'trip_speed', 0.0_wp)
-         case%hours = real_of(group, 'hours', 0.0_wp)
-         case%toolface = real_of(group, 'toolface', 0.0_wp)
-         case%friction_axial = optional_of(group, 'friction_axial')
-         case%friction_rotary = optional_of(group, 'friction_rotary')
-         if (.not. case%friction_axial%present) case%friction_axial = friction
-         if (.not. case%friction_rotary%present) case%friction_rotary = friction
-         case%measured_hookload = optional_of(group, 'measured_hookload')
-         case%measured_torque = optional_of(group, 'measured_torque')
-         case%reference_hookload = optional_of(group, 'reference_hookload')
+         case%friction_axial = friction
+         case%friction_rotary = friction
+         reader%group => group
+         call visit_case(case, reader)
          if (is_sound(group, 'name') .and. .not. is_separator_free(case%name)) then
             call group_fault(group, 'name', 'name = '//quoted(case%name)//' cannot be part of a file name; use 1 to 100 '// &
                              'letters, digits and _ - . +, no dot first', faults)
@@ -320,16 +283,14 @@ contains
 
    !> The rig; sheaves that take tension need the number of lines.
    subroutine draft_rig(group, rig, faults)
-      type(checked_group_type), intent(in) :: group
+      type(checked_group_type), intent(in), target :: group
       type(rig_type), intent(out) :: rig
       type(error_list_type), intent(inout) :: faults
+      type(group_reader_type) :: reader
       rig%given = .true.
-      rig%block_weight = real_of(group, 'block_weight', rig%block_weight)
-      rig%lines = integer_of(group, 'lines', rig%lines)
-      rig%sheave_efficiency = real_of(group, 'sheave_efficiency', rig%sheave_efficiency)
+      reader%group => group
+      call visit_rig(rig, reader)
       rig%active_deadline_sheave = text_of(group, 'deadline_sheave', 'inactive') == 'active'
-      rig%max_hookload = optional_of(group, 'max_hookload')
-      rig%max_torque = optional_of(group, 'max_torque')
       if (is_sound(group, 'sheave_efficiency') .and. rig%sheave_efficiency < 1.0_wp .and. .not. is_given(group, 'lines')) &
          call group_fault(group, 'sheave_efficiency', 'sheave_efficiency = '//to_text(rig%sheave_efficiency, length_digits)// &
                           ' needs lines, the number strung to the travelling block', faults)
@@ -337,33 +298,24 @@ contains
 
    !> Settings of the solver; checks their order.
    subroutine draft_numerics(group, numerics, faults)
-      type(checked_group_type), intent(in) :: group
+      type(checked_group_type), intent(in), target :: group
       type(numerics_type), intent(out) :: numerics
       type(error_list_type), intent(inout) :: faults
       type(error_list_type) :: found
+      type(group_reader_type) :: reader
       real(wp) :: rigid_over_elastic
       integer :: i
       numerics = settings_of(text_of(group, 'fidelity', 'auto'))
-      numerics%element_length = real_of(group, 'element_length', numerics%element_length)
       if (is_given(group, 'gap_location') .and. is_sound(group, 'gap_location')) &
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
       numerics%friction_range = logical_of(group, 'friction_range', numerics%friction_range)
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
       if (is_sound(group, 'linear_solver')) &
          numerics%linear_solver = findloc(solver_name == text_of(group, 'linear_solver', ''), .true., dim=1)
-      numerics%tolerance = real_of(group, 'tolerance', numerics%tolerance)
-      numerics%max_iterations = integer_of(group, 'max_iterations', numerics%max_iterations)
-      numerics%load_steps = integer_of(group, 'load_steps', numerics%load_steps)
-      numerics%gk_min = real_of(group, 'gk_min', numerics%gk_min)
       rigid_over_elastic = numerics%gk_max/numerics%gk_contact
-      numerics%gk_contact = real_of(group, 'gk_contact', numerics%gk_contact)
-      numerics%gk_max = real_of(group, 'gk_max', rigid_over_elastic*numerics%gk_contact)
-      numerics%eps_n0 = real_of(group, 'eps_n0', numerics%eps_n0)
-      numerics%eps_nmax = real_of(group, 'eps_nmax', numerics%eps_nmax)
-      numerics%r_n0 = real_of(group, 'r_n0', numerics%r_n0)
-      numerics%relocation = real_of(group, 'relocation', numerics%relocation)
-      numerics%step_limit = real_of(group, 'step_limit', numerics%step_limit)
-      numerics%imperfection = real_of(group, 'imperfection', numerics%imperfection)
+      reader%group => group
+      call visit_numerics(numerics, reader)
+      if (.not. is_sound(group, 'gk_max')) numerics%gk_max = rigid_over_elastic*numerics%gk_contact
       numerics%history = logical_of(group, 'history', numerics%history)
       numerics%mixed_elements = is_sound(group, 'mixed_parts') .and. text_of(group, 'mixed_parts', '') == 'elements'
       numerics%wall_climb = logical_of(group, 'wall_climb', numerics%wall_climb)

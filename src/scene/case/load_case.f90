@@ -1,6 +1,7 @@
 !> A load case: what is done to the string, at which bit depth, with which loads.
 module dg_load_case
    use dg_kinds, only: wp
+   use dg_key_visitor, only: key_visitor_type
    use dg_missing, only: optional_real
    use dg_text, only: lower_case
    implicit none
@@ -9,7 +10,7 @@ module dg_load_case
    public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
    public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
    public :: operation_count, operation_name, operation_label, operation_from_name, friction_split, alike, operation_aliases
-   public :: moves_axially, rotates
+   public :: moves_axially, rotates, visit_case
 
    integer, parameter :: operation_trip_out = 1
    integer, parameter :: operation_trip_in = 2
@@ -99,6 +100,29 @@ module dg_load_case
    end type load_case_type
 
 contains
+
+   !> Visits all numbers of a load case.
+   subroutine visit_case(load_case, visitor)
+      type(load_case_type), intent(inout) :: load_case
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('bit_depth', load_case%bit_depth)
+      call visitor%number('hours', load_case%hours)
+      call visitor%number('wob', load_case%wob)
+      call visitor%number('tob', load_case%tob)
+      call visitor%number('rpm', load_case%angular_speed)
+      call visitor%number('trip_speed', load_case%trip_speed)
+      call visitor%number('toolface', load_case%toolface)
+      call visitor%number('pump_pressure', load_case%pump_pressure)
+      call visitor%number('temperature_change_top', load_case%temperature_change_top)
+      call visitor%number('temperature_change_bottom', load_case%temperature_change_bottom)
+      call visitor%number('above_ambient_top', load_case%above_ambient_top)
+      call visitor%number('above_ambient_bottom', load_case%above_ambient_bottom)
+      call visitor%optional('friction_axial', load_case%friction_axial)
+      call visitor%optional('friction_rotary', load_case%friction_rotary)
+      call visitor%optional('measured_hookload', load_case%measured_hookload)
+      call visitor%optional('measured_torque', load_case%measured_torque)
+      call visitor%optional('reference_hookload', load_case%reference_hookload)
+   end subroutine visit_case
 
    !> Number of an operation from its name or an alias; 0 where there is none of that name.
    pure function operation_from_name(name) result(operation)

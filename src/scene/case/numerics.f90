@@ -1,12 +1,13 @@
 !> What a deck may set of the solution. Ranges stand in dg_deck_keys, all other numbers of the iteration in dg_tuning.
 module dg_numerics
    use dg_kinds, only: wp
+   use dg_key_visitor, only: key_visitor_type
    use dg_linear_solver_name, only: solver_banded, solver_block, solver_name, solver_sparse
    use dg_text, only: lower_case, quoted
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type, default_wall, patience, settings_of_attempt
+   public :: numerics_type, default_wall, patience, settings_of_attempt, visit_numerics
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_name, settings_of, set_fidelity, other_location
@@ -66,6 +67,25 @@ module dg_numerics
    end type numerics_type
 
 contains
+
+   !> Visits the numbers that a deck may set.
+   subroutine visit_numerics(numerics, visitor)
+      type(numerics_type), intent(inout) :: numerics
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('element_length', numerics%element_length)
+      call visitor%number('tolerance', numerics%tolerance)
+      call visitor%whole('max_iterations', numerics%max_iterations)
+      call visitor%whole('load_steps', numerics%load_steps)
+      call visitor%number('gk_min', numerics%gk_min)
+      call visitor%number('gk_contact', numerics%gk_contact)
+      call visitor%number('gk_max', numerics%gk_max)
+      call visitor%number('eps_n0', numerics%eps_n0)
+      call visitor%number('eps_nmax', numerics%eps_nmax)
+      call visitor%number('r_n0', numerics%r_n0)
+      call visitor%number('relocation', numerics%relocation)
+      call visitor%number('step_limit', numerics%step_limit)
+      call visitor%number('imperfection', numerics%imperfection)
+   end subroutine visit_numerics
 
    !> Settings of a fidelity by its name, letter case aside. new_model refuses those of an unknown one.
    pure function settings_of(fidelity) result(numerics)

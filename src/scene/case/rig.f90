@@ -7,11 +7,12 @@
 !> determination of true hook-and-line tension under dynamic conditions: inactive and active dead-line sheave).
 module dg_rig
    use dg_kinds, only: wp
+   use dg_key_visitor, only: key_visitor_type
    use dg_load_case, only: block_way
    use dg_missing, only: optional_real
    implicit none
    private
-   public :: rig_type, indicated_load, string_load, indicator_factor
+   public :: rig_type, visit_rig, indicated_load, string_load, indicator_factor
 
    type :: rig_type
       logical :: given = .false.               !< the deck has a rig: what is measured is what its indicator shows
@@ -25,6 +26,17 @@ module dg_rig
    end type rig_type
 
 contains
+
+   !> Visits all numbers of a rig.
+   subroutine visit_rig(rig, visitor)
+      type(rig_type), intent(inout) :: rig
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('block_weight', rig%block_weight)
+      call visitor%whole('lines', rig%lines)
+      call visitor%number('sheave_efficiency', rig%sheave_efficiency)
+      call visitor%optional('max_hookload', rig%max_hookload)
+      call visitor%optional('max_torque', rig%max_torque)
+   end subroutine visit_rig
 
    !> What the weight indicator shows [N]: block and string, as the dead line has them.
    elemental function indicated_load(rig, operation, hookload) result(indicated)

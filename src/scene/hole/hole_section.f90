@@ -1,21 +1,18 @@
 !> The hole in sections along measured depth: diameter, friction, wall.
 module dg_hole_section
    use dg_kinds, only: wp
+   use dg_key_visitor, only: key_visitor_type
    use dg_missing, only: missing
    implicit none
    private
    public :: hole_section_type, hole_section_at, last_shoe, wall_of
-   public :: hole_keys, hole_numbers
+   public :: visit_hole
 
    !> Stiffness of a mud sheath where none is given: that of stiff clay [N/m2].
    real(wp), parameter :: sheath_stiffness = 1.0e8_wp
    !> Walls that are given stiffer than this count as this stiff: fifty times solid steel, beyond which nothing changes but
    !> round-off [N/m2].
    real(wp), parameter :: hardest = 1.0e13_wp
-
-   !> Keys of the numbers of a section, in the order of `hole_numbers`.
-   character(*), parameter :: hole_keys(11) = [character(19) :: 'md_top', 'md_bottom', 'diameter', 'friction_axial', &
-      'friction_rotary', 'wall_stiffness', 'mud_sheath', 'friction_running_in', 'casing_od', 'casing_yield', 'wear_factor']
 
    type :: hole_section_type
       character(:), allocatable :: name
@@ -35,13 +32,22 @@ module dg_hole_section
 
 contains
 
-   !> All numbers of a section [SI], for checks and records.
-   pure function hole_numbers(hole) result(numbers)
-      type(hole_section_type), intent(in) :: hole
-      real(wp) :: numbers(size(hole_keys))
-      numbers = [hole%md_top, hole%md_bottom, hole%diameter, hole%friction_axial, hole%friction_rotary, hole%wall_stiffness, &
-                 hole%mud_sheath, hole%friction_running_in, hole%casing_od, hole%casing_yield, hole%wear_factor]
-   end function hole_numbers
+   !> Visits all numbers of a section.
+   subroutine visit_hole(hole, visitor)
+      type(hole_section_type), intent(inout) :: hole
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('md_top', hole%md_top)
+      call visitor%number('md_bottom', hole%md_bottom)
+      call visitor%number('diameter', hole%diameter)
+      call visitor%number('friction_axial', hole%friction_axial)
+      call visitor%number('friction_rotary', hole%friction_rotary)
+      call visitor%number('wall_stiffness', hole%wall_stiffness)
+      call visitor%number('mud_sheath', hole%mud_sheath)
+      call visitor%number_or_missing('friction_running_in', hole%friction_running_in)
+      call visitor%number_or_missing('casing_od', hole%casing_od)
+      call visitor%number_or_missing('casing_yield', hole%casing_yield)
+      call visitor%number_or_missing('wear_factor', hole%wear_factor)
+   end subroutine visit_hole
 
    !> Stiffness of a section's wall, elastic and rigid [N/m2]. Where the section has none of its own the solver's holds. Where mud
    !> covers the wall the elastic one is that of the mud, no more than clay's where none is given, and the rigid one the solver's.

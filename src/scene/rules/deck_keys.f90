@@ -16,7 +16,7 @@ module dg_deck_keys
    public :: scene_groups, keys_of, key_place, operation_words
    public :: deepest, strongest, roughest, heaviest, stiffest, round_off
 
-   type(group_rule_type), parameter :: group_rules(12) = [ &
+   type(group_rule_type), parameter :: group_rules(*) = [ &
       group_rule_type('job', meaning='what to run, in which units, where results go'), &
       group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
       group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
@@ -61,7 +61,7 @@ module dg_deck_keys
    real(wp), parameter :: most_iterations = 1.0e6_wp
    real(wp), parameter :: most_steps = 1.0e4_wp
 
-   type(key_rule_type), parameter :: job_keys(11) = [ &
+   type(key_rule_type), parameter :: job_keys(*) = [ &
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
@@ -79,7 +79,7 @@ module dg_deck_keys
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
          meaning='cases solved at a time; 0: all cores')]
 
-   type(key_rule_type), parameter :: trajectory_keys(13) = [ &
+   type(key_rule_type), parameter :: trajectory_keys(*) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
          meaning='table with a header naming md, inc, azi; path relative to the deck'), &
       key_rule_type('trajectory', 'survey_units', kind_text, choices=deck_systems, &
@@ -105,7 +105,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='depth down to which tie_on is vertical; from there an arc reaches the first station')]
 
-   type(key_rule_type), parameter :: tortuosity_keys(6) = [ &
+   type(key_rule_type), parameter :: tortuosity_keys(*) = [ &
       key_rule_type('tortuosity', 'kind', kind_text, required=.true., choices='sine random', &
          meaning='how the direction changes: to and fro, or drawn anew each period'), &
       key_rule_type('tortuosity', 'amplitude', unit=unit_angle, required=.true., low=0.0_wp, open=.true., high=most_tortuous, &
@@ -119,7 +119,7 @@ module dg_deck_keys
       key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
          meaning='of the random numbers: the same seed gives the same hole')]
 
-   type(key_rule_type), parameter :: hole_keys(14) = [ &
+   type(key_rule_type), parameter :: hole_keys(*) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
       key_rule_type('hole', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, &
          meaning='upper end; default the lower end of the section before'), &
@@ -146,7 +146,7 @@ module dg_deck_keys
       key_rule_type('hole', 'wear_factor', unit=unit_wear, low=0.0_wp, open=.true., high=most_wear, &
          meaning='volume worn off the casing over side force times sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
 
-   type(key_rule_type), parameter :: fluid_keys(7) = [ &
+   type(key_rule_type), parameter :: fluid_keys(*) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
       key_rule_type('fluid', 'where', kind_text, default='both', choices='both inside outside', &
          meaning='which side of the string it fills'), &
@@ -161,7 +161,7 @@ module dg_deck_keys
       key_rule_type('fluid', 'surface_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
          meaning='pressure of the annulus at surface; of the uppermost fluid outside')]
 
-   type(key_rule_type), parameter :: rig_keys(6) = [ &
+   type(key_rule_type), parameter :: rig_keys(*) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
          meaning='of what hangs on the lines beside the string: travelling block, hook, top drive'), &
       key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
@@ -175,7 +175,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='torque that the rig may turn with; default: not known')]
 
-   type(key_rule_type), parameter :: component_keys(52) = [ &
+   type(key_rule_type), parameter :: component_keys(*) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
@@ -277,7 +277,7 @@ module dg_deck_keys
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='of a survey sensor above the lower end of the component; gives its sag correction')]
 
-   type(key_rule_type), parameter :: strength_keys(7) = [ &
+   type(key_rule_type), parameter :: strength_keys(*) = [ &
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
       key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
@@ -292,7 +292,7 @@ module dg_deck_keys
          meaning='length over which slips grip the uppermost pipe; 0: not known, no slips'), &
       key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
          meaning='lateral over axial load of slips; 4 with a friction of 0.08 on their backs')]
-   type(key_rule_type), parameter :: centralizer_keys(12) = [ &
+   type(key_rule_type), parameter :: centralizer_keys(*) = [ &
       key_rule_type('centralizer', 'string', kind_text, default='main', meaning='name of the string of the component'), &
       key_rule_type('centralizer', 'component', kind_text, required=.true., &
          meaning='name of the component that has them; all of that name in the string'), &
@@ -314,7 +314,7 @@ module dg_deck_keys
       key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
       key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
 
-   type(key_rule_type), parameter :: boundary_keys(4) = [ &
+   type(key_rule_type), parameter :: boundary_keys(*) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
          meaning='lateral support at the top'), &
       key_rule_type('boundary', 'bit_lateral', kind_text, default='centred', choices='centred free', &
@@ -324,7 +324,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
          meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
 
-   type(key_rule_type), parameter :: load_case_keys(23) = [ &
+   type(key_rule_type), parameter :: load_case_keys(*) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
@@ -363,7 +363,7 @@ module dg_deck_keys
          meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
 
    ! Numbers that are defaults of the solver stand in dg_numerics. Its words and logicals stand here, too.
-   type(key_rule_type), parameter :: solver_keys(21) = [ &
+   type(key_rule_type), parameter :: solver_keys(*) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
          meaning='longest element 30, 60, 10, 1 m; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &

@@ -1,20 +1,20 @@
 !> Ranges of the numbers of a model. They are those of the table of keys (dg_deck_keys), which a deck's reading goes by, too:
 !> they keep out what cannot be meant, as a diameter in millimetres, not what is unusual.
 module dg_range_check
-   use, intrinsic :: iso_fortran_env, only: int64
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_keys, component_numbers, component_type
+   use dg_component, only: component_type, visit_forces, visit_ratings
    use dg_deck_keys, only: keys_of
    use dg_deck_schema, only: hold_in_range, key_rule_type, range_text
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_own
    use dg_fluid, only: collar_closed, collar_none, collar_open_below, fluid_type
-   use dg_hole_section, only: hole_keys, hole_numbers, hole_section_type
+   use dg_hole_section, only: hole_section_type, visit_hole
+   use dg_key_visitor, only: key_visitor_type
    use dg_kinds, only: wp
-   use dg_load_case, only: load_case_type, operation_count
-   use dg_missing, only: is_shown, missing, optional_real
+   use dg_load_case, only: load_case_type, operation_count, visit_case
+   use dg_missing, only: is_mark, is_shown
    use dg_error, only: add_part_fault, error_list_type
-   use dg_numerics, only: fidelity_name, gap_location_count, numerics_type, solver_name
-   use dg_rig, only: rig_type
+   use dg_numerics, only: fidelity_name, gap_location_count, numerics_type, solver_name, visit_numerics
+   use dg_rig, only: rig_type, visit_rig
    use dg_text, only: joined, to_text
    use dg_unit_kind, only: in_units, unit_none
    use dg_units, only: unit_system_type
@@ -26,7 +26,6 @@ module dg_range_check
 
    !> Digits of a number that is out of range.
    integer, parameter :: digits = 9
-   integer(int64), parameter :: no_bits = 0_int64
 
    !> Ranges of a group's numbers, and of which part of its kind the numbers are.
    type :: ranges_type
@@ -36,7 +35,27 @@ module dg_range_check
       type(key_rule_type), allocatable :: rules(:)
    end type ranges_type
 
+   !> Checks the ranges of the numbers that it visits.
+   type, extends(key_visitor_type) :: range_checker_type
+      type(ranges_type) :: ranges
+      type(error_list_type), pointer :: found => null()
+   contains
+      procedure :: number => check_visited
+   end type range_checker_type
+
 contains
+
+   !> A number of the part that is visited.
+   subroutine check_visited(self, key, value)
+      class(range_checker_type), intent(inout) :: self
+      character(*), intent(in) :: key
+      real(wp), intent(inout) :: value              !< stays as it is
+      if (key == 'rpm') then
+         call check_range(self%ranges, key, value, self%found, called='angular_speed')
+      else
+         call check_range(self%ranges, key, value, self%found)
+      end if
+   end subroutine check_visited
 
    !> The ranges of the group `part`.
    subroutine take_ranges(part, place, units, ranges)
@@ -98,69 +117,38 @@ contains
       character(*), intent(in) :: key
       real(wp), intent(in) :: number
       type(error_list_type), intent(inout) :: found
-      if (.not. is_absent(number)) call check_range(ranges, key, number, found)
+      if (.not. is_mark(number)) call check_range(ranges, key, number, found)
    end subroutine check_where_there
-
-   subroutine check_optional(ranges, key, number, found)
-      type(ranges_type), intent(in) :: ranges
-      character(*), intent(in) :: key
-      type(optional_real), intent(in) :: number
-      type(error_list_type), intent(inout) :: found
-      if (number%present) call check_range(ranges, key, number%value, found)
-   end subroutine check_optional
 
    !> Notes numbers of a hole section beyond the ranges of dg_deck_keys. `place` is its number, `units` are the message's.
    subroutine check_section_ranges(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(error_list_type), intent(inout) :: found
-      type(ranges_type) :: ranges
-      type(hole_section_type) :: unsaid      ! as a deck has it that gives no number
-      call take_ranges('hole', place, units, ranges)
-      call check_numbers(ranges, hole_keys, hole_numbers(hole), hole_numbers(unsaid), found)
+      type(error_list_type), intent(inout), target :: found
+      type(range_checker_type) :: checker
+      type(hole_section_type) :: visited
+      visited = hole
+      checker%found => found
+      call take_ranges('hole', place, units, checker%ranges)
+      call visit_hole(visited, checker)
    end subroutine check_section_ranges
-
-   !> Numbers by their keys. One that is missing by default may be missing.
-   subroutine check_numbers(ranges, keys, numbers, defaults, found)
-      type(ranges_type), intent(in) :: ranges
-      character(*), intent(in) :: keys(:)
-      real(wp), intent(in) :: numbers(:), defaults(:)     !< as many
-      type(error_list_type), intent(inout) :: found
-      integer :: k
-      do k = 1, size(keys)
-         if (is_absent(defaults(k))) then
-            call check_where_there(ranges, trim(keys(k)), numbers(k), found)
-         else
-            call check_range(ranges, trim(keys(k)), numbers(k), found)
-         end if
-      end do
-   end subroutine check_numbers
 
    !> The same for a component.
    subroutine check_component_ranges(component, place, units, found)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(error_list_type), intent(inout) :: found
-      type(ranges_type) :: ranges
-      type(component_type) :: unsaid
-      call take_ranges('component', place, units, ranges)
-      call check_numbers(ranges, component_keys, component_numbers(component), component_numbers(unsaid), found)
-      call check_range(ranges, 'expansion', component%expansion, found)
-      call check_range(ranges, 'yield', component%yield, found)
-      call check_range(ranges, 'yield_loss', component%yield_loss, found)
-      call check_range(ranges, 'makeup_torque', component%makeup_torque, found)
-      call check_range(ranges, 'joint_torsion', component%joint_torsion, found)
-      call check_where_there(ranges, 'tension_efficiency', component%rating%tension, found)
-      call check_where_there(ranges, 'compression_efficiency', component%rating%compression, found)
-      call check_where_there(ranges, 'burst_efficiency', component%rating%burst, found)
-      call check_where_there(ranges, 'collapse_efficiency', component%rating%collapse, found)
-      call check_where_there(ranges, 'joint_dogleg', component%rating%dogleg, found)
-      call check_fatigue_ranges(ranges, '', component%fatigue, found)
-      call check_fatigue_ranges(ranges, 'joint_', component%joint_fatigue, found)
-      call check_where_there(ranges, 'sensor', component%sensor, found)
-      call check_range(ranges, 'wall_left', component%wall_left, found)
+      type(error_list_type), intent(inout), target :: found
+      type(range_checker_type) :: checker
+      type(component_type) :: visited
+      visited = component
+      checker%found => found
+      call take_ranges('component', place, units, checker%ranges)
+      call visit_forces(visited, checker)
+      call visit_ratings(visited, checker)
+      call check_fatigue_ranges(checker%ranges, '', component%fatigue, found)
+      call check_fatigue_ranges(checker%ranges, 'joint_', component%joint_fatigue, found)
    end subroutine check_component_ranges
 
    !> The same for a fatigue curve of a component.
@@ -219,53 +207,31 @@ contains
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units
-      type(error_list_type), intent(inout) :: found
-      type(ranges_type) :: ranges
-      call take_ranges('load_case', place, units, ranges)
+      type(error_list_type), intent(inout), target :: found
+      type(range_checker_type) :: checker
+      type(load_case_type) :: visited
       if (load_case%operation < 1 .or. load_case%operation > operation_count) call add_part_fault(found, 'load_case', place, &
          'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
          to_text(operation_count))
-      call check_range(ranges, 'bit_depth', load_case%bit_depth, found)
-      call check_range(ranges, 'hours', load_case%hours, found)
-      call check_range(ranges, 'wob', load_case%wob, found)
-      call check_range(ranges, 'tob', load_case%tob, found)
-      call check_range(ranges, 'rpm', load_case%angular_speed, found, 'angular_speed')
-      call check_range(ranges, 'trip_speed', load_case%trip_speed, found)
-      call check_range(ranges, 'toolface', load_case%toolface, found)
-      call check_range(ranges, 'pump_pressure', load_case%pump_pressure, found)
-      call check_range(ranges, 'temperature_change_top', load_case%temperature_change_top, found)
-      call check_range(ranges, 'temperature_change_bottom', load_case%temperature_change_bottom, found)
-      call check_range(ranges, 'above_ambient_top', load_case%above_ambient_top, found)
-      call check_range(ranges, 'above_ambient_bottom', load_case%above_ambient_bottom, found)
-      call check_optional(ranges, 'friction_axial', load_case%friction_axial, found)
-      call check_optional(ranges, 'friction_rotary', load_case%friction_rotary, found)
-      call check_optional(ranges, 'measured_hookload', load_case%measured_hookload, found)
-      call check_optional(ranges, 'measured_torque', load_case%measured_torque, found)
-      call check_optional(ranges, 'reference_hookload', load_case%reference_hookload, found)
+      visited = load_case
+      checker%found => found
+      call take_ranges('load_case', place, units, checker%ranges)
+      call visit_case(visited, checker)
    end subroutine check_case_ranges
 
    !> The same for the settings of the solver.
    subroutine check_numerics_ranges(numerics, units, found)
       type(numerics_type), intent(in) :: numerics
       type(unit_system_type), intent(in) :: units
-      type(error_list_type), intent(inout) :: found
-      type(ranges_type) :: ranges
+      type(error_list_type), intent(inout), target :: found
+      type(range_checker_type) :: checker
+      type(numerics_type) :: visited
       if (numerics%unknown_fidelity /= '') call add_part_fault(found, 'solver', 0, 'fidelity', 'settings_of('// &
          trim(numerics%unknown_fidelity)//') is unknown; legal: '//joined(fidelity_name, ', '))
-      call take_ranges('solver', 0, units, ranges)
-      call check_range(ranges, 'element_length', numerics%element_length, found)
-      call check_range(ranges, 'tolerance', numerics%tolerance, found)
-      call check_range(ranges, 'max_iterations', real(numerics%max_iterations, wp), found)
-      call check_range(ranges, 'load_steps', real(numerics%load_steps, wp), found)
-      call check_range(ranges, 'gk_min', numerics%gk_min, found)
-      call check_range(ranges, 'gk_contact', numerics%gk_contact, found)
-      call check_range(ranges, 'gk_max', numerics%gk_max, found)
-      call check_range(ranges, 'eps_n0', numerics%eps_n0, found)
-      call check_range(ranges, 'eps_nmax', numerics%eps_nmax, found)
-      call check_range(ranges, 'r_n0', numerics%r_n0, found)
-      call check_range(ranges, 'relocation', numerics%relocation, found)
-      call check_range(ranges, 'step_limit', numerics%step_limit, found)
-      call check_range(ranges, 'imperfection', numerics%imperfection, found)
+      visited = numerics
+      checker%found => found
+      call take_ranges('solver', 0, units, checker%ranges)
+      call visit_numerics(visited, checker)
       call check_choice('gap_location', numerics%gap_location, gap_location_count)
       call check_choice('linear_solver', numerics%linear_solver, size(solver_name))
    contains
@@ -282,22 +248,14 @@ contains
    subroutine check_rig_ranges(rig, units, found)
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units
-      type(error_list_type), intent(inout) :: found
-      type(ranges_type) :: ranges
-      call take_ranges('rig', 0, units, ranges)
-      call check_range(ranges, 'block_weight', rig%block_weight, found)
-      call check_range(ranges, 'lines', real(rig%lines, wp), found)
-      call check_range(ranges, 'sheave_efficiency', rig%sheave_efficiency, found)
-      call check_optional(ranges, 'max_hookload', rig%max_hookload, found)
-      call check_optional(ranges, 'max_torque', rig%max_torque, found)
+      type(error_list_type), intent(inout), target :: found
+      type(range_checker_type) :: checker
+      type(rig_type) :: visited
+      visited = rig
+      checker%found => found
+      call take_ranges('rig', 0, units, checker%ranges)
+      call visit_rig(visited, checker)
    end subroutine check_rig_ranges
-
-   !> Whether a number is the mark of one that is not there; false for a NaN.
-   pure function is_absent(number) result(yes)
-      real(wp), intent(in) :: number
-      logical :: yes
-      yes = transfer(number, no_bits) == transfer(missing, no_bits)
-   end function is_absent
 
    !> Whether a number is 0; false for a NaN.
    pure function is_zero(number) result(yes)

@@ -6,12 +6,13 @@ module dg_component
    use dg_connection_rating, only: connection_rating_type
    use dg_constants, only: pi, steel_density
    use dg_fatigue_curve, only: fatigue_curve_type
+   use dg_key_visitor, only: key_visitor_type
    use dg_missing, only: is_missing, missing
    use dg_text, only: lower_case
    implicit none
    private
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
-   public :: component_keys, component_numbers
+   public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
              room_of, room_of_held_bit, shortest_contact, usual_yield_loss
@@ -32,11 +33,6 @@ module dg_component
    !> Part of the yield strength of low alloy steel that a degree takes [1/K]: 0.03 %/degF, of quenched and tempered steel up to
    !> 232 degC (API work item 2351, Temperature effect on performance properties, for TR 5C3).
    real(wp), parameter :: usual_yield_loss = 5.4e-4_wp
-
-   !> Keys of the numbers of a component that forces depend on, in the order of `component_numbers`.
-   character(*), parameter :: component_keys(21) = [character(21) :: 'length', 'od', 'id', 'mass', 'density', 'youngs', 'poisson', &
-      'joint_od', 'joint_length', 'joint_spacing', 'opened_od', 'opened_below', 'friction_axial', 'friction_rotary', &
-      'friction_scale_axial', 'friction_scale_rotary', 'bend', 'bend_position', 'pad_force', 'pad_clock', 'pad_position']
 
    type :: component_type
       character(:), allocatable :: name      !< free text
@@ -77,15 +73,50 @@ module dg_component
 
 contains
 
-   !> Numbers of a component that forces depend on, in the order of their keys [SI]; missing ones are not given.
-   pure function component_numbers(part) result(numbers)
-      type(component_type), intent(in) :: part
-      real(wp) :: numbers(size(component_keys))
-      numbers = [part%length, part%od, part%id, part%mass, part%density, part%youngs, part%poisson, &
-                 part%joint_od, part%joint_length, part%joint_spacing, part%opened_od, part%opened_below, &
-                 part%friction_axial, part%friction_rotary, part%scale_axial, part%scale_rotary, &
-                 part%bend, part%bend_position, part%pad_force, part%pad_clock, part%pad_position]
-   end function component_numbers
+   !> Visits the numbers of a component that forces depend on.
+   subroutine visit_forces(part, visitor)
+      type(component_type), intent(inout) :: part
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('length', part%length)
+      call visitor%number('od', part%od)
+      call visitor%number('id', part%id)
+      call visitor%number('mass', part%mass)
+      call visitor%number('density', part%density)
+      call visitor%number('youngs', part%youngs)
+      call visitor%number('poisson', part%poisson)
+      call visitor%number('joint_od', part%joint_od)
+      call visitor%number('joint_length', part%joint_length)
+      call visitor%number('joint_spacing', part%joint_spacing)
+      call visitor%number('opened_od', part%opened_od)
+      call visitor%number_or_missing('opened_below', part%opened_below)
+      call visitor%number_or_missing('friction_axial', part%friction_axial)
+      call visitor%number_or_missing('friction_rotary', part%friction_rotary)
+      call visitor%number('friction_scale_axial', part%scale_axial)
+      call visitor%number('friction_scale_rotary', part%scale_rotary)
+      call visitor%number('bend', part%bend)
+      call visitor%number('bend_position', part%bend_position)
+      call visitor%number('pad_force', part%pad_force)
+      call visitor%number('pad_clock', part%pad_clock)
+      call visitor%number('pad_position', part%pad_position)
+   end subroutine visit_forces
+
+   !> Visits the other numbers of a component: strength, expansion, sensor. Those of its fatigue curves stand apart.
+   subroutine visit_ratings(part, visitor)
+      type(component_type), intent(inout) :: part
+      class(key_visitor_type), intent(inout) :: visitor
+      call visitor%number('expansion', part%expansion)
+      call visitor%number('yield', part%yield)
+      call visitor%number('yield_loss', part%yield_loss)
+      call visitor%number('makeup_torque', part%makeup_torque)
+      call visitor%number('joint_torsion', part%joint_torsion)
+      call visitor%number_or_missing('tension_efficiency', part%rating%tension)
+      call visitor%number_or_missing('compression_efficiency', part%rating%compression)
+      call visitor%number_or_missing('burst_efficiency', part%rating%burst)
+      call visitor%number_or_missing('collapse_efficiency', part%rating%collapse)
+      call visitor%number_or_missing('joint_dogleg', part%rating%dogleg)
+      call visitor%number_or_missing('sensor', part%sensor)
+      call visitor%number('wall_left', part%wall_left)
+   end subroutine visit_ratings
 
    !> Cross-section area of a tube [m2] from its diameters [m].
    elemental function tube_area(od, id) result(area)

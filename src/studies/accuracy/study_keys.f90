@@ -12,7 +12,7 @@ module dg_study_keys
       group_rule_type('study', &
                       meaning='accuracy and cost of models and settings: every combination of its lists')
 
-   type(key_rule_type), parameter :: study_keys(8) = [ &
+   type(key_rule_type), parameter :: study_keys(*) = [ &
       key_rule_type('study', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
       key_rule_type('study', 'models', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='default the models of the job; all but mcge heed element_lengths alone'), &

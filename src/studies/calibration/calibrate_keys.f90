@@ -12,7 +12,7 @@ module dg_calibrate_keys
       group_rule_type('calibrate', repeatable=.true., &
                       meaning='friction from measured hook load and torque')
 
-   type(key_rule_type), parameter :: calibrate_keys(13) = [ &
+   type(key_rule_type), parameter :: calibrate_keys(*) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
       key_rule_type('calibrate', 'cases', kind_text, array=.true., &
          meaning='names of load cases; default all with measured_hookload or measured_torque that no packer holds'), &

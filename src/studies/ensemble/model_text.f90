@@ -3,10 +3,11 @@
 module dg_model_text
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: component_keys, component_numbers, component_type
+   use dg_component, only: component_type, visit_forces
    use dg_fluid, only: fluid_type
-   use dg_hole_section, only: hole_keys, hole_numbers
+   use dg_hole_section, only: hole_section_type, visit_hole
    use dg_job, only: model_name
+   use dg_key_visitor, only: key_visitor_type
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_name
    use dg_missing, only: is_missing
@@ -23,6 +24,14 @@ module dg_model_text
    integer, parameter :: longest_settings = 2000
    !> Numbers in one line: a line of a record may have a hundred kilobytes, and a survey any number of stations.
    integer, parameter :: most_in_line = 1000
+
+   !> Writes a line for each number that it visits; those that are missing are left out.
+   type, extends(key_visitor_type) :: line_writer_type
+      type(line_list_type), pointer :: lines => null()
+      character(:), allocatable :: head
+   contains
+      procedure :: number => write_number
+   end type line_writer_type
 
 contains
 
@@ -109,7 +118,7 @@ contains
       call append_numbers(lines, 'survey, azimuth', model%trajectory%azimuth)
       call add_line(lines, 'survey, number of arcs = '//to_text(size(model%trajectory%arcs)))
       do i = 1, size(model%holes)
-         call append_keys(lines, 'hole '//to_text(i)//', ', hole_keys, hole_numbers(model%holes(i)))
+         call append_hole(lines, 'hole '//to_text(i)//', ', model%holes(i))
       end do
       associate (pipes => model%strings(string_index(model%strings, string))%components)
          call add_line(lines, 'string = '//string//' of '//to_text(size(pipes)))
@@ -142,25 +151,37 @@ contains
       if (fluid%surface_pressure > 0.0_wp) call add_line(lines, head//'surface_pressure = '//to_text(fluid%surface_pressure))
    end subroutine append_fluid
 
-   !> Numbers by their keys; those that are missing are left out.
-   subroutine append_keys(lines, head, keys, numbers)
-      type(line_list_type), intent(inout) :: lines
+   subroutine write_number(self, key, value)
+      class(line_writer_type), intent(inout) :: self
+      character(*), intent(in) :: key
+      real(wp), intent(inout) :: value              !< stays as it is
+      call add_line(self%lines, self%head//key//' = '//to_text(value))
+   end subroutine write_number
+
+   subroutine append_hole(lines, head, hole)
+      type(line_list_type), intent(inout), target :: lines
       character(*), intent(in) :: head
-      character(*), intent(in) :: keys(:)
-      real(wp), intent(in) :: numbers(:)      !< as many
-      integer :: k
-      do k = 1, size(keys)
-         if (.not. is_missing(numbers(k))) call add_line(lines, head//trim(keys(k))//' = '//to_text(numbers(k)))
-      end do
-   end subroutine append_keys
+      type(hole_section_type), intent(in) :: hole
+      type(line_writer_type) :: writer
+      type(hole_section_type) :: visited
+      visited = hole
+      writer%lines => lines
+      writer%head = head
+      call visit_hole(visited, writer)
+   end subroutine append_hole
 
    !> What acts on forces; strength and make-up torque do not.
    subroutine append_component(lines, head, part)
-      type(line_list_type), intent(inout) :: lines
+      type(line_list_type), intent(inout), target :: lines
       character(*), intent(in) :: head
       type(component_type), intent(in) :: part
+      type(line_writer_type) :: writer
+      type(component_type) :: visited
       call add_line(lines, head//'kind = '//part%kind)
-      call append_keys(lines, head, component_keys, component_numbers(part))
+      visited = part
+      writer%lines => lines
+      writer%head = head
+      call visit_forces(visited, writer)
       if (part%centralizer%present) call append_centralizer(lines, head//'centralizer ', part%centralizer)
    end subroutine append_component
 

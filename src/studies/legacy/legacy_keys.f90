@@ -11,7 +11,7 @@ module dg_legacy_keys
       group_rule_type('legacy', repeatable=.true., &
                       meaning='results of another program, beside ours')
 
-   type(key_rule_type), parameter :: legacy_keys(13) = [ &
+   type(key_rule_type), parameter :: legacy_keys(*) = [ &
       key_rule_type('legacy', 'label', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('legacy', 'file', kind_text, required=.true., meaning='table of results; path relative to the deck'), &
       key_rule_type('legacy', 'case', kind_text, required=.true., meaning='name of the load case beside which it is laid'), &

@@ -11,7 +11,7 @@ module dg_steering_keys
       group_rule_type('steering', &
                       meaning='where assemblies drill to: bit side force, tilt, build and turn rate')
 
-   type(key_rule_type), parameter :: steering_keys(6) = [ &
+   type(key_rule_type), parameter :: steering_keys(*) = [ &
       key_rule_type('steering', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
       key_rule_type('steering', 'toolfaces', unit=unit_angle, array=.true., low=-360.0_wp, high=360.0_wp, &
          meaning='each case at each of them; default the toolface of the case'), &

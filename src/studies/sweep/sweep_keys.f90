@@ -12,7 +12,7 @@ module dg_sweep_keys
       group_rule_type('sweep', repeatable=.true., own_cases=.true., &
                       meaning='hook load and torque against depth')
 
-   type(key_rule_type), parameter :: sweep_keys(18) = [ &
+   type(key_rule_type), parameter :: sweep_keys(*) = [ &
       key_rule_type('sweep', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('sweep', 'operations', kind_text, array=.true., choices='*', &
          meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &

@@ -12,7 +12,7 @@ module dg_uncertainty_keys
       group_rule_type('uncertainty', repeatable=.true., own_cases=.true., &
                       meaning='quantiles of hook load and torque against depth, where well, mud and gauges are not known for sure')
 
-   type(key_rule_type), parameter :: uncertainty_keys(26) = [ &
+   type(key_rule_type), parameter :: uncertainty_keys(*) = [ &
       key_rule_type('uncertainty', 'name', kind_text, meaning='unique; letters, digits and _ - . +; default its number'), &
       key_rule_type('uncertainty', 'operations', kind_text, array=.true., choices='*', &
          meaning='what is done to the string; default trip_out, trip_in, rotate_off_bottom'), &
