@@ -128,7 +128,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'upper: friction axial 0, rotary 0, at its bound: no measured friction') > 0, &
                       message=run%output)
-      call assertTrue(index(run%output, 'Warning: upper: the measurements ask for friction beyond 0; look for another cause') > 0, &
+      call assertTrue(index(run%output, 'Warning: upper: the measurements ask for friction below 0; look for another cause') > 0, &
                       message=run%output)
       run = run_deck_text(replaced(text, 'apply', "separate = 'none', apply"))
       call assertEqual(0, run%status, message=run%diagnostics)

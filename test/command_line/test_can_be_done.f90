@@ -315,7 +315,7 @@ contains
       run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = 10", .false.), '--check')
       call assertTrue(index(run%output, '. 1 of 2 load cases have their own, 0.25'//newline) > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.))
-      call assertTrue(index(run%output, '  Jar jar in slide: compression of ') > 0, message=run%output)
+      call assertTrue(index(run%output, '  Jar in slide: compression of ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 10", .false.), '--check')
       call assertTrue(index(run%output, newline//'Well to 15000 ft') > 0, message=run%output)
       ! in open hole of 8.5 in; the pipe reaches into it, though most of it stands in casing

@@ -1,7 +1,7 @@
 !> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
 module dg_well_head
    use dg_kinds, only: wp
-   use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_pipe
+   use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_hwdp, is_pipe
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_friction_estimate, only: upper_friction_type
@@ -225,7 +225,7 @@ contains
             length = lower - (bit - tops(i))
             pieces = max(1, ceiling(length/longest_piece))
             piece = length/real(pieces, wp)
-            below_pipe = below_pipe .and. .not. is_pipe(part)
+            below_pipe = below_pipe .and. (is_hwdp(part) .or. .not. is_pipe(part))
             do k = 1, pieces
                middle = lower - (real(k, wp) - 0.5_wp)*piece
                weight = piece*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &

@@ -105,8 +105,8 @@ contains
                'least make-up torque of a connection - torque there; empty where none is given', whole%makeup_margin)
       call put(row, 'makeup_margin_md', quantity_length, 'where', whole%makeup_margin_md)
       call put(row, 'wob_lockup', quantity_force, &
-               'as wob_no_hookload, with the friction of a coiled string: about the most that reaches the bit without a '// &
-               'push', whole%wob_lockup)
+               'as wob_no_hookload, with the friction of a helically buckled string: about the largest WOB without a push', &
+               whole%wob_lockup)
    end subroutine put_margins
 
    !> What gap elements found: buckled shape, bit, bending.
@@ -114,13 +114,13 @@ contains
       type(row_type), intent(inout) :: row
       type(whole_string_type), intent(in) :: whole
       call put(row, 'shape', quantity_text, &
-               'what the string was found to do by mcge: none, sinusoidal (it snakes) or helical', buckling_name(whole%shape))
-      call put(row, 'snaking_length', quantity_length, 'of string found to snake', whole%snaking_length)
-      call put(row, 'coiled_length', quantity_length, 'of string found to coil', whole%coiled_length)
-      call put(row, 'coil_turns', quantity_none, 'turns of its coils', whole%coil_turns)
+               'buckled shape found by mcge: none, sinusoidal or helical', buckling_name(whole%shape))
+      call put(row, 'snaking_length', quantity_length, 'sinusoidally buckled length', whole%snaking_length)
+      call put(row, 'coiled_length', quantity_length, 'helically buckled length', whole%coiled_length)
+      call put(row, 'coil_turns', quantity_none, 'turns of the helix', whole%coil_turns)
       call put(row, 'stability_margin', quantity_none, &
-               'part by which compression could still grow before the string leaves its shape; 1 stands for more, 0 for a '// &
-               'snake or coil that could be shifted freely, empty where it is not compressed enough', whole%stability_margin)
+               'part by which compression may grow before the shape changes; 1: or more; 0: a buckled shape that can be '// &
+               'shifted; empty: too little compression', whole%stability_margin)
       call put(row, 'bit_side_force', quantity_force, &
                'across the hole, of the bit on the formation; mcge, or mixed with elements at the bit, where the bit is '// &
                'centred', whole%bit_side_force)

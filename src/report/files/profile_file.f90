@@ -30,8 +30,8 @@ contains
       call put(list, 'torque', quantity_moment, 'positive as a right-hand drive from the top makes it', profile%torque)
       call put(list, 'side_force', quantity_line_load, 'normal contact force per length', profile%side_force)
       call put(list, 'bending', quantity_moment, &
-               'resultant bending moment of both planes, the hole''s own curvature included; soft: what the hole''s '// &
-               'curvature would ask of the pipe', profile%bending)
+               'resultant bending moment of both planes, the hole''s own curvature included; soft: EI '// &
+               'times the curvature of the hole', profile%bending)
       call put(list, 'displacement', quantity_width, 'of the string axis off the hole axis', profile%displacement)
       call put(list, 'clock', quantity_angle, &
                'where the string lies: degrees from the high side (from north where the hole is vertical), clockwise '// &

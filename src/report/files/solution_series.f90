@@ -18,8 +18,8 @@ contains
       type(series_list_type) :: list
       call put(list, 'md', quantity_length, 'measured depth of the centroid of the force, of the point before loading', contacts%md)
       call put(list, 'force', quantity_force, &
-               'across the hole, of the string on what it touches; of an edge: beyond what weight and tension in a bend '// &
-               'press to the wall there', contacts%force)
+               'across the hole, of the string on what it touches; of an edge: the part in excess of weight and of '// &
+               'tension in a bend', contacts%force)
       call put(list, 'length', quantity_length, 'over which it acts; 0 for bit and top', contacts%length)
       call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
       call put(list, 'kind', quantity_text, &

@@ -88,9 +88,10 @@ contains
                'what is left of the sum of all forces on the string, supports included', of(result%equilibrium_force))
       call put(row, 'equilibrium', quantity_moment, 'the same of all moments about the top', of(result%equilibrium_moment))
       call put(row, 'message', quantity_text, &
-               'reason and remedy where not converged, else warnings', text_or_nothing(result%message))
+               'reason where not converged, else warnings', text_or_nothing(result%message))
       call put(row, 'weight_indicator', quantity_force, &
-               'what the rig shows: string and block, as the dead line has them; empty without &rig', result%weight_indicator)
+               'string and block as the dead line shows them: too low while the block rises, too high while it is lowered; '// &
+               'empty without &rig', result%weight_indicator)
       call put(row, 'can_be_done', quantity_text, &
                'yes: no known limit is passed; no: one is, or the string locks up or would have to be pushed; unknown: '// &
                'not_converged', answer_name(verdict%answer))

@@ -12,6 +12,7 @@ module dg_limits_table
    use dg_fatigue, only: fatigue_type
    use dg_job, only: job_type, model_name
    use dg_length_change, only: total_change
+   use dg_load_case, only: operation_static
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_text
@@ -119,7 +120,9 @@ contains
          call append_text(lines, '  Sag correction in '//names(i)%text//': '// &
                           fixed_text(wholes(i)%sag_correction%value/units%angle, 3)// &
                           ' deg at the sensor, '// &
-                          whole_depth(units, wholes(i)%sensor_md%value))
+                          whole_depth(units, wholes(i)%sensor_md%value)// &
+                          trim(merge('                                         ', '. Surveys are taken at rest: use ''static''', &
+                                     model%cases(results(i)%case_index)%operation == operation_static)))
       end do
       do i = 1, size(results)
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
@@ -279,6 +282,7 @@ contains
       type(case_result_type), intent(in) :: result
       character(*), intent(in) :: name                 !< of the case
       real(wp), allocatable :: tops(:)
+      character(:), allocatable :: label
       real(wp) :: bit, md, axial
       integer :: i
       bit = model%cases(result%case_index)%bit_depth
@@ -289,7 +293,9 @@ contains
                if (lower_case(part%kind) /= jar_kind .or. .not. tops(i) < tops(size(tops))) cycle      ! or above surface
                md = bit - (tops(i) - 0.5_wp*part%length)
                axial = result%profile%axial(minloc(abs(result%profile%md - md), dim=1))
-               call append_text(lines, '  Jar '//part%name//' in '//name//': '// &
+               label = 'Jar '
+               if (lower_case(part%name) /= jar_kind) label = label//part%name//' '
+               call append_text(lines, '  '//label//'in '//name//': '// &
                                 trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
                                 trim(in_units(units, unit_force, abs(axial), few))//' at '// &
                                 whole_depth(units, md))

@@ -171,7 +171,8 @@ contains
       end do
    end subroutine add_case
 
-   !> Whether a column says anything of a case. As in the paper, friction belongs to axial motion and torque to rotation.
+   !> True where a column says something of a case. As in the paper, friction belongs to axial motion and torque to rotation. A motor
+   !> turns the bit of a string that slides: torque on bit belongs to it, too.
    elemental function says(rows, load_case, result) result(is)
       integer, intent(in) :: rows        !< of the column
       type(load_case_type), intent(in) :: load_case
@@ -179,7 +180,7 @@ contains
       logical :: is
       select case (rows)
       case (for_moving); is = moves_axially(load_case%operation)
-      case (for_turning); is = rotates(load_case%operation)
+      case (for_turning); is = rotates(load_case%operation) .or. load_case%tob > 0.0_wp
       case (for_measured); is = load_case%measured_hookload%present
       case (for_reference); is = load_case%reference_hookload%present
       case (for_rigs); is = .not. is_missing(result%weight_indicator)

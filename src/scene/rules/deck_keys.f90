@@ -65,7 +65,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run; input/README.md compares them below the keys of &job'), &
+         meaning='models to run, compared in input/README.md'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
@@ -99,7 +99,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
          meaning='path between stations; a spline wants them every 30 m or so where the hole bends'), &
       key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical straight', &
-         meaning='hole above the first station that the survey leaves out; straight: in the direction of the first station'), &
+         meaning='path above the first station, where the survey has none; straight: in the direction of the first station'), &
       key_rule_type('trajectory', 'parent_file', kind_text, &
          meaning='survey of the hole that this one leaves; its stations above the first one here are taken'), &
       key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
@@ -136,7 +136,7 @@ module dg_deck_keys
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
          meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='thickness t; > 0 sets eps_nmax = 2 t/(D - d) for this section'), &
+         meaning='thickness t of soft mud on the wall; sets eps_nmax = 2 t/(hole diameter - string diameter)'), &
       key_rule_type('hole', 'cased', kind_logical, default='.false.', &
          meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep'), &
       key_rule_type('hole', 'casing_od', unit=unit_diameter, low=narrowest, high=widest, &
@@ -167,7 +167,7 @@ module dg_deck_keys
       key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
          meaning='lines strung to the travelling block; needed by a sheave_efficiency below 1'), &
       key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
-         meaning='tension behind a sheave that turns over that before it; roller bearings 0.96 to 0.99'), &
+         meaning='efficiency of one turning sheave; roller bearings 0.96 to 0.99'), &
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
          meaning='active: the sheave of the dead line turns like the others'), &
       key_rule_type('rig', 'max_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
@@ -179,8 +179,8 @@ module dg_deck_keys
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
-         meaning='drillpipe, collar, stabilizer, bit, ...: a stabilizer touches at its joint_od, else at its od; '// &
-         'a bit may fill its hole'), &
+         meaning='drillpipe, hwdp, collar, motor, mwd, jar, bit (may fill its hole), stabilizer '// &
+         '(touches at joint_od, else od), ...'), &
       key_rule_type('component', 'catalogue', kind_text, &
          meaning='entry of the catalogue, which gives what is not given here (od too)'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
@@ -253,15 +253,15 @@ module dg_deck_keys
       key_rule_type('component', 'fatigue_curve', kind_text, default='none', choices='none E75 S135 own', &
          meaning='bending that the body bears while it turns: of API RP 7G by grade, or an own one'), &
       key_rule_type('component', 'fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='amplitude that an own curve bears without end and without tension'), &
+         meaning='endurance limit of an own curve, without tension'), &
       key_rule_type('component', 'tensile_strength', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='of an own curve, for the effect of tension (Goodman); 0: none'), &
       key_rule_type('component', 'fatigue_share', low=0.0_wp, open=.true., high=1.0_wp, default='1', &
-         meaning='part of the permitted amplitude that the mud leaves, connections too; very corrosive: 0.6'), &
+         meaning='corrosion factor on the endurance limit, connections too; very corrosive: 0.6'), &
       key_rule_type('component', 'fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='m of the S-N curve above the permitted amplitude, turns = fatigue_turns (permitted/amplitude)^m; 0: not known'), &
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
-         meaning='turns from which on the permitted amplitude is borne without end'), &
+         meaning='turns from which on the endurance limit holds'), &
       key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
          meaning='amplitude of bending stress outside its connections that they bear without end; default: not known'), &
       key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
@@ -298,7 +298,7 @@ module dg_deck_keys
          meaning='name of the component that has them; all of that name in the string'), &
       key_rule_type('centralizer', 'kind', kind_text, default='rigid', choices='rigid bow', meaning='solid, or a bow spring'), &
       key_rule_type('centralizer', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
-         meaning='outside diameter; of bows that nothing presses'), &
+         meaning='outside diameter; of bow springs when free'), &
       key_rule_type('centralizer', 'spacing', unit=unit_length, required=.true., low=1.0_wp, high=1.0e3_wp, &
          meaning='distance from one to the next'), &
       key_rule_type('centralizer', 'first', unit=unit_length, low=0.0_wp, high=deepest, &
@@ -335,8 +335,10 @@ module dg_deck_keys
       key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
       key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
       key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, meaning='overrides friction of the hole, both ways'), &
-      key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, meaning='overrides mu2 of the hole'), &
-      key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, meaning='overrides mu1 of the hole'), &
+      key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, &
+         meaning='axial friction factor in place of the hole''s'), &
+      key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, &
+         meaning='rotary friction factor in place of the hole''s'), &
       key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
       key_rule_type('load_case', 'hours', low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='time of rotation at rpm in h, for wear of casing and fatigue'), &

@@ -14,8 +14,8 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, is_pipe, &
-             room_of, room_of_held_bit, shortest_contact, usual_yield_loss
+   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
+             is_hwdp, is_pipe, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> How the kind of a stabilizer begins, in either spelling.
    character(*), parameter :: stabilizer = 'stabili'
@@ -250,6 +250,14 @@ contains
       is = kind == '' .or. index(kind, 'pipe') > 0 .or. &
            any(kind == [character(10) :: 'hwdp', 'casing', 'liner', 'tubing', 'sucker_rod', 'rod'])
    end function is_pipe
+
+   !> True for heavy weight drill pipe, whose weight serves as weight on bit.
+   elemental function is_hwdp(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      is = .false.
+      if (allocated(component%kind)) is = lower_case(component%kind) == 'hwdp'
+   end function is_hwdp
 
    !> Whether the component is a bit, which may be as wide as its hole.
    elemental function is_bit(component) result(is)

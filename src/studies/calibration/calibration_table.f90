@@ -161,7 +161,8 @@ contains
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
             'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
          if (verdict_of(result, k) == verdict_at_bound) call append_wrapped(lines, '', 'Warning: '// &
-            unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction beyond '// &
+            unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction '// &
+            trim(merge('below', 'above', .not. result%fit%unknowns(k) > 0.0_wp))//' '// &
             to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, '// &
             'gauge, or one section that takes the friction of another (separate = ''none'' finds one factor for all)', page_width)
          if (verdict_of(result, k) /= verdict_not_felt .and. calibration%unknowns(k)%is_offset) then

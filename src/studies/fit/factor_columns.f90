@@ -55,8 +55,9 @@ contains
       call put(row, 'upper', quantity_none, 'upper end', upper_end(found%factor))
       call put(row, 'deviation', quantity_none, 'standard deviation', found%factor%deviation)
       call put(row, 'verdict', quantity_text, &
-               'found, at_bound (0 or 2; sticking: too little torque), not_felt (data do not depend on it), '// &
-               'not_separated (data tell only a mixture), no_fit, no_solution; below_bit: the string is free', found%verdict)
+               'found, at_bound (0 or 2; sticking: too little torque), not_felt (not determined by the data), '// &
+               'not_separated (only a combination is determined), no_fit, no_solution; '// &
+               'below_bit: the string is free', found%verdict)
       call put(row, 'scatter', quantity_none, &
                'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
                'are right', found%scatter)

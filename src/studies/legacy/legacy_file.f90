@@ -216,8 +216,8 @@ contains
          end do
          if (columns(k)%number > 0 .or. .not. columns(k)%required) cycle
          advice = suggestion(columns(k)%place, names)
-         if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. If they stand lower, give the number of '// &
-            'lines above them as skip'
+         if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. Give the heading as '// &
+            trim(column_name(k))//', or the lines above the headings as skip'
          call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
                     '; '//advice, faults)
       end do

@@ -20,7 +20,8 @@ module dg_legacy_keys
          meaning='lines on top of the file before its table'), &
       key_rule_type('legacy', 'md', kind_text, default='md', &
          meaning='column of measured depth: heading, number, or first and last character ''1:10'''), &
-      key_rule_type('legacy', 'axial', kind_text, meaning='the same for axial force, tension positive; default axial'), &
+      key_rule_type('legacy', 'axial', kind_text, &
+         meaning='the same for effective (buoyed) axial force, tension positive; default axial'), &
       key_rule_type('legacy', 'torque', kind_text, meaning='the same for torque; default torque'), &
       key_rule_type('legacy', 'side_force', kind_text, meaning='the same for contact force per length; default side_force'), &
       key_rule_type('legacy', 'md_unit', kind_text, meaning='unit of that column, where not that of units: m, ft'), &

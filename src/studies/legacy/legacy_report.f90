@@ -102,7 +102,7 @@ contains
          call add_cell(table, 'Ours'//unit, cell, ours, factor, 3)
          call add_cell(table, 'Legacy'//unit, cell, theirs, factor, 3)
          call add_cell(table, 'Difference'//unit, cell, theirs - ours, factor, 3)
-         call add_cell(table, '%', cell - 2, share_of(theirs - ours, comparison%parting(k)%scale), one, 2)
+         call add_cell(table, '% of|largest', cell - 2, share_of(theirs - ours, comparison%parting(k)%scale), one, 2)
          call end_row(table, '')
       end do
       call append_table(lines, table)
@@ -182,7 +182,7 @@ contains
          character(:), allocatable :: text
          text = ''
          if (.not. any(comparison%md > interval%md_top .and. comparison%md < interval%md_bottom)) &
-            text = ' (no row of the table there: by straight line)'
+            text = ' (interpolated)'
       end function remark
    end subroutine append_words
 

@@ -123,7 +123,7 @@ contains
                optional_real(result%found, dogleg_clock(bend)))
       call put(row, 'status', quantity_text, &
                'converged, or not_converged: then there is no curvature', merge('converged    ', 'not_converged', result%found))
-      call put(row, 'solutions', quantity_none, 'of the string that it took', result%solutions)
+      call put(row, 'solutions', quantity_none, 'solutions of the string', result%solutions)
       call put(row, 'message', quantity_text, 'why there is none, or why it may be off', result%message)
       call put(row, 'three_point_dogleg', quantity_curvature, &
                'of a stiff bent assembly that touches at bit and two more points', result%three_points)

@@ -36,7 +36,7 @@ module dg_sweep_keys
       key_rule_type('sweep', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
       key_rule_type('sweep', 'measured_depths', unit=unit_length, array=.true., low=0.0_wp, open=.true., high=deepest, &
-         meaning='bit depths of measurements, to be laid beside; those of load cases come by themselves'), &
+         meaning='bit depths of measurements for comparison; those of load cases are added'), &
       key_rule_type('sweep', 'measured_operations', kind_text, array=.true., choices='*', &
          meaning='operation of each, or one of all'), &
       key_rule_type('sweep', 'measured_hookloads', unit=unit_force, array=.true., low=0.0_wp, high=strongest, &

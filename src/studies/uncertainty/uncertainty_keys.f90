@@ -36,7 +36,7 @@ module dg_uncertainty_keys
       key_rule_type('uncertainty', 'trip_speed', unit=unit_speed, array=.true., low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string, for ream and backream; one or one of each operation'), &
       key_rule_type('uncertainty', 'samples', kind_integer, default='1000', low=2.0_wp, high=1.0e6_wp, &
-         meaning='how often all is drawn anew'), &
+         meaning='number of random samples'), &
       key_rule_type('uncertainty', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
          meaning='of the random numbers: the same seed gives the same results'), &
       key_rule_type('uncertainty', 'friction_deviation', low=0.0_wp, high=roughest, default='0', &
