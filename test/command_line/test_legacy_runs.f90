@@ -143,8 +143,8 @@ contains
       call refuse('md,axial|0,150|450,75,3|900,0', '', file//'3:', 'the row has 3 columns, the table 2')
       call refuse('md,tension|0,150|900,0', ", axial = 'tensoin'", file//'1:', "did you mean 'tension'?")
       call refuse('depth,axial|0,150|900,0', '', file//'1:', "the header names no 'md' for md")
-      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. If they stand lower, give the number '// &
-                  'of lines above them as skip')
+      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. Give the heading as md, or '// &
+                  'the lines above the headings as skip')
       call refuse('md,pull|0,150|900,0', '', file, 'none of axial, torque, side_force')
       call refuse('md (m),axial (klbf)|0,150|900,0', '', file//'1:', 'the header gives axial in klbf')
       call refuse('md_ft,axial|0,150|900,0', '', file//'1:', 'the header gives md in ft')
