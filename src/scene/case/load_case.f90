@@ -22,12 +22,30 @@ module dg_load_case
    integer, parameter :: operation_static = 8
    integer, parameter :: operation_count = 8
 
-   !> Names in decks and files, in the order of the numbers above.
-   character(*), parameter :: operation_name(operation_count) = [character(18) :: 'trip_out', 'trip_in', &
-      'rotate_off_bottom', 'rotary_drilling', 'sliding_drilling', 'ream', 'backream', 'static']
-   !> As the paper's Table 1 writes them.
-   character(*), parameter :: operation_label(operation_count) = [character(18) :: 'up', 'down', &
-      'rotating', 'rotary drilling', 'sliding drilling', 'ream', 'backream', 'static']
+   !> An operation.
+   type :: operation_type
+      character(18) :: name = ''      !< in decks and files
+      character(18) :: label = ''     !< as the paper's Table 1 writes it
+      integer :: block = 0            !< way of the block: 1 it is raised, -1 lowered, 0 it stands
+      integer :: string = 0           !< way of the string along the hole against friction: 1 up, -1 down, 0 neither
+      logical :: turns = .false.      !< the string rotates
+   end type operation_type
+
+   !> All operations, in the order of the numbers above.
+   type(operation_type), parameter :: operations(operation_count) = [ &
+      operation_type('trip_out', 'up', block=1, string=1), &
+      operation_type('trip_in', 'down', block=-1, string=-1), &
+      operation_type('rotate_off_bottom', 'rotating', turns=.true.), &
+      operation_type('rotary_drilling', 'rotary drilling', block=-1, turns=.true.), &
+      operation_type('sliding_drilling', 'sliding drilling', block=-1, string=-1), &
+      operation_type('ream', 'ream', block=-1, string=-1, turns=.true.), &
+      operation_type('backream', 'backream', block=1, string=1, turns=.true.), &
+      operation_type('static', 'static')]
+
+   character(*), parameter :: operation_name(operation_count) = operations%name
+   character(*), parameter :: operation_label(operation_count) = operations%label
+   integer, parameter, public :: block_way(operation_count) = operations%block
+
    !> Another name of an operation.
    type :: alias_type
       character(20) :: name = ''
@@ -69,9 +87,6 @@ module dg_load_case
       alias_type('slide_drilling', operation_sliding_drilling), &
       alias_type('reaming', operation_ream), &
       alias_type('backreaming', operation_backream)]
-
-   !> Way of the block, in the order of the numbers above: 1 it is raised, -1 lowered, 0 it stands.
-   integer, parameter, public :: block_way(operation_count) = [1, -1, 0, -1, -1, -1, 1, 0]
 
    type :: load_case_type
       character(:), allocatable :: name     !< unique, safe as part of a file name
@@ -166,40 +181,35 @@ contains
       real(wp), intent(in) :: radius     !< at which the string touches [m]
       real(wp), intent(out) :: axial
       real(wp), intent(out) :: rotary
-      real(wp) :: circumferential_speed, speed
-      axial = 0.0_wp
-      rotary = 0.0_wp
-      select case (load_case%operation)
-      case (operation_trip_out)
-         axial = mu_axial
-      case (operation_trip_in, operation_sliding_drilling)
-         axial = -mu_axial
-      case (operation_rotate_off_bottom, operation_rotary_drilling)
-         rotary = mu_rotary
-      case (operation_ream, operation_backream)
-         circumferential_speed = load_case%angular_speed*radius
-         speed = hypot(circumferential_speed, load_case%trip_speed)
-         if (speed > 0.0_wp) then
-            axial = mu_axial*load_case%trip_speed/speed
-            rotary = mu_rotary*circumferential_speed/speed
-            if (load_case%operation == operation_ream) axial = -axial
-         end if
-      case default
-      end select
+      type(operation_type) :: operation
+      real(wp) :: speed         ! of the surface of the string [m/s]
+      operation = operations(load_case%operation)
+      axial = operation%string*mu_axial
+      rotary = merge(mu_rotary, 0.0_wp, operation%turns)
+      if (operation%string == 0 .or. .not. operation%turns) return
+      speed = hypot(load_case%angular_speed*radius, load_case%trip_speed)
+      if (speed > 0.0_wp) then
+         axial = axial*(load_case%trip_speed/speed)
+         rotary = rotary*(load_case%angular_speed*radius/speed)
+      else
+         axial = 0.0_wp
+         rotary = 0.0_wp
+      end if
    end subroutine friction_split
 
-   !> Whether friction acts along the hole, so that Table 1 has a frictional resistance.
+   !> True if friction acts along the hole, so that Table 1 has a frictional resistance. False for no number of an operation.
    elemental function moves_axially(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
-      yes = any(operation == [operation_trip_out, operation_trip_in, operation_sliding_drilling, operation_ream, &
-                              operation_backream])
+      yes = .false.
+      if (operation >= 1 .and. operation <= operation_count) yes = operations(operation)%string /= 0
    end function moves_axially
 
-   !> Whether the string turns, so that Table 1 has a torque.
+   !> True if the string turns, so that Table 1 has a torque. False for no number of an operation.
    elemental function rotates(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
-      yes = any(operation == [operation_rotate_off_bottom, operation_rotary_drilling, operation_ream, operation_backream])
+      yes = .false.
+      if (operation >= 1 .and. operation <= operation_count) yes = operations(operation)%turns
    end function rotates
 end module dg_load_case
