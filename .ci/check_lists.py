@@ -5,6 +5,7 @@
             as left out
   keys      each key that a source asks a group for is a key of a deck; each key of a deck is named by a source that reads decks,
             whole or by its ending ('_unit')
+  groups    test/README.md names each group of verification tests
 """
 import re
 import sys
@@ -81,8 +82,15 @@ def faults_of_keys():
     return faults
 
 
+def faults_of_groups():
+    text = (ROOT / "test/README.md").read_text(encoding="utf-8")
+    names = set(re.findall(r"use dg_test_(\w+), only: \1_suite", (ROOT / "test/verification/verification.f90").read_text()))
+    print(f"  {len(names)} groups of verification tests")
+    return [f"test/README.md does not name the group {name}" for name in sorted(names) if not re.search(rf"\b{name}\b", text)]
+
+
 def main():
-    faults = faults_of_copies() + faults_of_keys()
+    faults = faults_of_copies() + faults_of_keys() + faults_of_groups()
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

@@ -1,4 +1,4 @@
-!> The door of drillgap for programs of others: `use drillgap` is all that they name.
+!> drillgap for other programs: `use drillgap` is all that they name.
 !>
 !> A program fills in `model_parts_type`, in SI units, by hand or by add_hole, add_component and add_fluid; new_model checks all of
 !> it and makes a model, which can be made in no other way but by read_deck. solve and solve_cases solve load cases of a model by

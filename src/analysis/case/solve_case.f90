@@ -1,4 +1,4 @@
-!> One load case by the model of a given number: the one place that knows the doors of all models.
+!> One load case by the model of a given number: the one place that calls all models.
 module dg_solve_case
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_without_load, only: solve_without_load

@@ -13,7 +13,7 @@ module dg_trajectory
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
    public :: cut_trajectory, arc_at, closest_point, gap_to_axis, position_at
    public :: true_vertical_depth, measured_depth_at, top_md, bottom_md
-   ! The one door of this folder: what users of a trajectory need besides.
+   ! Public names of this folder that users of a trajectory need besides.
    public :: arc_type, point_on_arc, frame_on_arc, foot_offset, turn_type, turn_of
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
 

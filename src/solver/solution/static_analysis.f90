@@ -1,4 +1,4 @@
-!> The model of the paper for one load case: from deck data to a result. The only door of this room.
+!> The model of the paper for one load case: from deck data to a result. The only public procedure of this room.
 !>
 !> The strategy, in its order:
 !>   1. A mesh whose elements know the local scale (dg_mesh_for_case), from the soft string with the friction of a stiff assembly
