@@ -3,6 +3,7 @@
 !> Ranges keep out what cannot be meant (a diameter in metres, a modulus in pascal), not what is unusual.
 module dg_deck_keys
    use dg_kinds, only: wp
+   use dg_component, only: shortest_contact
    use dg_deck_schema, only: add_group, group_keys_type, group_rule_type, &
       key_rule_type, kind_text, kind_integer, kind_logical, rule_place
    use dg_load_case, only: operation_name
@@ -36,7 +37,6 @@ module dg_deck_keys
 
    ! Bounds [deck units of SI].
    real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
-   real(wp), parameter :: shortest = 1.0e-3_wp    ! m; the shortest contact
    real(wp), parameter :: widest = 5.0e3_wp       ! mm
    real(wp), parameter :: narrowest = 1.0_wp      ! mm; less is a diameter in metres
    real(wp), parameter :: strongest = 1.0e5_wp    ! kN and kN.m; more is a load in newton
@@ -328,7 +328,7 @@ module dg_deck_keys
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
       key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
-      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=shortest, high=deepest, &
+      key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=shortest_contact, high=deepest, &
          meaning='measured depth of the bit'), &
       key_rule_type('load_case', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
          meaning='weight on bit; > 0 pushes the bit, < 0 pulls it'), &
