@@ -134,7 +134,7 @@ contains
             call assertEqual(length, mesh%length(e), 1.0e-9_wp, message='length')
             call assertEqual(0.0_wp, modulo(246.0_wp - mesh%md(e) - 0.5_wp*length + 1.0e-6_wp, 12.0_wp), 1.0e-5_wp, message='place')
             call assertRelativelyEqual(6.0e3_wp/(0.33_wp*0.02_wp), mesh%wall(e)*mesh%length(e), 1.0e-9_wp, message='stiffness')
-            call assertRelativelyEqual(24.0_wp, mesh%gathered(e), 1.0e-9_wp)
+            call assertRelativelyEqual(24.0_wp, mesh%load_factor(e), 1.0e-9_wp)
             ! cased with 220 mm, which the bow does not fill, below 130 m with 210 mm, which is narrower
             call assertEqual(merge(2.5e-3_wp, 0.0_wp, mesh%md(e) < 130.0_wp), mesh%opening(e), 1.0e-5_wp, message='opening')
             call assertEqual(merge(0.0_wp, 700.0_wp, mesh%md(e) < 130.0_wp), mesh%drag(e), 1.0e-6_wp, message='drag, pulled')
@@ -227,22 +227,22 @@ contains
          end if
          call assertEqual(w, mesh%weight(e))
          if (middle < 130.0_wp) then
-            call assertEqual(0.2_wp, mesh%axial(e), message='cased')
+            call assertEqual(0.2_wp, mesh%friction_along(e), message='cased')
             call assertEqual(0.0275_wp, mesh%clearance(e), 1.0e-15_wp)
             call assertEqual(3.0e7_wp, mesh%wall(e), message='the section''s wall')
             call assertEqual(2.0_wp*0.001_wp/(0.22_wp - 0.165_wp), mesh%eps_nmax(e), 1.0e-14_wp, message='2 t/(D - d)')
          else
-            call assertEqual(0.3_wp, mesh%axial(e), message='open')
+            call assertEqual(0.3_wp, mesh%friction_along(e), message='open')
             call assertEqual(model%numerics%gk_contact, mesh%wall(e), message='the solver''s wall')
             call assertEqual(model%numerics%eps_nmax, mesh%eps_nmax(e))
          end if
       end do
-      call assertEqual(0.0_wp, mesh%rotary, message='no rotation')
+      call assertEqual(0.0_wp, mesh%friction_around, message='no rotation')
       model%cases(1)%operation = operation_rotate_off_bottom
       model%cases(1)%friction_rotary = given(0.11_wp)
       call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 10.0_wp), mesh)
-      call assertEqual(0.0_wp, mesh%axial, message='mu2 = 0 when rotating (Eq. 5)')
-      call assertEqual(0.11_wp, mesh%rotary, message='the case''s own friction')
+      call assertEqual(0.0_wp, mesh%friction_along, message='mu2 = 0 when rotating (Eq. 5)')
+      call assertEqual(0.11_wp, mesh%friction_around, message='the case''s own friction')
    end subroutine test_properties
 
    !> Chords add up to the well path; frames are right-handed and unit.

@@ -127,7 +127,7 @@ contains
             cased = middle < 200.0_wp
             call assertEqual(merge(0.08_wp, 0.0635_wp, collar), mesh%radius(e), tiny_length)
             call assertEqual(merge(0.11_wp, 0.105_wp, cased) - mesh%radius(e), mesh%clearance(e), tiny_length)
-            call assertEqual(merge(0.2_wp, 0.3_wp, cased), mesh%axial(e), tiny_length)
+            call assertEqual(merge(0.2_wp, 0.3_wp, cased), mesh%friction_along(e), tiny_length)
          end do
       end do
       call point_case(sweep, point_type(1, 2, 3, 4), model%cases(1))

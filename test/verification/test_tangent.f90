@@ -48,7 +48,7 @@ contains
       real(wp) :: total(12, 12), k0(12, 12), kn(12, 12), ksigma(12, 12), differences(12, 12), straight(3)
       integer :: i
       straight = [0.0_wp, 0.0_wp, 1.0_wp]
-      section = beam_section_type(5.0_wp, 5.0_wp, 7.0e8_wp, 1.2e6_wp)
+      section = beam_section_type(length=5.0_wp, membrane_length=5.0_wp, axial_stiffness=7.0e8_wp, bending_stiffness=1.2e6_wp)
       y = [0.01_wp, -0.02_wp, 0.03_wp, 0.02_wp, -0.01_wp, 1.0_wp, 0.05_wp, 0.02_wp, 5.031_wp, -0.015_wp, 0.03_wp, 0.99_wp]
       chord = y(7:9) - y(1:3)
       d_i = y(4:6)
@@ -112,8 +112,8 @@ contains
       mesh%gj = spread(0.9e6_wp, 1, elements)
       mesh%weight = spread(260.0_wp, 1, elements)
       mesh%radius = spread(0.08_wp, 1, elements)
-      mesh%axial = [0.2_wp, -0.2_wp, 0.1_wp, 0.3_wp, 0.2_wp, 0.2_wp]
-      mesh%rotary = [0.2_wp, 0.2_wp, 0.3_wp, 0.0_wp, 0.1_wp, 0.2_wp]
+      mesh%friction_along = [0.2_wp, -0.2_wp, 0.1_wp, 0.3_wp, 0.2_wp, 0.2_wp]
+      mesh%friction_around = [0.2_wp, 0.2_wp, 0.3_wp, 0.0_wp, 0.1_wp, 0.2_wp]
       mesh%drag = spread(150.0_wp, 1, elements)
       mesh%centralizer = spread(.false., 1, elements)
       law = gap_law_type(clearance=0.045_wp, contact=5.0e5_wp, maximum=3.0e6_wp, eps_nmax=0.05_wp)
@@ -194,7 +194,7 @@ contains
       do kind = 1, 2
          if (kind == 2) then
             work%climb = whirling
-            mesh%axial = 0.0_wp       ! along a curved axis its couple derives from no energy, if hardly so
+            mesh%friction_along = 0.0_wp       ! along a curved axis its couple derives from no energy, if hardly so
          end if
          call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, matrix)
          dense = to_dense(matrix)
@@ -221,9 +221,9 @@ contains
       allocate (residual, mold=state)
       do kind = 0, 4
          work%climb = merge(whirling, 1.0_wp, kind == 0)
-         if (kind > 1) mesh%rotary = 0.0_wp
+         if (kind > 1) mesh%friction_around = 0.0_wp
          if (kind > 2) state(4, :) = 0.0_wp
-         if (kind > 3) mesh%axial = 0.0_wp
+         if (kind > 3) mesh%friction_along = 0.0_wp
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, whole)
          call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, parts)
          added = to_dense(whole) - to_dense(parts)
@@ -280,7 +280,7 @@ contains
       closed = 0
       do kind = 0, 2
          work%climb = merge(whirling, 1.0_wp, kind == 0)
-         if (kind > 1) mesh%rotary = 0.0_wp
+         if (kind > 1) mesh%friction_around = 0.0_wp
          work%normal = [(1000.0_wp + 100.0_wp*e, e=1, mesh%elements)]
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, ignored)
          call find_contact_rows(mesh, loads, gaps, 1, mesh%elements, work, by, on)
@@ -342,8 +342,8 @@ contains
       work%normal = [(20000.0_wp + 100.0_wp*j, j=1, mesh%elements)]
       do kind = 1, 2
          if (kind == 2) then
-            mesh%rotary = 0.0_wp
-            mesh%axial = 0.0_wp
+            mesh%friction_around = 0.0_wp
+            mesh%friction_along = 0.0_wp
          end if
          gaps%followed = .false.
          gaps%followed(e) = .true.

@@ -144,7 +144,7 @@ contains
       real(wp) :: torque, worked
       integer :: n
       call hang(model, mesh, work, gaps, state)
-      mesh%rotary = [(0.1_wp*n, n=1, mesh%elements)]
+      mesh%friction_around = [(0.1_wp*n, n=1, mesh%elements)]
       gaps%xi = [(real(n - 1, wp)/(mesh%elements - 1), n=1, mesh%elements)]
       gaps%law%clearance = 0.95_wp*mesh%clearance
       gaps%state = state_elastic

@@ -136,7 +136,7 @@ contains
       real(wp), intent(out) :: force(12), ksigma(12, 12)
       type(measure_type) :: m
       call measure(chord, d_i, d_j, m)
-      call tangent_of(m, beam_section_type(1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp), axial, d_i, d_j, force, ksigma)
+      call tangent_of(m, beam_section_type(length=1.0_wp, membrane_length=1.0_wp), axial, d_i, d_j, force, ksigma)
    end subroutine beam_stress_tangent
 
    !> The tangent without what the axial force carries.

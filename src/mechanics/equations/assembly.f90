@@ -123,7 +123,8 @@ contains
       integer :: i
       call clear_element(element)
       chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-      section = beam_section_type(mesh%length(e), work%membrane_length(e), mesh%ea(e), mesh%ei(e))
+      section = beam_section_type(length=mesh%length(e), membrane_length=work%membrane_length(e), axial_stiffness=mesh%ea(e), &
+                                  bending_stiffness=mesh%ei(e))
       if (element%tangent) then
          call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e), element%k)
          element%twist_stiffness = mesh%gj(e)/mesh%length(e)
@@ -223,7 +224,7 @@ contains
       element%part = part_rest
       do e = 1, mesh%elements
          work%torque(e) = torque_of(mesh, e, state)
-         rubs = gaps%state(e) /= state_free .and. (abs(mesh%axial(e)) > 0.0_wp .or. mesh%rotary(e) > 0.0_wp)
+         rubs = gaps%state(e) /= state_free .and. (abs(mesh%friction_along(e)) > 0.0_wp .or. mesh%friction_around(e) > 0.0_wp)
          if (.not. (rubs .or. abs(work%torque(e)) > 0.0_wp)) cycle
          call clear_element(element)
          call add_torque(mesh, e, work, element)

@@ -59,8 +59,8 @@ contains
       else
          call contact_force(gaps%law(e), gaps%state(e), work%displacement(e), work%normal(e), contact%stiffness)
       end if
-      contact%axial = mesh%axial(e)*loads%friction_scale
-      contact%rotary = mesh%rotary(e)*loads%friction_scale
+      contact%axial = mesh%friction_along(e)*loads%friction_scale
+      contact%rotary = mesh%friction_around(e)*loads%friction_scale
       contact%shape = hermite_value(gaps%xi(e), mesh%length(e))
       contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
       contact%direction = contact%slope(3)*(mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))) &

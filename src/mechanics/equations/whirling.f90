@@ -72,13 +72,13 @@ contains
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
-         if (.not. (mesh%rotary(e) > 0.0_wp .or. abs(mesh%axial(e)) > 0.0_wp .or. straight_down)) cycle
+         if (.not. (mesh%friction_around(e) > 0.0_wp .or. abs(mesh%friction_along(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
          if (straight_down .and. ratio > 0.0_wp) climb(e) = 0.0_wp
       end do
-      call free_vertical_stretches(vertical, axial, mesh%rotary, climb)
+      call free_vertical_stretches(vertical, axial, mesh%friction_around, climb)
    end subroutine find_climb
 
    !> Lets nothing climb in a vertical stretch with compression in it.

@@ -43,10 +43,10 @@ module dg_mesh
       real(wp), allocatable :: opening(:)        !< offset at which contact begins: the clearance, less for a bow spring [m]
       real(wp), allocatable :: radius(:)         !< of contact, d/2 [m]
       real(wp), allocatable :: lying(:)          !< clearance at which the string lies: that of its joints [m]
-      real(wp), allocatable :: gathered(:)       !< contact load of an element over the string's mean: joints gather it [-]
+      real(wp), allocatable :: load_factor(:)    !< contact load of an element over the string's mean: joints gather it [-]
       real(wp), allocatable :: spacing(:)        !< between joints, 0 where the string touches all along [m]
-      real(wp), allocatable :: axial(:)          !< friction along the hole, > 0 pushes down the hole [-]
-      real(wp), allocatable :: rotary(:)         !< circumferential friction [-]
+      real(wp), allocatable :: friction_along(:) !< friction along the hole, > 0 pushes down the hole [-]
+      real(wp), allocatable :: friction_around(:) !< circumferential friction [-]
       real(wp), allocatable :: wall(:)           !< wall stiffness Gkc, or a bow spring's over its length [N/m2]
       real(wp), allocatable :: rigid(:)          !< of the wall beyond its elastic range, Gkmax [N/m2]
       real(wp), allocatable :: eps_nmax(:)       !< elastic range [-]
@@ -111,8 +111,8 @@ contains
       end do
       n = mesh%elements
       allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
-                mesh%radius(n), mesh%axial(n), mesh%rotary(n), mesh%wall(n), mesh%rigid(n), mesh%eps_nmax(n), &
-                mesh%lying(n), mesh%gathered(n), mesh%spacing(n), mesh%opening(n), mesh%drag(n), mesh%centralizer(n))
+                mesh%radius(n), mesh%friction_along(n), mesh%friction_around(n), mesh%wall(n), mesh%rigid(n), mesh%eps_nmax(n), &
+                mesh%lying(n), mesh%load_factor(n), mesh%spacing(n), mesh%opening(n), mesh%drag(n), mesh%centralizer(n))
       top = mesh%md(1)
       allocate (tops(size(model%strings(index)%components)))
       tops = component_tops(model%strings(index), load_case%bit_depth - top)
@@ -139,16 +139,16 @@ contains
                                           mesh%centralizer(e))
             call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
-            mesh%gathered(e) = 1.0_wp
+            mesh%load_factor(e) = 1.0_wp
             mesh%spacing(e) = 0.0_wp
             if (component%centralizer%present) call put_centralizer(model, load_case, component, middle, e, mesh)
             if (component%centralizer%present) cycle
             if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
             mesh%spacing(e) = component%joint_spacing
             if (at_joint(component, distance)) then
-               mesh%gathered(e) = component%joint_spacing/effective_joint_length(component)
+               mesh%load_factor(e) = component%joint_spacing/effective_joint_length(component)
             else
-               mesh%gathered(e) = 0.0_wp
+               mesh%load_factor(e) = 0.0_wp
                mesh%radius(e) = 0.5_wp*component%od
                call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
             end if
@@ -217,8 +217,8 @@ contains
          call wall_of(hole, model%numerics%gk_contact, model%numerics%gk_max, mesh%wall(e), mesh%rigid(e))
          mesh%eps_nmax(e) = model%numerics%eps_nmax
          if (hole%mud_sheath > 0.0_wp) mesh%eps_nmax(e) = hole%mud_sheath/mesh%clearance(e)  ! = 2 t/(D - d)
-         call find_friction(hole, component, load_case, mesh%centralizer(e), mesh%radius(e), 1.0_wp, mesh%axial(e), &
-                            mesh%rotary(e))
+         call find_friction(hole, component, load_case, mesh%centralizer(e), mesh%radius(e), 1.0_wp, mesh%friction_along(e), &
+                            mesh%friction_around(e))
       end associate
    end subroutine put_in_hole
 
@@ -232,7 +232,7 @@ contains
       type(mesh_type), intent(inout) :: mesh
       associate (centralizer => component%centralizer, hole => model%holes(hole_section_at(model%holes, md)))
          mesh%spacing(e) = centralizer%spacing
-         mesh%gathered(e) = merge(centralizer%spacing/contact_length, 0.0_wp, mesh%centralizer(e))
+         mesh%load_factor(e) = merge(centralizer%spacing/contact_length, 0.0_wp, mesh%centralizer(e))
          if (centralizer%bow) then
             mesh%lying(e) = min(mesh%clearance(e), bow_opening(centralizer, hole%diameter) &
                                 + abs(mesh%weight(e))*centralizer%spacing/bow_stiffness(centralizer, component%od))

@@ -52,7 +52,7 @@ module dg_iteration_state
       real(wp) :: before = 0.0_wp             !< largest residual where the step begins, pushes included [N, N.m]
       real(wp) :: unbalanced = 0.0_wp         !< largest residual there, without pushes [N, N.m]
       ! of a damped string
-      real(wp) :: trial = 0.0_wp              !< largest residual where the step ends, with the linear problem's wall forces [N, N.m]
+      real(wp) :: trial = 0.0_wp              !< largest residual where the step ends [N, N.m]
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
       ! of any string
       real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
@@ -198,7 +198,7 @@ contains
       type(equilibrium_type), intent(in) :: it
       type(mesh_type), intent(in) :: mesh
       real(wp) :: margin
-      margin = merge(stable_twisted, stable, any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
+      margin = merge(stable_twisted, stable, any(mesh%friction_around > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
    end function margin_of
 
    !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow

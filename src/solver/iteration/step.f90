@@ -86,7 +86,7 @@ contains
       associate (tuning => it%numerics%tuning)
          margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
          if (it%before < tuning%near*equations%force_scale) margin = margin_of(it, mesh)
-         live = any(abs(mesh%axial) > 0.0_wp) .or. any(mesh%rotary > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
+         live = any(abs(mesh%friction_along) > 0.0_wp) .or. any(mesh%friction_around > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
          do hold = 0, tuning%most_raises
             call damp_until_definite(tuning, it%energy, it%lump, it%problem, margin, it%damping)
             do

@@ -186,7 +186,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       logical :: is
-      is = mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp .and. is_between(mesh, gaps, e)
+      is = mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
    end function is_point
 
    !> Whether the contact of an element stands by itself between its ends, at the extremum that its gap follows.
@@ -290,8 +290,8 @@ contains
                end if
             end if
          end if
-         beam%element(e)%lever = mesh%radius(o)*mesh%axial(o)
-         beam%element(e)%around = mesh%rotary(o)*work%climb(o)
+         beam%element(e)%lever = mesh%radius(o)*mesh%friction_along(o)
+         beam%element(e)%around = mesh%friction_around(o)*work%climb(o)
       end do
       arc = 1
       do e = 1, n - 1

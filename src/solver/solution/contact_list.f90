@@ -147,7 +147,7 @@ contains
             height = bottom - mesh%md(e) - 0.5_wp*mesh%length(e)
             if (has_blades(components(component_at(tops, height)))) then
                kind(e) = contact_blades
-            else if (mesh%spacing(e) > 0.0_wp .and. mesh%gathered(e) > 1.0_wp) then
+            else if (mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp) then
                kind(e) = merge(contact_centralizer, contact_joint, mesh%centralizer(e))
             end if
          end do

@@ -96,7 +96,7 @@ contains
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing
             pressing = max(pressing, max(across, side_load, helical_contact(mesh%ei(e), compression, mesh%clearance(e))) &
-                                     *mesh%gathered(e)/mesh%clearance(e))
+                                     *mesh%load_factor(e)/mesh%clearance(e))
             scales = local_scales(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
             if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = min(body_share*mesh%spacing(e), &
                                                                     sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))

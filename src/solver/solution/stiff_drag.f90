@@ -68,7 +68,7 @@ contains
       locked_up = totals%runaway
       if (locked_up) return
       stiff = near_edges(mesh)
-      if (.not. any(abs(mesh%axial) > 0.0_wp .and. stiff)) return
+      if (.not. any(abs(mesh%friction_along) > 0.0_wp .and. stiff)) return
       allocate (climb(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
       allocate (state(6, mesh%nodes), axial(mesh%nodes), free(mesh%nodes), torque(mesh%nodes))
       call find_climb(model, case_index, mesh, compressed, climb)
@@ -79,7 +79,7 @@ contains
       call soft_string_at(model, case_index, mesh%md, free, torque, other=other_loads_type(friction_scale=0.0_wp))
       axial = axial - free
       soft = axial(:mesh%elements) - axial(2:)
-      drag = sum(mesh%axial*pressed - soft, mask=stiff)
+      drag = sum(mesh%friction_along*pressed - soft, mask=stiff)
       if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
    end subroutine find_drag
 end module dg_stiff_drag

@@ -76,11 +76,12 @@ contains
          load(i) = force
          if (.not. force > 0.0_wp) cycle
          e = min(i, mesh%elements)
-         friction = mesh%rotary(e)*climb(e)*start%scale
+         friction = mesh%friction_around(e)*climb(e)*start%scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
-         depth = mesh%lying(e) + force*mesh%gathered(e)/wall(e)
-         if (mesh%opening(e) < mesh%clearance(e)) depth = min(mesh%opening(e) + force*mesh%gathered(e)/wall(e), mesh%clearance(e))
+         depth = mesh%lying(e) + force*mesh%load_factor(e)/wall(e)
+         if (mesh%opening(e) < mesh%clearance(e)) &
+            depth = min(mesh%opening(e) + force*mesh%load_factor(e)/wall(e), mesh%clearance(e))
          offset(:, i) = depth*[dot_product(n, mesh%frame(:, 2, i)), dot_product(n, mesh%frame(:, 3, i))]
       end do
       call find_knots(model%numerics%tuning, mesh, knot, knots)
@@ -102,7 +103,8 @@ contains
       y(3:4, :) = slope
       found = .false.
       if (model%numerics%tuning%start_bent) then
-         call new_start_beam(model, mesh, axial, torque, start%scale*mesh%axial, start%scale*climb*mesh%rotary, beam)
+         call new_start_beam(model, mesh, axial, torque, start%scale*mesh%friction_along, &
+                             start%scale*climb*mesh%friction_around, beam)
          call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then
@@ -116,7 +118,7 @@ contains
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
          state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
-         pressed(e) = 0.5_wp*mesh%gathered(e)*(load(e) + load(e + 1))*mesh%length(e)
+         pressed(e) = 0.5_wp*mesh%load_factor(e)*(load(e) + load(e + 1))*mesh%length(e)
          if (found) pressed(e) = sum(forces(:, e))
          gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
          if (.not. (found .and. pressed(e) > 0.0_wp .and. model%numerics%gap_location == gap_at_extremum)) cycle
