@@ -191,7 +191,7 @@ def text_of(words):
 
 def key_table(group, rules, labels, factors, numerics):
     """The lines of the table of a group's keys, as they stand in input/README.md."""
-    constants = real_constants(key_sources())
+    constants = real_constants(key_sources() + source("scene/string/component.f90"))
     lines = ["| key | default | legal values | unit (field, metric) | meaning |", "|---|---|---|---|---|"]
     for plain, named in rules:
         if unquoted(plain[0]) != group:

@@ -54,8 +54,8 @@ contains
       call assertEqual(1, hole_section_at(sections, -5.0_wp), message='above the first')
    end subroutine test_section_at_a_depth
 
-   !> Every number that a deck may give to a section is visited once, but for `friction`, which stands for two of them. A number that
-   !> is missing is left out.
+   !> Every number that a deck may give to a section is visited once, but for `friction`, which stands for two of them. A
+   !> number that is missing is left out.
    subroutine test_numbers()
       type(key_rule_type), allocatable :: rules(:)
       type(hole_section_type) :: hole

@@ -171,8 +171,8 @@ contains
       end do
    end subroutine add_case
 
-   !> True where a column says something of a case. As in the paper, friction belongs to axial motion and torque to rotation. A motor
-   !> turns the bit of a string that slides: torque on bit belongs to it, too.
+   !> True where a column says something of a case. As in the paper, friction belongs to axial motion and torque to rotation.
+   !> Torque on bit belongs to a sliding string, too: a motor turns its bit.
    elemental function says(rows, load_case, result) result(is)
       integer, intent(in) :: rows        !< of the column
       type(load_case_type), intent(in) :: load_case

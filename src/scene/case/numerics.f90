@@ -57,7 +57,7 @@ module dg_numerics
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
       real(wp) :: relocation = 0.5_wp          !< a closed MCGE moves when its element is deeper elsewhere by this part of c [-]
-      real(wp) :: step_limit = 2.0_wp          !< largest lateral step of the linear problem over the clearance before damping is raised [-]
+      real(wp) :: step_limit = 2.0_wp          !< lateral step over the clearance above which damping is raised [-]
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string

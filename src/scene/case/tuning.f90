@@ -22,8 +22,8 @@ module dg_tuning
       integer :: first = 1, last = 0       !< attempts
    end type mesh_try_type
 
-   !> Step limit of the fourth attempt over that of the first [-]. Where a blade has a millimetre of room in a wide hole, the steps of
-   !> the others are too short to bring the collars to their side: 24 of 50 such cases are lost without the fourth, 7 with it.
+   !> Step limit of the fourth attempt over that of the first [-]. Where a blade has a millimetre of room in a wide hole, the steps
+   !> of the others are too short to bring the collars to their side: 24 of 50 such cases are lost without the fourth, 7 with it.
    real(wp), parameter :: long = 15.0_wp
 
    type :: tuning_type
@@ -101,14 +101,14 @@ module dg_tuning
       !> an enlarged bend is 6 % off: `fpm test verification -- -f lone_contacts.place` fails. Of 1,105 decks of an independent
       !> reviewer 54 cases have contact more than 1 % off that on short elements, not 59.
       integer :: more_moves = 2
-      !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more gaps are moved in vain.
+      !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more gaps move in vain.
       real(wp) :: astray = 3.0e-3_wp
       !> Iterations after its gaps last moved at which a string is given up, and taken back to where it was before.
       integer :: longest_round = 25
 
       ! ---- damping (dg_damping, dg_step)
-      !> Least damping of a string that may be all in tension, over the stiffness of a wall that its expected load presses in visibly
-      !> [-].
+      !> Least damping of a string that may be all in tension, over the stiffness of a wall that its expected load presses in
+      !> visibly [-].
       real(wp) :: of_soft_wall = 1.0e-2_wp
       !> The part of damping that holds nodes back along the hole [-]: friction that slides them drives that, too.
       real(wp) :: along_hole = 0.1_wp
