@@ -20,7 +20,7 @@ module dg_test_sag_correction
 
    integer, parameter :: spans = 8, middle = 4      !< of the assembly, and the one with the sensor, from the bit
    real(wp), parameter :: span = 14.0_wp, blade = 0.05_wp, od = 0.1651_wp, id = 0.0714_wp, hole = 0.2159_wp, clearance = 0.001_wp
-   real(wp), parameter :: depth = 300.0_wp, inclination = 60.0_wp*degree
+   real(wp), parameter :: shallow = 300.0_wp, deep = 5000.0_wp, inclination = 60.0_wp*degree
    real(wp), parameter :: close = 0.02_wp           !< axial force is zero in the middle of the span alone, blades have a length
 
 contains
@@ -29,13 +29,15 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('sag_correction')
       call suite%addTest(TestMethod('span_of_a_beam', test_span))
+      call suite%addTest(TestMethod('deep_string', test_deep))
       call suite%addTest(TestMethod('none_without_sensor', test_none))
    end function sag_correction_suite
 
    !> A string of collars between short stabilizers, with a sensor at a part of the middle span; < 0: without one.
-   subroutine build(model, part)
+   subroutine build(model, part, depth)
       type(model_type), intent(out) :: model
       real(wp), intent(in) :: part         !< of the span, from its lower end [-]
+      real(wp), intent(in) :: depth        !< of the bit [m]
       type(error_type), allocatable :: error
       real(wp) :: weight
       integer :: i
@@ -86,21 +88,36 @@ contains
       real(wp) :: across, slope
       integer :: i
       do i = 1, size(parts)
-         call build(model, parts(i))
+         call build(model, parts(i), shallow)
          call solve_static_analysis(model, 1, result, error)
          call assertEqual(result_converged, result%status)
-         call assertEqual(depth - span*(real(middle - 1, wp) + parts(i)) + 0.5_wp*blade, result%sensor_md, 1.0e-9_wp)
+         call assertEqual(shallow - span*(real(middle - 1, wp) + parts(i)) + 0.5_wp*blade, result%sensor_md, 1.0e-9_wp)
          across = model%strings(1)%components(1)%mass*model%gravity*sin(inclination)
          slope = across*span**3/(128.0_wp*bending_stiffness(model%strings(1)%components(1)))
          call assertRelativelyEqual(merge(-slope, slope, parts(i) < 0.5_wp), result%sag_correction, close)
       end do
    end subroutine test_span
 
+   !> A string that has stretched by a metre: the sensor has come down with it, and the sag is the same.
+   subroutine test_deep()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      real(wp), parameter :: part = 0.25_wp
+      real(wp) :: across, slope
+      call build(model, part, deep)
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_converged, result%status)
+      across = model%strings(1)%components(1)%mass*model%gravity*sin(inclination)
+      slope = across*span**3/(128.0_wp*bending_stiffness(model%strings(1)%components(1)))
+      call assertRelativelyEqual(-slope, result%sag_correction, close)
+   end subroutine test_deep
+
    subroutine test_none()
       type(model_type) :: model
       type(case_result_type) :: result
       type(error_type), allocatable :: error
-      call build(model, -1.0_wp)
+      call build(model, -1.0_wp, shallow)
       call solve_static_analysis(model, 1, result, error)
       call assertEqual(result_converged, result%status)
       call assertTrue(is_missing(result%sag_correction))

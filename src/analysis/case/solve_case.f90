@@ -1,21 +1,31 @@
 !> One load case by the model of a given number: the one place that calls all models.
 module dg_solve_case
+   use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_without_load, only: solve_without_load
+   use dg_component, only: tube_area
    use dg_confirm_lock_up, only: confirm_lock_up
    use dg_error, only: error_type, raise, status_failure
+   use dg_fluid, only: side_outside
+   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
+   use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_reason, stop_type
    use dg_text, only: to_text
+   use dg_trajectory, only: top_md, true_vertical_depth
+   use dg_unit_kind, only: in_units, unit_force
    implicit none
    private
    public :: solve_case
+
+   !> Digits of a force in a message.
+   integer, parameter :: shown = 4
 
 contains
 
@@ -65,11 +75,32 @@ contains
          result%message = 'ended by '//stop_reason(stopped)//' before it was solved'
          !$omp end critical (interruption_text)
       end if
+      if (has_numbers(result%status)) call note_push(model, case_index, result)
       if (model%rig%given .and. has_numbers(result%status)) result%weight_indicator = &
          indicated_load(model%rig, model%cases(case_index)%operation, result%hookload)
       result%case_index = case_index
       result%model = number
    end subroutine solve_case
+
+   !> Notes the force by which pressure of a closed annulus pushes pipe out at surface. Where the seal there does not hold the pipe
+   !> the hook bears less than the effective tension, which is printed. Tubing in a packer hangs in a hanger that holds it.
+   subroutine note_push(model, case_index, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(inout) :: result
+      type(fluid_column_type) :: annulus
+      real(wp) :: pressure, top
+      top = top_md(model%trajectory)
+      if (top > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
+      if (.not. any(model%mud%fluids%surface_pressure > 0.0_wp)) return
+      call new_fluid_column(model, model%cases(case_index), side_outside, annulus)
+      pressure = pressure_at(annulus, top, true_vertical_depth(model%trajectory, top))
+      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
+         call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
+                          trim(in_units(model%units, unit_force, pressure*tube_area(parts(size(parts))%od, 0.0_wp), shown))// &
+                          '. Hook load and answer leave this out. Take it off the hook load where the seal does not hold the pipe')
+      end associate
+   end subroutine note_push
 
    !> A result without numbers, marked.
    subroutine empty(result)

@@ -11,12 +11,14 @@ module dg_find_verdict
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type
+   use dg_drillstring, only: component_tops
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
+   use dg_pipe_strength, only: torsional_strength
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    use dg_upper_friction, only: raise_friction
@@ -58,7 +60,9 @@ contains
             call judge_weight(model, result, whole%wob_lockup, verdict)
             call judge_fatigue(whole%fatigue, limit_fatigue, verdict)
             call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
-            if (verdict%answer == answer_yes) then
+            if (cannot_scale(model, result)) then
+               verdict%reserve_unknown = verdict%answer == answer_yes
+            else if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
             else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue]) .and. .not. lacks_weight(load_case, verdict)) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
@@ -73,6 +77,15 @@ contains
          end if
       end associate
    end subroutine find_verdict
+
+   !> True for beams that turn in helical buckling. Their torque grows with weight on bit and friction much faster than that of the
+   !> soft string, so its loads times a ratio are no estimate: up to three times the friction that is possible was found.
+   pure function cannot_scale(model, result) result(cannot)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      logical :: cannot
+      cannot = result%model == model_mcge .and. result%coiled .and. rotates(model%cases(result%case_index)%operation)
+   end function cannot_scale
 
    !> True for a NO by string weight or lock-up of a string that moves along the hole without turning.
    pure function lacks_weight(load_case, verdict) result(lacks)
@@ -122,6 +135,10 @@ contains
       if (.not. has_upper_friction(upper, model%cases(result%case_index))) return
       verdict%friction = merge(friction_upper_end, friction_calibrated, upper%known)
       if (verdict%answer == answer_no .or. .not. upper%known) return
+      if (cannot_scale(model, result)) then
+         verdict%friction = friction_calibrated
+         return
+      end if
       raised = model
       call raise_friction(model, result%case_index, upper, raised%holes)
       at_end%friction = friction_upper_end_alone
@@ -148,6 +165,7 @@ contains
       associate (load_case => model%cases(result%case_index))
          if (.not. load_case%wob > 0.0_wp .and. .not. (load_case%wob < 0.0_wp .and. block_way(load_case%operation) > 0)) return
       end associate
+      if (result%status /= result_locked_up .and. cannot_scale(model, result)) return
       bare = other_model
       if (model%cases(result%case_index)%wob > 0.0_wp) bare%cases(result%case_index)%tob = 0.0_wp     ! the bit is off bottom
       bare%cases(result%case_index)%wob = 0.0_wp
@@ -292,24 +310,37 @@ contains
    end function is_most
 
    !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
-   !> where the hook load would be below zero, too, or the torque is more than the top drive or the connections at surface bear.
+   !> where the hook load would be below zero, too, or the torque is more than the top drive, a connection or a body bears.
    pure subroutine find_turning_loads(model, case_index, verdict)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: turned
       type(soft_totals_type) :: totals
-      real(wp) :: axial(1), torque(1)
+      real(wp), allocatable :: md(:), axial(:), torque(:)
+      integer :: i, parts
       turned = model
       turned%cases(case_index)%operation = operation_rotary_drilling
-      call soft_string_at(turned, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
-                          other=other_loads_type(coiled=.true.))
-      if (totals%runaway .or. .not. axial(1) > 0.0_wp) return
-      if (model%rig%max_torque%present) then
-         if (abs(torque(1)) > model%rig%max_torque%value) return
-      end if
-      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
-         if (has_rating(parts(size(parts)), limit_makeup) .and. abs(torque(1)) > parts(size(parts))%makeup_torque) return
+      associate (bit => model%cases(case_index)%bit_depth, top => top_md(model%trajectory), &
+                 string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (md, source=max(top, bit - component_tops(string, bit - top)))
+         parts = findloc(md > top, .false., dim=1)          ! the first that reaches to surface
+         if (parts == 0) parts = size(md)
+         md = md(:parts)
+         allocate (axial(parts), torque(parts))
+         call soft_string_at(turned, case_index, md(parts:1:-1), axial, torque, totals=totals, &
+                             other=other_loads_type(coiled=.true.))
+         if (totals%runaway .or. .not. axial(1) > 0.0_wp) return
+         if (model%rig%max_torque%present) then
+            if (abs(torque(1)) > model%rig%max_torque%value) return
+         end if
+         do i = 1, parts
+            associate (part => string%components(i), load => abs(torque(parts + 1 - i)))
+               if (has_rating(part, limit_makeup) .and. load > part%makeup_torque) return
+               if (has_rating(part, limit_joint_torsion) .and. load > part%joint_torsion) return
+               if (has_rating(part, limit_torsion) .and. load > torsional_strength(part)) return
+            end associate
+         end do
       end associate
       verdict%turning_hookload = given(axial(1))
       verdict%turning_torque = given(abs(torque(1)))

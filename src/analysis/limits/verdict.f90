@@ -36,6 +36,7 @@ module dg_verdict
       logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
+      logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< what the answer goes by
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]

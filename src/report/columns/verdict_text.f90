@@ -110,6 +110,8 @@ contains
       text = ''
       if (verdict%friction == friction_upper_end) &
          text = '. The answer is yes at the upper end of the 95 % interval of friction, too'
+      if (verdict%reserve_unknown) text = text//'. How much more friction is possible is not known, as the string turns in '// &
+         'helical buckling: run it with more friction'
       if (verdict%friction_reserve%present) then
          text = text//'. The answer becomes NO '//trim(merge('already', '       ', verdict%friction_reserve%value < little_reserve))
          text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
@@ -198,7 +200,7 @@ contains
       if (all(verdict%limit /= [limit_rig, limit_tension])) return
       ! Less overpull takes as much off the load at least: drag falls with it.
       left = -load_case%wob - (verdict%load%value - verdict%allowed%value)
-      if (left > 0.0_wp) text = '. Possible with '//force_text(units, left)//' of overpull'
+      if (left > 0.0_wp) text = '. Possible with at least '//force_text(units, left)//' of overpull'
    end function overpull_text
 
    !> The limit used most and what is left of it.

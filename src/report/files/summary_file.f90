@@ -104,7 +104,8 @@ contains
                       'limits for which the deck has no rating, blanks between them', unchecked_codes(verdict))
       call put(row, 'friction_reserve', quantity_none, &
                'factor by which all friction may grow until the answer is no, by the soft string scaled to this result; '// &
-               'empty for a no, an unknown answer, and where ten times the friction is possible', verdict%friction_reserve)
+               'empty for a no, where the answer is unknown or ten times the friction is possible, and for beams that turn in '// &
+               'helical buckling', verdict%friction_reserve)
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)

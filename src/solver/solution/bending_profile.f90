@@ -143,8 +143,8 @@ contains
       real(wp) :: md, shape(4, 1), t(3), n_1(3), n_2(3), along(3)
       integer :: arc
       md = sensor_depth(model, result%case_index)
-      if (is_missing(md) .or. md < beam%place(1) .or. md > beam%place(size(beam%place))) return
-      shape = shape_at(beam%place, bent%y, [md])
+      if (is_missing(md) .or. md < beam%md(1) .or. md > beam%md(size(beam%md))) return
+      shape = shape_at(beam%md, bent%y, [md])
       arc = arc_at(model%trajectory, md)
       call frame_on_arc(model%trajectory%arcs(arc), md - model%trajectory%arcs(arc)%md, t, n_1, n_2)
       along = t + shape(3, 1)*n_1 + shape(4, 1)*n_2

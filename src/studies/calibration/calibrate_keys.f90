@@ -23,7 +23,8 @@ module dg_calibrate_keys
       key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
          meaning='what has a factor of its own; default holes'), &
       key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
-         meaning='also find the error of the weight indicator: one for all, or one per bit depth'), &
+         meaning='also find the error of block_weight: one for all, or one per bit depth; '// &
+         'sheaves change it as they do the block'), &
       key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several; default soft'), &
       key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
