@@ -188,7 +188,7 @@ contains
       end select
    end subroutine friction_split
 
-   !> Whether friction acts along the hole, so that Table 1 has a frictional resistance.
+   !> True if friction acts along the hole, so that Table 1 has a frictional resistance.
    elemental function moves_axially(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
@@ -196,7 +196,7 @@ contains
                               operation_backream])
    end function moves_axially
 
-   !> Whether the string turns, so that Table 1 has a torque.
+   !> True if the string turns, so that Table 1 has a torque.
    elemental function rotates(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
