@@ -123,7 +123,7 @@ contains
       call check(residual, matrix, step, good)
    end subroutine refine
 
-   !> Whether residual + matrix step is small.
+   !> Check that residual + matrix step is small.
    pure subroutine check(residual, matrix, step, good)
       real(wp), intent(in), contiguous :: residual(:, :)
       type(block_matrix_type), intent(in) :: matrix

@@ -1,5 +1,5 @@
-!> Whether a symmetric matrix of a chain of nodes, six unknowns each, is positive definite: whether all pivots of an elimination
-!> without exchange of rows are positive.
+!> Test of positive definiteness of a symmetric matrix of a chain of nodes with six unknowns each. The matrix is positive definite
+!> if all pivots of an elimination without exchange of rows are positive.
 module dg_positive_definite
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, b => block_size
@@ -9,9 +9,9 @@ module dg_positive_definite
 
 contains
 
-   !> Whether the matrix is positive definite with `factor` times `added`(6,nodes) on its diagonal and, where they are given,
-   !> stiffness(e) times the square of an element's row (12,e) by the unknowns of its two nodes. The upper blocks are not read:
-   !> lower = transpose(upper).
+   !> Test if the matrix is positive definite with `factor` times `added`(6,nodes) on its diagonal and, where they are given, the
+   !> terms of elements. A term is stiffness(e) times the square of an element's row (12,e) by the unknowns of its two nodes. The
+   !> upper blocks are not read: lower = transpose(upper).
    pure subroutine block_positive_definite(matrix, factor, added, definite, stiffness, rows)
       type(block_matrix_type), intent(in) :: matrix
       real(wp), intent(in) :: factor

@@ -31,7 +31,7 @@ module dg_symmetric_solver
 
 contains
 
-   !> Whether a matrix is symmetric but for round-off.
+   !> True if a matrix is symmetric but for round-off.
    pure function is_symmetric(matrix) result(symmetric)
       type(block_matrix_type), intent(in) :: matrix
       logical :: symmetric

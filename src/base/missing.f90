@@ -43,7 +43,7 @@ contains
       yes = value <= missing_count
    end function is_missing_count
 
-   !> Whether a number is `missing` itself. A NaN, which traps where it is compared, is not.
+   !> True if a number is `missing` itself. A NaN, which traps where it is compared, is not.
    elemental function is_mark(value) result(yes)
       real(wp), intent(in) :: value
       logical :: yes
@@ -64,8 +64,8 @@ contains
       if (.not. is_missing(value)) number = given(value)
    end function known
 
-   !> Whether a number may be written: one that is there, and finite. A quotient may be beyond all numbers, as the error
-   !> against a measurement next to nothing.
+   !> True if a number can be written: present and finite. A quotient may overflow, as the error relative to a measurement close to
+   !> zero.
    elemental function is_shown(value) result(yes)
       real(wp), intent(in) :: value
       logical :: yes

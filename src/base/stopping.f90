@@ -25,7 +25,7 @@ module dg_stopping
          class(watch_type), intent(in) :: self
       end subroutine tick_interface
 
-      !> Whether work is to stop; called by several threads, and often.
+      !> True if work is to stop; called by several threads, and often.
       function asked_interface() result(is)
          implicit none
          logical :: is
@@ -40,7 +40,7 @@ module dg_stopping
 
 contains
 
-   !> Whether work is to stop. Tells the watch that the work goes on.
+   !> True if work is to stop. Reports to the watch that the work continues.
    function is_stopped(stop) result(is)
       type(stop_type), intent(in) :: stop
       logical :: is

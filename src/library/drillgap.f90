@@ -71,7 +71,7 @@ module drillgap
       type(inner_type) :: inner
    end type model_type
 
-   !> What a deck asks for.
+   !> Content of a deck: model, load cases, methods and notes.
    type :: deck_type
       type(model_type) :: model
       type(load_case_type), allocatable :: cases(:)

@@ -1,4 +1,4 @@
-!> What any model returns for one load case. SI units.
+!> Result of any model for one load case. SI units.
 module dg_case_result
    use dg_kinds, only: wp
    use dg_missing, only: missing, missing_count
@@ -22,8 +22,8 @@ module dg_case_result
    character(*), parameter :: push_needed = 'The hook load is below zero. The string must be pushed at surface'
    real(wp), parameter :: pushed_from = 1.0e-6_wp
 
-   !> What judged a step of the iteration: nothing led here; the whole step was taken, as the string is not damped; the energy's
-   !> slope; the residual, which is less; it was refused. Names in files.
+   !> Judgement of a step of the iteration, and names in files. In order: no step yet; the whole step, as the string is not damped;
+   !> accepted by the slope of the energy; accepted by a smaller residual; refused.
    integer, parameter :: judged_start = 1, judged_whole = 2, judged_energy = 3, judged_residual = 4, judged_refused = 5
    character(*), parameter :: judged_name(5) = [character(8) :: 'start', 'whole', 'energy', 'residual', 'refused']
 
@@ -34,7 +34,7 @@ module dg_case_result
    character(*), parameter :: scale_name(scale_count) = [character(18) :: 'compression', 'bends', 'side load', 'tool joints', &
       'free ends', 'shorter neighbours']
 
-   !> What presses the wall at one place, and names in files.
+   !> Part that presses the wall at one place, and names in files.
    integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5, &
                          contact_centralizer = 6
    character(*), parameter :: contact_name(6) = [character(11) :: 'tool joint', 'stabilizer', 'edge', 'bit', 'top', 'centralizer']
@@ -75,7 +75,7 @@ module dg_case_result
       integer :: moves = 0                     !< changes of place in all
    end type gap_row_type
 
-   !> How the contact force of the analysis differs from that of the beam which gives its moments.
+   !> Difference between the contact force of the analysis and that of the beam which gives its moments.
    type :: unlike_contact_type
       real(wp) :: by_analysis = 0.0_wp   !< contact force of the whole string [N]
       real(wp) :: by_beam = 0.0_wp       !< the same of the beam [N]
@@ -83,7 +83,7 @@ module dg_case_result
       real(wp) :: md(2) = 0.0_wp         !< where that part begins and ends [m]
    end type unlike_contact_type
 
-   !> What was found of a case without its weight on bit.
+   !> Result of a case without its weight on bit.
    type :: without_load_type
       integer :: status = result_not_converged   !< that, too, where it was not looked at
       real(wp) :: hookload = 0.0_wp              !< of a converged one [N]
@@ -121,7 +121,7 @@ module dg_case_result
       real(wp) :: lock_up_load = missing
       type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
-      !> How far moments of the profile may be off, over the largest [-]; missing where that was not looked at.
+      !> Estimated error of moments of the profile, over the largest [-]; missing where it was not estimated.
       real(wp) :: moment_error = missing
       !> Where the contact force of that beam differs most from that of the analysis.
       type(unlike_contact_type) :: unlike_contact
@@ -164,7 +164,7 @@ contains
       message = message//sentence
    end subroutine add_sentence
 
-   !> Whether a string would have to be pushed at surface, as `push_needed` says.
+   !> True if a string would have to be pushed at surface, as `push_needed` says.
    pure function is_pushed(hookload, axial) result(pushed)
       real(wp), intent(in) :: hookload   !< [N]
       real(wp), intent(in) :: axial(:)   !< along the string [N]

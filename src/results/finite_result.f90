@@ -57,7 +57,7 @@ contains
       if (allocated(profile%md)) deallocate (profile%md)
    end subroutine clear
 
-   !> Whether every number of a result is one: no NaN, no infinity.
+   !> True if every number of a result is finite: no NaN, no infinity.
    pure function is_finite(result) result(is)
       type(case_result_type), intent(in) :: result
       logical :: is

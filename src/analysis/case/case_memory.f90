@@ -1,4 +1,4 @@
-!> What memory load cases take: told before anything is begun, not by the system's killing the program in the middle of it.
+!> Memory that load cases need. Checked before a run begins, so that the system does not kill the program in the middle of it.
 module dg_case_memory
    use dg_component, only: has_joints
    use dg_drillstring, only: component_tops
@@ -12,8 +12,8 @@ module dg_case_memory
    private
    public :: need_type, add_cases, take_greater, elements_in, finer_text, check_case_memory, gigabyte, memory_digits
 
-   !> What a case takes while it is solved, and what its result and the files of it keep, an element [bytes]: 5.4 kB in all
-   !> were seen with 100 000 elements.
+   !> Memory of a case per element [bytes]: while it is solved, and of its result and files. Measured with 100 000 elements: 5.4 kB
+   !> in all.
    real(wp), parameter :: bytes_solving = 5.0e3_wp, bytes_kept = 1.0e3_wp
    real(wp), parameter :: gigabyte = 1.0e9_wp
    !> Less than this is there: the system is not asked for each case of thousands [bytes].
@@ -90,7 +90,7 @@ contains
       if (threads > 1) need%remedy = remedy//' or fewer threads'
    end subroutine take_greater
 
-   !> What makes elements fewer.
+   !> Settings that reduce the number of elements, in words.
    function finer_text(model, element_length) result(text)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: element_length   !< [m]

@@ -1,5 +1,5 @@
-!> What an engineer reads off along the string, from the profile of any model and the data of string, hole and mud:
-!> pressures, true axial force, stresses, safety factors, buckling limits. One place for all models.
+!> Results along the string: pressures, true axial force, stresses, safety factors, buckling limits. They follow from the profile of
+!> any model and the data of string, hole and mud. One place for all models.
 !>
 !> Pressures are those of the fluids at rest (dg_fluid_pressure).
 !> A row has one component, hole section and pair of fluids: those on its side (dg_profile). Where two bends meet at a row without

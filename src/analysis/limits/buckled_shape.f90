@@ -1,6 +1,6 @@
-!> What a buckled string was found to do, read off its shape: it snakes where its angle about the hole swings to and fro within
-!> about the length of a buckling wave. It coils where it goes round without return, about as fast as a free helix. Without enough
-!> compression to buckle it does neither: then its angle follows a hole that turns from station to station.
+!> Buckled shape of a string, found from its angle about the hole. Sinusoidal: the angle swings to and fro within about the length
+!> of a buckling wave. Helical: the angle grows without return, about as fast as that of a free helix. Without enough compression to
+!> buckle it is neither: then the angle follows a hole that turns from station to station.
 module dg_buckled_shape
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
@@ -129,7 +129,7 @@ contains
       end do
    end function winds
 
-   !> Whether that holds over half of the way that a number goes from row to row; a step between two rows counts by half for each.
+   !> True if `holds` over half of the total change of a number from row to row. A step between two rows counts by half for each.
    pure function mostly(number, holds) result(yes)
       real(wp), intent(in) :: number(:)   !< depth of a swing, angle of a coil
       logical, intent(in) :: holds(:)

@@ -46,14 +46,14 @@ module dg_casing_wear
 
 contains
 
-   !> Whether a section of the hole is casing whose wear is asked for.
+   !> True if a section of the hole is casing whose wear is asked for.
    elemental function is_worn_casing(hole) result(is)
       type(hole_section_type), intent(in) :: hole
       logical :: is
       is = .not. (is_missing(hole%casing_od) .or. is_missing(hole%wear_factor))
    end function is_worn_casing
 
-   !> Whether a load case wears casing: it turns for some hours, and the deck has a wear factor.
+   !> True if a load case wears casing: it rotates for some hours, and the deck has a wear factor.
    pure function wears_casing(model, load_case) result(wears)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -50,7 +50,7 @@ module dg_fatigue
 
 contains
 
-   !> Whether a load case tires its string, and the deck has a curve for a part of it.
+   !> True if a load case fatigues its string and the deck has a curve for a part of it.
    pure function asks_for_fatigue(model, load_case) result(asks)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -1,4 +1,4 @@
-!> What bending adds where a pipe touches at its tool joints alone: Paslay & Cernocky 1991 (SPE 22547).
+!> Added bending of a pipe that touches at its tool joints alone: Paslay & Cernocky 1991 (SPE 22547).
 !>
 !> Joints 2 L apart hold the pipe in a hole of curvature 1/R and leave it straight to bend between. With k = sqrt(|T|/EI) its
 !> moment is EI/R times kL cosh(kx)/sinh(kL) in tension, kL cos(kx)/sin(kL) in compression, x from mid-span: largest

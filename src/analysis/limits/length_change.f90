@@ -39,8 +39,8 @@ module dg_length_change
 
 contains
 
-   !> Whether a deck asks for the change of length in a load case: by a packer, a pressure of the annulus, a change of temperature,
-   !> or a case that another one counts from.
+   !> True if a deck asks for the change of length in a load case. It does by a packer, a pressure of the annulus or a change of
+   !> temperature. It also does where another case counts from this one.
    pure function asks_for_length(model, load_case) result(asks)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -70,7 +70,7 @@ contains
       pressure = part%yield*share*(part%od - part%id)/part%od
    end function burst_strength
 
-   !> Whether the collapse formulas, fits to tests on steel, speak of this component.
+   !> True if the collapse formulas, fits to tests on steel, apply to this component.
    elemental function collapses_as_steel(part) result(steel)
       type(component_type), intent(in) :: part
       logical :: steel

@@ -1,9 +1,8 @@
-!> How far a place of the string is from yielding when it is pulled.
+!> Margin of a place of the string to yield under pull.
 !>
-!> What yields is von Mises' stress with bending. A pull changes the moment. A taut string follows the hole, so its moment is at
-!> least EI times the hole's curvature; what was more, at stabilizers and ends of bends, is taken to stay. A buckled string is
-!> straightened by the pull. Between tool joints that touch alone the moment grows with tension
-!> (dg_joint_bending).
+!> Yield is by von Mises' stress with bending. A pull changes the moment. A taut string follows the hole, so its moment is at least
+!> EI times the hole's curvature; what was more, at stabilizers and ends of bends, is taken to stay. A buckled string is
+!> straightened by the pull. Between tool joints that touch alone the moment grows with tension (dg_joint_bending).
 module dg_pull_margin
    use dg_kinds, only: wp
    use dg_component, only: bending_stiffness, component_type, has_joints, worn_od

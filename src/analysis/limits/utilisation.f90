@@ -1,5 +1,4 @@
-!> How much of each strength of a string is used, load times design factor over strength, and which is used most: the limit that
-!> governs.
+!> Utilisation of each strength of a string, load times design factor over strength, and the governing limit, which is used most.
 !>
 !> Tension is the effective one, as API rates pipe in mud. Where two components meet each has a row, and the connection is the
 !> weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
@@ -125,7 +124,7 @@ contains
       if (is_rated(part%rating)) call use_rating(part, factors, along, row, profile%md(row), utilisation)
    end subroutine use_row
 
-   !> What one component uses of its strengths at one depth.
+   !> Utilisation of the strengths of one component at one depth.
    pure subroutine use_component(part, factors, axial, torque, outside, inside, md, utilisation)
       type(component_type), intent(in) :: part
       type(design_factors_type), intent(in) :: factors
@@ -192,7 +191,7 @@ contains
          call use_limit(utilisation, limit, factor*share_of(max(load, 0.0_wp), rating*strength), load, md)
    end subroutine use_share
 
-   !> Whether the deck gives a component the strength of a limit.
+   !> True if the deck gives a component the strength of a limit.
    elemental function has_rating(part, limit) result(has)
       type(component_type), intent(in) :: part
       integer, intent(in) :: limit
@@ -210,7 +209,7 @@ contains
       end select
    end function has_rating
 
-   !> Whether a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe needs strengths of
+   !> True if a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe needs strengths of
    !> its joints, too. Only for the limits of components.
    elemental function lacks_rating(part, limit) result(lacks)
       type(component_type), intent(in) :: part

@@ -1,4 +1,4 @@
-!> What an engineer reads off of a string as a whole: stretch, wind-up, neutral points, and how far it is from its limits.
+!> Results of a string as a whole: stretch, twist, neutral points, and margins to its limits.
 module dg_whole_string
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -228,7 +228,7 @@ contains
       if (present(least_md)) least_md = given(md(i))
    end subroutine least_of
 
-   !> What the string of beams was found to do.
+   !> Add the buckled shape that was found with beams.
    pure subroutine add_shape(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result

@@ -15,7 +15,7 @@ module dg_stiff_places
 
 contains
 
-   !> Whether stiffness matters at a change of curvature.
+   !> True if stiffness matters at a change of curvature.
    elemental function matters(change, pipe) result(yes)
       type(change_type), intent(in) :: change
       real(wp), intent(in) :: pipe   !< E I of the uppermost component [N.m2]

@@ -85,7 +85,7 @@ contains
 
    contains
 
-      !> Whether F^2 c/(4 EI) is no less than |w_across - F k|. Squares tell in a tenth of the time, unless round-off decides.
+      !> True if F^2 c/(4 EI) is no less than |w_across - F k|. Squares tell in a tenth of the time, unless round-off decides.
       pure function reached(f) result(is)
          real(wp), intent(in) :: f
          logical :: is
@@ -186,7 +186,7 @@ contains
       force = max(factor*sinusoidal, vertical_helical*vertical)
    end function helical_limit
 
-   !> What a string under `compression` [N] does by its limits [N]; a limit of 0 is none.
+   !> Buckling state of a string under `compression` [N] by its limits [N]. A limit of 0 is absent.
    elemental function buckled_state(compression, sinusoidal, helical) result(state)
       real(wp), intent(in) :: compression, sinusoidal, helical
       integer :: state

@@ -137,8 +137,8 @@ contains
       md(n) = depth
    end subroutine put
 
-   !> What the changes add to the hole's own curvature and moment at a depth, across the hole. Changes as `find_extents` leaves
-   !> them are found fast; without it every one is looked at.
+   !> Curvature and moment that the changes add to those of the hole at a depth, across the hole. Changes prepared by `find_extents`
+   !> are found fast. Without it every change is examined.
    pure subroutine bending_at(changes, md, side, tangent, curvature, curvature_slope, moment, shear, shear_slope)
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md                    !< [m]

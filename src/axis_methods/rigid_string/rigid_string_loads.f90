@@ -188,7 +188,7 @@ contains
       change = piece%axial*normal + piece%drag - dot_product(here%shear, here%bend)
    end subroutine rates
 
-   !> What stands in balance at a depth.
+   !> Forces and moments in balance at a depth.
    pure function balance(piece, changes, md, side, force, moment) result(here)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)

@@ -102,7 +102,7 @@ contains
       fine(k + 1) = md(size(md))
    end function subdivided
 
-   !> What a string on the hole axis gives as a whole; a bend in which friction outgrows all bounds makes it `locked_up`.
+   !> Totals of a string on the hole axis. A bend in which friction grows without bound makes it `locked_up`.
    pure subroutine take_totals(model, case_index, md, axial, torque, totals, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

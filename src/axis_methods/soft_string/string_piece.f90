@@ -20,7 +20,7 @@ module dg_string_piece
    !> table worth printing.
    real(wp), parameter :: shortest_piece = 1.0e-6_wp
 
-   !> What the pieces of a string are cut by, looked up once for all.
+   !> Data by which a string is cut into pieces, found once for all pieces.
    type :: layout_type
       integer :: case_index = 0
       integer :: string = 0                   !< its number

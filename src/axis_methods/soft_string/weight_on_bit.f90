@@ -1,4 +1,4 @@
-!> How much weight reaches the bit, by the soft string: a search with beams would cost a hundred solutions.
+!> Weight that reaches the bit, by the soft string: a search with beams would cost a hundred solutions.
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try

@@ -35,7 +35,7 @@ contains
       bracket%value_high = value_high
    end function new_bracket
 
-   !> Whether both ends are within twice the tolerance of each other.
+   !> True if both ends are within twice the tolerance of each other.
    pure function is_narrow(bracket, tolerance) result(is)
       type(bracket_type), intent(in) :: bracket
       real(wp), intent(in) :: tolerance

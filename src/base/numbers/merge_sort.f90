@@ -69,7 +69,7 @@ contains
          end do
       end subroutine merge_runs
 
-      !> Whether the first of two places may stand before the second.
+      !> True if the first of two places may stand before the second.
       pure function in_order(first, second) result(is)
          integer, intent(in) :: first, second
          logical :: is

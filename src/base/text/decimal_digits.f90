@@ -16,8 +16,8 @@ module dg_decimal_digits
    !> In units of 2**-18: right to 1e-6, enough for the greatest exponent of a double.
    integer, parameter :: log10_of_2 = 78913
    character(2), parameter :: pair(0:99) = [((achar(iachar('0') + ten)//achar(iachar('0') + i), i=0, 9), ten=0, 9)]
-   !> So near a half the last digit is left to the run-time library. Scaling rounds at most three times, each by at most
-   !> 2**-53 of a number below 1e10: by 3.4e-6 in all.
+   !> Distance from a half within which the run-time library decides the last digit. Scaling rounds at most three times, each by at
+   !> most 2**-53 of a number below 1e10: by 3.4e-6 in all.
    real(wp), parameter :: near_half = 1.0e-4_wp
 
 contains

@@ -9,7 +9,7 @@ module dg_printable
    integer, parameter :: first_shown = 32, delete = 127
    !> Commands of eight bits (ISO 6429, C1): bare in 8-bit texts, after the byte 194 in UTF-8.
    integer, parameter :: first_command = 128, last_command = 159, lead_of_commands = 194
-   !> What follows the first byte of a letter in UTF-8 (RFC 3629).
+   !> Range of the bytes that follow the first byte of a letter in UTF-8 (RFC 3629).
    integer, parameter :: first_follower = 128, last_follower = 191
    !> Letters that turn the direction of writing (Unicode, UAX #9), in UTF-8, and their numbers.
    character(*), parameter :: turning(12) = [character(3) :: char(216)//char(156), &

@@ -209,7 +209,7 @@ contains
       end do
       distance = cost(len(a), len(b))
    contains
-      !> Whether the letters that end here are two neighbours in the other order.
+      !> True if the letters that end here are two neighbours in the other order.
       pure function swapped(i, j)
          integer, intent(in) :: i, j
          logical :: swapped
@@ -242,7 +242,7 @@ contains
       end do
    end function nearest_name
 
-   !> What to say of an unknown name: the nearest legal one where one is near, else all of them.
+   !> Advice on an unknown name: the nearest legal one where one is near, else all of them.
    pure function suggestion(name, candidates) result(advice)
       character(*), intent(in) :: name
       character(*), intent(in) :: candidates(:)
@@ -255,8 +255,8 @@ contains
       end if
    end function suggestion
 
-   !> Whether a text is safe as part of a file name: letters, digits and _ - . + only, not empty, not a
-   !> dot first, not so long that a file's name (255 bytes at most) has no room for it.
+   !> True if a text is safe as part of a file name. It has letters, digits and _ - . + only, is not empty and does not begin with a
+   !> dot. It is short enough for a file's name of 255 bytes.
    pure function is_separator_free(text) result(safe)
       character(*), intent(in) :: text
       logical :: safe

@@ -11,7 +11,7 @@ module dg_case_deck
    private
    public :: case_deck
 
-   !> What stands for values that the files do not have, in SI: friction, mud, drill pipe.
+   !> Defaults in SI for values that the files do not have: friction, mud, drill pipe.
    real(wp), parameter :: friction_cased = 0.25_wp, friction_open = 0.30_wp, mud = 1200.0_wp
    real(wp), parameter :: roughest = 2.0_wp        ! of a deck
    real(wp), parameter :: pipe_od = 0.127_wp, pipe_id = 0.1086_wp, part_length = 9.144_wp

@@ -21,7 +21,7 @@ module dg_edm_rows
 
 contains
 
-   !> Whether a document holds such rows.
+   !> True if a document holds rows of EDM.
    pure function is_edm(tree) result(is)
       type(xml_tree_type), intent(in) :: tree
       logical :: is
@@ -117,7 +117,7 @@ contains
       call append_text(notes, 'GUESSED: '//noun//' '//attribute(tree%elements(row), name)//', of '//one_of(names))
    end subroutine pick
 
-   !> Whether a row belongs to a wellbore, or to none.
+   !> True if a row belongs to a wellbore, or to none.
    pure function is_of(tree, row, wellbore) result(is)
       type(xml_tree_type), intent(in) :: tree
       integer, intent(in) :: row

@@ -77,7 +77,7 @@ contains
       call case_deck(case, units, lines)
    end subroutine import_case
 
-   !> What keeps a survey from being that of a deck, in words; ''.
+   !> Reason, in words, why a survey cannot be that of a deck; '' for a valid survey.
    pure function survey_fault(case) result(fault)
       type(imported_case_type), intent(in) :: case
       character(:), allocatable :: fault

@@ -42,7 +42,7 @@ module dg_imported_case
       type(text_type), allocatable :: survey_notes(:), hole_notes(:), string_notes(:), fluid_notes(:)
    end type imported_case_type
 
-   !> How words for a component begin or what they hold, and kinds of a deck. The first that fits counts.
+   !> Beginnings or parts of words for a component, with its kind in a deck. The first match counts.
    character(*), parameter :: words(2, 23) = reshape([character(12) :: 'heavy', 'hwdp', 'hwdp', 'hwdp', 'hw', 'hwdp', &
       'stab', 'stabilizer', 'stb', 'stabilizer', 'ream', 'reamer', 'collar', 'collar', 'drill pipe', 'drillpipe', &
       'drillpipe', 'drillpipe', 'casing', 'casing', 'cas', 'casing', 'liner', 'casing', 'tubing', 'tubing', 'tbg', 'tubing', &
@@ -175,7 +175,7 @@ contains
       if (one%cased) counts = one%diameter < other%diameter
    end function counts_before
 
-   !> Whether a name is the one asked for, letter case aside.
+   !> True if a name is the one asked for, letter case aside.
    pure function is_meant(name, wanted) result(is)
       character(*), intent(in) :: name, wanted
       logical :: is

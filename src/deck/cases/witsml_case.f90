@@ -34,7 +34,8 @@ module dg_witsml_case
 
 contains
 
-   !> Whether an object, its well or its wellbore has a name; any has '', and one without a well has any.
+   !> True if an object, its well or its wellbore has a name. The name '' fits any object, and an object without a well fits any
+   !> name.
    function is_called(tree, i, name) result(is)
       type(xml_tree_type), intent(in) :: tree
       integer, intent(in) :: i
@@ -44,7 +45,7 @@ contains
            is_meant(object_name(tree, i), name) .or. is_meant(text_at(tree, i, 'namewellbore'), name)
    end function is_called
 
-   !> Whether a document has a trajectory of a well that is called by a name.
+   !> True if a document has a trajectory with a name, of a well.
    function has_trajectory(tree, well, name) result(has)
       type(xml_tree_type), intent(in) :: tree
       character(*), intent(in) :: well, name       !< '': any

@@ -147,7 +147,7 @@ contains
       end do
    end subroutine check_names
 
-   !> What each column holds: the place of its key among `numeric_keys`, or one of the texts; and the SI value of its unit.
+   !> Content of each column: the place of its key among `numeric_keys`, or one of the texts; and the SI value of its unit.
    subroutine read_header(path, line, fields, columns, factors, faults)
       character(*), intent(in) :: path
       integer, intent(in) :: line
@@ -269,7 +269,7 @@ contains
       end do
    end function place_of_name
 
-   !> What an entry with a grade (0: none) gives for one of `numeric_keys` [SI]; `has` tells whether it does.
+   !> Value of one of `numeric_keys` [SI] for an entry with a grade (0: none). `has` is false where the entry has no value.
    pure subroutine number_of(catalogue, entry, grade, key, has, number)
       type(catalogue_type), intent(in) :: catalogue
       integer, intent(in) :: entry, grade

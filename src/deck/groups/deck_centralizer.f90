@@ -54,7 +54,7 @@ contains
 
    contains
 
-      !> Whether a component has no others, and is thinner.
+      !> Check that a component has no other centralizers and is thinner.
       subroutine check_on(item)
          type(draft_component_type), intent(in) :: item
          type(error_list_type) :: found

@@ -124,7 +124,7 @@ contains
          new = written(:index(written, '*'))//shortest(number*from/to)
       end function converted
 
-      !> What a group must say that it has not said: the units, or those of the file that it names.
+      !> Key of units that a group needs and lacks: the units of the deck, or those of the file that it names.
       pure function added(start) result(text)
          integer, intent(in) :: start
          character(:), allocatable :: text
@@ -141,7 +141,7 @@ contains
          end select
       end function added
 
-      !> Whether the group that starts there has a key.
+      !> True if the group that begins at `start` has a key.
       pure function has(start, name) result(is)
          integer, intent(in) :: start
          character(*), intent(in) :: name

@@ -1,5 +1,5 @@
-!> What is legal in a deck but hardly meant: numbers that look like a slip of units, and parts that no case uses. The program
-!> says so and goes on; ranges that refuse are the table of keys' (dg_deck_keys).
+!> Notes on legal but unlikely input: numbers that look like a mistake of units, and parts that no case uses. The program prints the
+!> notes and continues. Ranges that reject a value are in the table of keys (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, has_bend, has_blades, has_pad, is_open, opens, tube_area

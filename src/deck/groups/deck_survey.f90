@@ -226,7 +226,7 @@ contains
       end subroutine check_size
    end subroutine take_arrays
 
-   !> Whether stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
+   !> Check that stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
    subroutine check_stations(group, units, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units

@@ -61,7 +61,7 @@ contains
          draft%has_stations = .false.
       end subroutine fault
 
-      !> What is added, and how the hole turns there: from vertical to the first station.
+      !> Note on the added stations and the turn of the hole there: from vertical to the first station.
       function note() result(text)
          character(:), allocatable :: text
          real(wp) :: length

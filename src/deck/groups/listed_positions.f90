@@ -22,8 +22,8 @@ module dg_listed_positions
 
 contains
 
-   !> How far TVD, north and east of a file differ at most from minimum curvature through its stations; '' where it lists none of
-   !> them. Both count from the first station that has them.
+   !> Largest difference of TVD, north and east of a file from minimum curvature through its stations. '' where the file lists none
+   !> of them. Both count from the first station that has them.
    function position_words(stations, units) result(words)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units

@@ -133,7 +133,7 @@ contains
       end function value_text
    end subroutine note_unusual
 
-   !> Whether the deck's diameters of holes in millimetres are none of a well: a model in a laboratory is not as deep.
+   !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
    pure function holes_in_inches(draft) result(inches)
       type(draft_type), intent(in) :: draft
       logical :: inches

@@ -11,7 +11,7 @@ module dg_file_kind
 
 contains
 
-   !> What a file is that is no text table, and what to do with it; '' for anything else, and where it cannot be opened.
+   !> Kind of a file that is no text table, and advice on it. '' for any other file, and where it cannot be opened.
    function foreign_kind(path) result(kind)
       character(*), intent(in) :: path
       character(:), allocatable :: kind
@@ -75,7 +75,7 @@ contains
       end if
    end function kind_of
 
-   !> Whether a file is an XML document, a web page not counted.
+   !> True if a file is an XML document, a web page not counted.
    function is_xml(path) result(is)
       character(*), intent(in) :: path
       logical :: is
@@ -98,7 +98,7 @@ contains
       starts = index(text, with) == 1
    end function starts
 
-   !> Whether a text begins with a list of JSON, not with a heading in brackets.
+   !> True if a text begins with a list of JSON, not with a heading in brackets.
    pure function is_list(text)
       character(*), intent(in) :: text
       logical :: is_list

@@ -9,7 +9,7 @@ module dg_las_file
 
 contains
 
-   !> Whether lines are those of a LAS file: the first that says anything opens a section of version.
+   !> True if lines are those of a LAS file: the first line with content opens a section of version.
    pure function is_las(lines) result(is)
       type(text_type), intent(in) :: lines(:)
       logical :: is

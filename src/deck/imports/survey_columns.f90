@@ -144,7 +144,7 @@ contains
       end if
    end subroutine take_rival_unit
 
-   !> Whether a heading is the one that was asked for, less strictly from attempt to attempt.
+   !> True if a heading is the one that was asked for, less strictly from attempt to attempt.
    pure function is_alike(heading, asked, attempt) result(alike)
       type(heading_type), intent(in) :: heading, asked
       integer, intent(in) :: attempt
@@ -214,7 +214,7 @@ contains
       if (size(headings) > most) words = words//' and more'
    end function seen_headings
 
-   !> What is missing of md, inc (and azi where `with_azimuth`), which headings were seen and are known, and which keys name them.
+   !> Missing columns among md, inc (and azi where `with_azimuth`), headings that were found and are known, and keys that name them.
    pure function missing_columns(layout, with_azimuth) result(words)
       type(layout_type), intent(in) :: layout
       logical, intent(in) :: with_azimuth

@@ -70,7 +70,7 @@ contains
       layout%first_header = line
    end subroutine find_header
 
-   !> Whether a line may belong to a header: it holds letters.
+   !> True if a line may belong to a header: it holds letters.
    pure function is_header_line(text) result(is)
       character(*), intent(in) :: text
       logical :: is
@@ -87,7 +87,7 @@ contains
       complete = all(layout%place(:column_inc) > 0)
    end function is_complete
 
-   !> How much a line looks like the header: columns that it names, the others by little.
+   !> Likeness of a line to the header: columns that it names count most, the others little.
    pure function score(layout) result(likely)
       type(layout_type), intent(in) :: layout
       integer :: likely
@@ -120,7 +120,7 @@ contains
       call read_block(lines, first_line, last, names, units, layout)
    end subroutine extend
 
-   !> Whether a line beside the header is a part of it. A phrase that stands alone must tell a quantity: else it is a title.
+   !> True if a line beside the header is a part of it. A phrase that stands alone must name a quantity; otherwise it is a title.
    pure function belongs(text) result(is)
       character(*), intent(in) :: text
       logical :: is

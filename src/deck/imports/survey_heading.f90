@@ -1,4 +1,4 @@
-!> What the heading of a column in a survey table says: the quantity, how surely, the unit.
+!> Meaning of the heading of a column in a survey table: the quantity, how certain it is, the unit.
 module dg_survey_heading
    use dg_readable, only: spaced
    use dg_survey_words, only: role_along, role_angle, role_axis, role_azi, role_corrected, role_datum, role_depth, role_direction, &
@@ -89,7 +89,7 @@ contains
       if (length > 0) spelt = text(:last - length)//' ft'//text(last + 1:)
    end function feet_spelt
 
-   !> Whether all words of a text are those of headings, and one of them tells a quantity, or a north without a unit: such a line
+   !> True if all words of a text are words of headings, and one of them names a quantity, or a north without a unit. Such a line
    !> belongs to the header.
    pure function is_heading_text(text) result(is)
       character(*), intent(in) :: text
@@ -268,7 +268,7 @@ contains
       end subroutine name_depth
    end subroutine classify
 
-   !> Whether a word stands in a heading.
+   !> True if a word stands in a heading.
    pure function any_word(words, word)
       type(text_type), intent(in) :: words(:)
       character(*), intent(in) :: word

@@ -1,4 +1,4 @@
-!> How a survey table is laid out: its header, its columns and their units, and what rows above and below the header say of them.
+!> Layout of a survey table: its header, its columns and their units, and remarks in rows above and below the header.
 module dg_survey_layout
    use dg_kinds, only: wp
    use dg_error, only: add_fault, error_list_type
@@ -233,14 +233,14 @@ contains
       end do
    end function bared
 
-   !> Whether a line is nothing but dashes and the like.
+   !> True if a line holds dashes and similar marks only.
    pure function is_rule(text) result(is)
       character(*), intent(in) :: text
       logical :: is
       is = verify(text, '-=_*+~|:. ,;'//achar(9)) == 0 .and. scan(text, '-=_*~') > 0
    end function is_rule
 
-   !> Whether a line holds the units of the columns: (m), deg, ... Two of the columns wanted look like units. One is enough where
+   !> True if a line holds the units of the columns: (m), deg, ... Two of the columns wanted look like units. One is enough where
    !> the others are empty, where the separator is no blank, or where the line has as many cells as there are headings.
    pure function is_unit_row(line, layout) result(is)
       character(*), intent(in) :: line
@@ -292,7 +292,7 @@ contains
       end do
    end function tight
 
-   !> Whether one of some words stands in a text of small letters.
+   !> True if one of some words stands in a lower-case text.
    pure function has_word(text, words) result(has)
       character(*), intent(in) :: text, words(:)
       logical :: has

@@ -15,8 +15,8 @@ module dg_survey_lines
 
 contains
 
-   !> Whether a line without all three numbers is text: a footer, a note, the title of a page. Where it may be a damaged station it
-   !> is none: two of the three numbers are there, or md is, numbers stand side by side, or a cell begins like a number.
+   !> True if a line without all three numbers is text: a footer, a note, the title of a page. A line that may be a damaged station
+   !> is not text. It has two of the three numbers or md, numbers side by side, or a cell that begins like a number.
    pure function is_text(row, layout, legal) result(is)
       type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
@@ -55,7 +55,7 @@ contains
       end do
    end function count_words
 
-   !> Whether a cell is a number that may be damaged: it begins like one, or is mostly digits, and is no date or time.
+   !> True if a cell is a number that may be damaged: it begins like one, or is mostly digits, and is no date or time.
    pure function may_be_number(text) result(may)
       character(*), intent(in) :: text
       logical :: may
@@ -94,7 +94,7 @@ contains
       end do
    end function longest_run
 
-   !> Whether a line is one of the header, or of its units, once more.
+   !> True if a line repeats the header, or its units.
    pure function is_header_again(lines, layout, line) result(is)
       type(text_type), intent(in) :: lines(:)
       type(layout_type), intent(in) :: layout
@@ -108,7 +108,7 @@ contains
       if (.not. is) is = is_unit_row(lines(line)%text, layout)
    end function is_header_again
 
-   !> Whether a line begins with what a spreadsheet shows for an error: #N/A, #REF!, ...
+   !> True if a line begins with a spreadsheet's mark of an error: #N/A, #REF!, ...
    pure function is_error_cell(text) result(is)
       character(*), intent(in) :: text
       logical :: is
@@ -122,7 +122,7 @@ contains
       end do
    end function is_error_cell
 
-   !> Whether a text is a bearing such as N 45 E.
+   !> True if a text is a bearing such as N 45 E.
    pure function is_quadrant(text) result(is)
       character(*), intent(in) :: text
       logical :: is

@@ -198,7 +198,7 @@ contains
                    '; between blanks no cell may be empty and no heading of two words: separate them by commas or tabs'
    end function width_fault
 
-   !> Whether a row of numbers alone lacks nothing but the remark that the last column is for.
+   !> True if a row of numbers lacks only the remark of the last column.
    pure function lacks_remark(row, layout) result(lacks)
       type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
@@ -255,7 +255,7 @@ contains
       if (n == 1 .and. is_missing(stations%azimuth(1))) stations%azimuth(1) = 0.0_wp
    end subroutine fill_azimuths
 
-   !> Whether a line that is a comment would be a station without its mark.
+   !> True if a comment line would be a station without its comment mark.
    function has_station(text, layout) result(has)
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout
@@ -278,7 +278,7 @@ contains
       has = .true.
    end function has_station
 
-   !> Whether a line holds nothing but numbers, two or more.
+   !> True if a line holds numbers only, two or more.
    function all_numbers(text, layout) result(all_are)
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout

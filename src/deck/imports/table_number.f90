@@ -15,7 +15,7 @@ module dg_table_number
    !> Digits between two marks of thousands.
    integer, parameter :: group = 3
 
-   !> What the cells of a table show of its marks: the line of the first cell that shows it, 0 for none.
+   !> Marks of numbers in the cells of a table: the line of the first cell with each mark, 0 if absent.
    type :: marks_type
       integer :: decimal_point = 0      !< 45.5 or 1,234.5
       integer :: decimal_comma = 0      !< 45,5 or 1.234,5
@@ -81,7 +81,7 @@ contains
       if (line == 0 .and. marks%either_point > 0 .and. marks%decimal_comma > 0) line = marks%either_point
    end function doubtful_line
 
-   !> What to say of it.
+   !> Message on a doubtful mark of numbers.
    pure function doubt(marks, line) result(message)
       type(marks_type), intent(in) :: marks
       integer, intent(in) :: line       !< that of doubtful_line
@@ -127,8 +127,8 @@ contains
       end do
    end function plain_number
 
-   !> Whether a mark stands where one between thousands may: one to three digits before it that do not begin with 0, three behind
-   !> it and nothing else.
+   !> True if a mark may part thousands. One to three digits stand before it, the first not 0, and three digits behind it end the
+   !> cell.
    pure function may_part_thousands(cell, mark) result(may)
       character(*), intent(in) :: cell
       integer, intent(in) :: mark
@@ -143,7 +143,7 @@ contains
       may = verify(cell(first:mark - 1), digits) == 0 .and. verify(cell(mark + 1:), digits) == 0
    end function may_part_thousands
 
-   !> Whether a whole number has its marks before three digits each, or none.
+   !> True if a whole number has its marks before three digits each, or none.
    pure function well_parted(whole, mark) result(well)
       character(*), intent(in) :: whole
       character, intent(in) :: mark

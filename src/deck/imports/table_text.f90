@@ -41,7 +41,7 @@ contains
       if (words /= '') words = 'rows skipped: '//words
    end function skipped_words
 
-   !> What separates the fields of a header: ; , | tab or blanks. Brackets do not count.
+   !> Separator of the fields of a header: ; , | tab or blanks. Brackets do not count.
    pure function find_separator(header) result(separator)
       character(*), intent(in) :: header
       character :: separator
@@ -164,7 +164,7 @@ contains
       end do
    end subroutine split_fields
 
-   !> Whether a text begins with a quotation mark that is closed in it. The mark of feet or inches, alone in its field, is none.
+   !> True if a text begins with a quotation mark that is closed in it. A mark of feet or inches alone in its field does not count.
    pure function opens_quotes(text, separator) result(opens)
       character(*), intent(in) :: text       !< not empty
       character, intent(in) :: separator

@@ -29,8 +29,8 @@ module dg_table_unit
 
 contains
 
-   !> What a text says of the unit of a column: its SI value [m or rad], 0 where it names none. A datum or a north beside it does
-   !> not count. Not `known` is whatever else stands there: taken for no unit, it would make wrong numbers of right ones.
+   !> Unit of a column by a text: its SI value [m or rad], 0 where the text names no unit. A datum or a north beside it does not
+   !> count. Not `known` is whatever else stands there: taken for no unit, it would make wrong numbers of right ones.
    pure subroutine read_unit(text, angle, value, known)
       character(*), intent(in) :: text
       logical, intent(in) :: angle     !< .true. for a column of angles, else lengths are looked for
@@ -76,8 +76,7 @@ contains
       if (.not. known) value = 0.0_wp
    end subroutine read_unit
 
-   !> Whether a cell looks like a unit for such a column, one that is converted here or not: it is in brackets, or one of those
-   !> that we know by name.
+   !> True if a cell looks like a unit for such a column, one that is converted here or not. It is in brackets, or known by name.
    pure function resembles_unit(cell, angle) result(is)
       character(*), intent(in) :: cell
       logical, intent(in) :: angle
@@ -171,7 +170,7 @@ contains
       end if
    end function unit_of
 
-   !> Whether a word says from where a depth counts, or an azimuth.
+   !> True if a word names the datum of a depth, or the north of an azimuth.
    pure function is_datum(word, angle) result(is)
       character(*), intent(in) :: word
       logical, intent(in) :: angle
@@ -183,7 +182,7 @@ contains
       end if
    end function is_datum
 
-   !> Whether the rest of a word is one or two such: 'mdrkb' in 'mmdrkb', 'n' in 'degn'.
+   !> True if the end of a word is one or two words of a datum: 'mdrkb' in 'mmdrkb', 'n' in 'degn'.
    pure function is_tail(rest, angle) result(is)
       character(*), intent(in) :: rest
       logical, intent(in) :: angle

@@ -182,7 +182,7 @@ contains
       if (fitting > 1 .and. wanted /= '') failure = failure//'; '//to_text(fitting)//' are called '//quoted(wanted)
    end subroutine choose
 
-   !> Whether a trajectory, its well or its wellbore has a name; letter case does not count.
+   !> True if a trajectory, its well or its wellbore has a name; letter case does not count.
    pure function is_called(one, name) result(is)
       type(trajectory_type), intent(in) :: one
       character(*), intent(in) :: name

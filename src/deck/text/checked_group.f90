@@ -49,7 +49,7 @@ contains
       place = 0
    end function place_of
 
-   !> Whether a key stands in the deck, right or wrong.
+   !> True if a key is in the deck, valid or not.
    pure function is_given(group, key) result(given)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
@@ -57,7 +57,7 @@ contains
       given = group%values(place_of(group, key))%given
    end function is_given
 
-   !> Whether a key has a legal value, from the deck or by default.
+   !> True if a key has a legal value, from the deck or by default.
    pure function is_sound(group, key) result(sound)
       type(checked_group_type), intent(in) :: group
       character(*), intent(in) :: key
@@ -109,7 +109,7 @@ contains
       end if
    end subroutine claim_name
 
-   !> Whether every key of a group that is given or required has a legal value.
+   !> True if every key of a group that is given or required has a legal value.
    pure function is_whole(group) result(whole)
       type(checked_group_type), intent(in) :: group
       logical :: whole

@@ -156,7 +156,7 @@ contains
       end do
    end subroutine find_near
 
-   !> What to write for a text that is no number, with '; ' before it; '' where nothing is known.
+   !> Advice for a text that is no number, with '; ' before it; '' where there is no advice.
    pure function value_advice(text, rule, units) result(advice)
       character(*), intent(in) :: text             !< as in the deck; several values with blanks between them
       type(key_rule_type), intent(in) :: rule      !< of the key
@@ -182,7 +182,7 @@ contains
       if (rule%unit /= unit_none) advice = advice//'; its unit is '//trim(unit_label(units, rule%unit))
    end function value_advice
 
-   !> What to write for a number out of its range that would be legal in a smaller unit.
+   !> Advice for a number out of its range that would be legal in a smaller unit.
    pure function unit_advice(text, rule, units) result(advice)
       character(*), intent(in) :: text
       type(key_rule_type), intent(in) :: rule

@@ -47,7 +47,7 @@ contains
       legal = status == 0
    end subroutine read_real
 
-   !> Whether a text is a real.
+   !> True if a text is a real.
    pure function is_number(text) result(is)
       character(*), intent(in) :: text
       logical :: is

@@ -181,7 +181,7 @@ contains
       end subroutine fault
    end subroutine parse_entry
 
-   !> Whether a token is a key: a word before =.
+   !> True if a token is a key: a word before =.
    pure function is_key(tokens, i) result(is)
       type(token_type), intent(in) :: tokens(:)
       integer, intent(in) :: i

@@ -77,7 +77,7 @@ contains
       end do
    end subroutine check_group
 
-   !> Whether an unknown key of the group was taken for a slip in `key`: then that key is not missing too.
+   !> True if an unknown key of the group was taken for a misspelling of `key`. Then that key is not reported as missing.
    pure function misspelt(group, keys, key) result(is)
       type(group_type), intent(in) :: group
       character(*), intent(in) :: keys(:)
@@ -297,7 +297,7 @@ contains
       if (rule%kind == kind_integer) text = 'whole number'
    end function needed_number
 
-   !> What a key needs, with its range: 'needs a number, > 0 mm'.
+   !> Requirement of a key, with its range: 'needs a number, > 0 mm'.
    pure function needed_text(rule, units) result(text)
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units

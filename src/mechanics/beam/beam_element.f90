@@ -129,7 +129,7 @@ contains
       call beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
    end subroutine beam_tangent_parts
 
-   !> What an axial force alone makes: the internal force that goes with it, and Ksigma of Eq. 10. Both are proportional to it.
+   !> Internal force that belongs to an axial force alone, and Ksigma of Eq. 10. Both are proportional to it.
    pure subroutine beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
       real(wp), intent(in) :: axial                      !< tension > 0 [N]

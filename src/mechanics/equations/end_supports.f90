@@ -1,5 +1,5 @@
-!> What acts on the ends of the string across the hole, and the formation's push on the bit.
-!> A load increment sets both, and friction with them.
+!> Forces and moments on the ends of the string across the hole, and the formation's push on the bit. A load increment sets both,
+!> and friction with them.
 module dg_end_supports
    use dg_kinds, only: wp
    use dg_gap_action, only: load_type

@@ -1,5 +1,4 @@
-!> What a gap does to its beam element: the contact there, its forces, and the rows that it adds to a linear problem in which
-!> contact forces are unknowns of their own.
+!> Action of a gap on its beam element: the contact, its forces, and the rows of a linear problem with contact forces as unknowns.
 module dg_gap_action
    use dg_kinds, only: wp
    use dg_gap_contact, only: contact_action, couple_action, couple_tangents, moment_tangents, touch_tangent_type, touch_tangents, &
@@ -104,7 +103,7 @@ contains
                                                                       + turning_moment(contact%turning, work%d(:, e:e + 1))
    end subroutine add_gap_force
 
-   !> What a contact force does to its element: force and moment at the gap, forces on (x_i, d_i, x_j, d_j), torques on both nodes.
+   !> Action of a contact force on its element: force and moment at the gap, forces on (x_i, d_i, x_j, d_j), torques on both nodes.
    pure subroutine find_contact_action(mesh, e, contact, normal, work, force, moment, nodal, twisting)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -265,8 +264,7 @@ contains
       end do
    end subroutine rows_of_node
 
-   !> What a contact force of 1 N adds to the forces on (x_i, d_i, x_j, d_j) and to the torques at both nodes, internal less
-   !> external.
+   !> Forces on (x_i, d_i, x_j, d_j) and torques at both nodes from a contact force of 1 N, internal less external.
    pure subroutine unit_force(mesh, e, work, contact, nodal, twisting)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e

@@ -13,9 +13,9 @@ module dg_gap_survey
    private
    public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, move_rule_type, relocate_gaps
 
-   !> What a gap must gain by a move where tool joints touch, over the clearance [-]: a joint would else be held now at one end and
-   !> now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere gaps of short
-   !> elements want their places as they are: three times the iterations with elements of 1 m.
+   !> Least gain in depth, over the clearance [-], for which a gap moves where tool joints touch. Without it a joint would be held
+   !> now at one end and now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere
+   !> gaps of short elements need their places as they are: three times the iterations with elements of 1 m.
    real(wp), parameter :: least_gain = 0.0025_wp
 
    !> Which gaps may move, and how far.
@@ -43,7 +43,7 @@ contains
       call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
    end subroutine node_offset
 
-   !> The same, and the slope of the string against the axis there.
+   !> Offset of a node off the hole axis, and slope of the string against the axis there.
    pure subroutine node_lie(trajectory, mesh, work, node, gap, slope)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -66,7 +66,7 @@ contains
                             work%d(:, e + 1))
    end function point_on_string
 
-   !> The same, written out: Hermite's cubic (dg_hermite) through displacements and directors of the nodes.
+   !> Point of the string by Hermite's cubic (dg_hermite) through displacements and directors of the nodes.
    pure function point_between(xi, length, chord, shift_i, d_i, shift_j, d_j) result(point)
       real(wp), intent(in) :: xi, length, chord(3), shift_i(3), d_i(3), shift_j(3), d_j(3)
       real(wp) :: point(3)
@@ -185,9 +185,9 @@ contains
       end do
    end function deepest
 
-   !> Whether no point of an element can be as far off the axis as so much [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at most 4/27 of
+   !> True if no point of an element can be as far off the axis as `reach` [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at most 4/27 of
    !> the length, and two slopes add up to at most the root of twice the sum of their squares. Of the squares a of the farther
-   !> node's offset and b of what slopes add, sqrt(a) + sqrt(b) < r where 2 sqrt(a b) < r^2 - a - b.
+   !> node's offset and b of the slopes' part, sqrt(a) + sqrt(b) < r where 2 sqrt(a b) < r^2 - a - b.
    pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, reach) result(out)
       real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie
       real(wp), intent(in) :: length, reach

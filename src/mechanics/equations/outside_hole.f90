@@ -1,5 +1,5 @@
-!> How far a solved string stands outside its hole. An element's gap sees the wall at one place: where it wants to touch at two, at
-!> the step of a casing shoe and farther down, or at both ends of a buckling wave, the string leaves the hole at the other.
+!> Distance of a solved string outside its hole. An element's gap sees the wall at one place: where it wants to touch at two, at the
+!> step of a casing shoe and farther down, or at both ends of a buckling wave, the string leaves the hole at the other.
 module dg_outside_hole
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
@@ -16,7 +16,7 @@ module dg_outside_hole
    private
    public :: outside_type, measure_outside, measure_rows, outside_message, outside_place
 
-   !> How far a converged string may stand outside before that is told, over the clearance [-]: rock yields and elements sag.
+   !> Distance outside the hole, over the clearance [-], above which a message reports it: rock yields and elements sag.
    real(wp), parameter :: tell_outside = 0.2_wp
    !> Where no point of an element can stand outside by this part of that [-] none does: most are looked at no closer. A cubic
    !> and an arc differ by far less.
@@ -116,7 +116,7 @@ contains
       end do
    end subroutine measure_rows
 
-   !> Whether an excess over the clearance [-] in an element is to be told.
+   !> True if an excess over the clearance [-] in an element is to be reported.
    pure function is_told(excess, mesh, e) result(told)
       real(wp), intent(in) :: excess
       type(mesh_type), intent(in) :: mesh
@@ -133,7 +133,7 @@ contains
       least = max(tell_outside, mesh%eps_nmax(e))
    end function told_from
 
-   !> What is said of a string that stands outside: where, how far, what to do.
+   !> Message on a string outside its hole: where, how far, what to do.
    pure subroutine outside_message(units, outside, text)
       type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside

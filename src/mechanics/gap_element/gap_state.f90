@@ -23,7 +23,7 @@ module dg_gap_state
       real(wp) :: eps_nmax = 0.0_wp   !< elastic range of relative compression [-]
    end type gap_law_type
 
-   !> What a gap must be beyond to close or open, the same for all.
+   !> Thresholds beyond which a gap closes or opens, the same for all gaps.
    type :: gap_thresholds_type
       real(wp) :: eps_n0 = 0.0_wp     !< of relative compression [-]
       real(wp) :: r_n0 = 0.0_wp       !< of force [N]
@@ -85,8 +85,8 @@ contains
       depth = law%clearance + min(force, elastic)/law%contact + max(force - elastic, 0.0_wp)/law%maximum
    end function depth_of
 
-   !> Whether the string is so round next to a gap that its place makes a difference: half an element beside it |f| is less by more
-   !> than a part of the depth in the wall.
+   !> True if the string is curved so much next to a gap that its place matters. Half an element beside it |f| is less by more than
+   !> a part of the depth in the wall.
    pure function is_round(law, force, bend, part) result(is)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: force

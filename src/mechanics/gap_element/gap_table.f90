@@ -76,10 +76,10 @@ contains
       table%moves(e) = table%moves(e) + 1
    end subroutine move_gap
 
-   !> How much deeper the string must be at the extremum than at a gap for the gap to move there [m]. The paper puts x0 where the
-   !> element "is to make first contact": a free gap goes to the extremum at once the first time, a closed one only when the string
-   !> is deeper there by `threshold`. The threshold doubles with every move made, free or closed: an element that wants contact at
-   !> two places would otherwise hand its one gap to and fro for ever.
+   !> Gain in depth at the extremum above which a gap moves there [m]. The paper puts x0 where the element "is to make first
+   !> contact": a free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by
+   !> `threshold`. The threshold doubles with every move made, free or closed: an element that wants contact at two places would
+   !> otherwise hand its one gap to and fro for ever.
    pure function gain_to_move(table, e, threshold) result(gain)
       type(gap_table_type), intent(in) :: table
       integer, intent(in) :: e

@@ -71,7 +71,7 @@ module dg_mesh
 
 contains
 
-   !> Whether the hole is vertical along the whole string.
+   !> True if the hole is vertical along the whole string.
    pure function is_straight_down(mesh) result(straight)
       type(mesh_type), intent(in) :: mesh
       logical :: straight
@@ -179,7 +179,7 @@ contains
       end do
    end subroutine push_mesh
 
-   !> How the elements are bent before loading: towards the toolface, about the hole axis where they are.
+   !> Bend the elements before loading: towards the tool face, about the hole axis where they are.
    pure subroutine bend_mesh(model, load_case, tops, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -199,7 +199,7 @@ contains
       end do
    end subroutine bend_mesh
 
-   !> What the hole at a depth [m] gives to an element whose contact radius is known.
+   !> Set the data of the hole at a depth [m] for an element whose contact radius is known.
    pure subroutine put_in_hole(model, load_case, component, lowest, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -22,13 +22,13 @@ module dg_result_name
    character(*), parameter :: beginnings(8) = [character(12) :: 'profile_', 'contacts_', 'casing_wear_', 'fatigue_', 'history_', &
       'view_', 'hole_', 'view_']
    character(*), parameter :: endings(8) = [character(7) :: '.csv', '.csv', '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf']
-   !> So many of them end in the name of a model.
+   !> Number of these that end in the name of a model.
    integer, parameter :: with_model = 5
    !> Stands for something of the deck in the forms of names of studies.
    character, parameter :: anything = '*'
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
    character(*), parameter :: picture_endings(4) = [character(15) :: '.gp', '.svg', '.svg.unfinished', '.log']
-   !> What names may be made of, and how long the system lets them be.
+   !> Characters of names, and the longest name of the system.
    character(*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+'
    character(*), parameter :: digits = '0123456789'
    integer, parameter :: longest_name = 255
@@ -84,7 +84,7 @@ contains
       file = what//'_'//name//'.failed'
    end function failed_file
 
-   !> What a run of the job writes as results, pictures aside. A part of a divided run writes none.
+   !> Names of the results that a run of the job writes, pictures aside. A part of a divided run writes none.
    subroutine result_names(job, model, names)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -111,7 +111,7 @@ contains
          names(n)%text = name
       end subroutine add
 
-      !> What load cases bring.
+      !> Add the names of files of load cases.
       subroutine add_cases()
          call add('summary.csv', .true.)
          call add('limits.csv', .true.)
@@ -132,7 +132,8 @@ contains
       end subroutine add_cases
    end subroutine result_names
 
-   !> Whether a name could be that of a result: plain, in the output folder or its folder of pictures, of a form that runs write.
+   !> True if a name may be that of a result. It is plain, in the output folder or its folder of pictures, and has a form that runs
+   !> write.
    pure function is_result_name(name, forms) result(is)
       character(*), intent(in) :: name
       type(text_type), intent(in) :: forms(:)      !< of names that studies give: study.csv, sweep_*.csv
@@ -167,7 +168,7 @@ contains
       end do
    end function is_result_name
 
-   !> Whether a name could be that of a record.
+   !> True if a name may be that of a record.
    pure function is_record_name(name, kinds) result(is)
       character(*), intent(in) :: name
       type(text_type), intent(in) :: kinds(:)      !< of studies that keep records: sweep
@@ -183,7 +184,7 @@ contains
       is = verify(name(part + len('.part_'):of - 1), digits) == 0 .and. verify(name(of + len('_of_'):), digits) == 0
    end function is_record_name
 
-   !> Whether a name begins and ends so, with something between.
+   !> True if a name has this beginning and this ending, with something between.
    pure function has_form(name, beginning, ending) result(has)
       character(*), intent(in) :: name, beginning, ending
       logical :: has

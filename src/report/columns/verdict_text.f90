@@ -103,7 +103,7 @@ contains
       end if
    end function verdict_sentences
 
-   !> What more friction does.
+   !> Effect of more friction.
    pure function reserve_text(verdict) result(text)
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
@@ -130,7 +130,7 @@ contains
              trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
    end function times_text
 
-   !> What a string whose weight is too little needs at surface.
+   !> Push needed at surface by a string whose weight is too little.
    pure function push_text(units, load_case, push) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
@@ -158,7 +158,7 @@ contains
       text = '. Not possible without '//trim(merge('overpull     ', 'weight on bit', load_case%wob < 0.0_wp))//' either: '//text
    end function without_load_text
 
-   !> What makes the operation possible, as far as it is known; '' else.
+   !> Remedy that makes the operation possible, as far as it is known; '' else.
    pure function help_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case

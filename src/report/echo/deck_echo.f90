@@ -1,4 +1,4 @@
-!> What a deck asks for as the program understood it, for the terminal and the page, in the deck's units.
+!> Summary of a deck as the program understood it, for the terminal and the page, in the deck's units.
 module dg_deck_echo
    use dg_kinds, only: wp
    use dg_component, only: component_type, is_worn, opens, worn_od
@@ -31,7 +31,7 @@ module dg_deck_echo
 
 contains
 
-   !> What a deck asks for, line by line.
+   !> Summary of a deck, line by line.
    pure subroutine echo_lines(job, model, before, after, lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -74,7 +74,7 @@ contains
       call take_lines(list, lines)
    end subroutine echo_lines
 
-   !> What stands between string and weight indicator.
+   !> Line on the rig between string and weight indicator.
    pure function rig_line(units, rig) result(line)
       type(unit_system_type), intent(in) :: units
       type(rig_type), intent(in) :: rig
@@ -225,7 +225,7 @@ contains
              friction_text(' rotary ', centralizer%friction_rotary, 1.0_wp)
    end function centralizer_text
 
-   !> What a component says of its friction in one way; nothing where it has that of the hole.
+   !> Friction of a component, axial or rotary. Empty where it has the friction of the hole.
    pure function friction_text(way, own, scale) result(text)
       character(*), intent(in) :: way
       real(wp), intent(in) :: own, scale    !< missing: none; one: none [-]
@@ -299,7 +299,7 @@ contains
       end associate
    end subroutine add_case
 
-   !> How a packer holds the string; nothing where it lets it move.
+   !> Hold of a string by a packer. Empty where the packer lets it move.
    pure function hold_text(hold) result(text)
       integer, intent(in) :: hold
       character(:), allocatable :: text

@@ -1,4 +1,4 @@
-!> What a component has beside pipe, in words: a bent housing, pads, a survey sensor, rated connections, a fatigue curve.
+!> Description of a component beside its pipe body: a bent housing, pads, a survey sensor, rated connections, a fatigue curve.
 module dg_tools_text
    use dg_component, only: component_type, has_bend, has_pad, usual_yield_loss
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_none, fatigue_own

@@ -31,7 +31,7 @@ contains
       if (.not. is_begun(table)) call add_line(table%text, csv_header(row%fields(:row%count)%column, units))
    end subroutine begin_table
 
-   !> Whether a table has its header.
+   !> True if a table has its header.
    pure function is_begun(table) result(begun)
       type(csv_table_type), intent(in) :: table
       logical :: begun

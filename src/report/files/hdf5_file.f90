@@ -53,7 +53,7 @@ module dg_hdf5_file
    integer, parameter :: chunk_rows = 16384
    !> Of deflate, 1 to 9: more costs much and gains little.
    integer, parameter :: deflate_level = 4
-   !> What stands for a number that is not there: a quiet NaN (IEEE 754).
+   !> Mark of a missing number: a quiet NaN (IEEE 754).
    real(wp), parameter :: not_a_number = transfer(int(z'7FF8000000000000', int64), 1.0_wp)
 
 contains

@@ -109,7 +109,7 @@ contains
                whole%wob_lockup)
    end subroutine put_margins
 
-   !> What gap elements found: buckled shape, bit, bending.
+   !> Put results of gap elements: buckled shape, bit, bending.
    pure subroutine put_shape(row, whole)
       type(row_type), intent(inout) :: row
       type(whole_string_type), intent(in) :: whole
@@ -142,7 +142,7 @@ contains
       call put(row, 'least_standoff_md', quantity_length, 'where', whole%least_standoff_md)
    end subroutine put_shape
 
-   !> How much is used of each strength, and of which most.
+   !> Put the utilisation of each strength, and the largest.
    pure subroutine put_used(row, whole)
       type(row_type), intent(inout) :: row
       type(whole_string_type), intent(in) :: whole

@@ -1,4 +1,4 @@
-!> How a solution was found and what it touches: contacts_<case>_<model>.csv, history_<case>_<model>.csv, state table.
+!> Course of a solution and its contacts: contacts_<case>_<model>.csv, history_<case>_<model>.csv, state table.
 module dg_solution_series
    use dg_case_result, only: contact_name, contact_point_type, iteration_type, judged_name, gap_row_type
    use dg_column, only: quantity_angle, quantity_force, quantity_length, quantity_text, quantity_moment, quantity_none, &

@@ -1,5 +1,5 @@
-!> What rotation does: casing_wear_<case>_<model>.csv, one row a depth; fatigue_<case>_<model>.csv, components of the string, the
-!> one that is tired most first.
+!> Effects of rotation. casing_wear_<case>_<model>.csv has one row per depth. fatigue_<case>_<model>.csv has the components of the
+!> string, the most fatigued first.
 module dg_wear_files
    use dg_case_result, only: case_result_type
    use dg_casing_wear, only: find_casing_wear, groove_type

@@ -227,7 +227,7 @@ contains
       end do
    end subroutine append_summary
 
-   !> What limits the string, a table a model.
+   !> Append the limits of the string, one table per model.
    subroutine append_limits(lines, job, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -282,7 +282,7 @@ contains
       end if
    end function factors_text
 
-   !> What every result rests on, and what each model adds.
+   !> Append the assumptions of every result, and those that each model adds.
    subroutine append_assumptions(lines, job)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -302,7 +302,7 @@ contains
       call add_line(lines, '</ul>')
    end subroutine append_assumptions
 
-   !> How the solutions were found: a table a model.
+   !> Append the course of the solutions, one table per model.
    subroutine append_costs(lines, job, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job

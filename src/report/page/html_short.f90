@@ -130,7 +130,7 @@ contains
       end subroutine tell
    end subroutine append_errors
 
-   !> How far the hook loads of other models are from these.
+   !> Append the difference of hook loads of other models from these.
    subroutine append_models(lines, job, model, results, rows)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -163,7 +163,7 @@ contains
       end do
    end subroutine append_models
 
-   !> How far bending moments may be off.
+   !> Append the estimated error of bending moments.
    subroutine append_moments(lines, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model

@@ -1,4 +1,4 @@
-!> How the page of a run looks: on a screen, on a phone, on paper.
+!> Style of the page of a run: on a screen, on a phone, on paper.
 module dg_html_style
    use dg_html_text, only: css_string
    use dg_line_list, only: add_line, line_list_type

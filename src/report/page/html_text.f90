@@ -213,7 +213,7 @@ contains
          end associate
       end do
    contains
-      !> Whether a group begins there and ends in the next line. gnuplot writes one for each change of a pen.
+      !> True if an empty group begins in line i: it ends in the next line. gnuplot writes one for each change of a pen.
       pure function is_empty_group(i) result(is)
          integer, intent(in) :: i
          logical :: is

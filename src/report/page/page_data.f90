@@ -1,5 +1,5 @@
-!> What the script of the page draws from (page.js): units, columns, load cases, charts, strings, curves, contacts, as JSON.
-!> Numbers are in the deck's units.
+!> Data of the page's script (page.js): units, columns, load cases, charts, strings, curves, contacts, as JSON. Numbers are in the
+!> deck's units.
 module dg_page_data
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -53,7 +53,7 @@ module dg_page_data
 
 contains
 
-   !> Whether a result has curves.
+   !> True if a result has curves.
    elemental function has_curves(result) result(has)
       type(case_result_type), intent(in) :: result
       logical :: has

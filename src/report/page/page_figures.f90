@@ -18,7 +18,7 @@ module dg_page_figures
 
 contains
 
-   !> Whether the script draws a picture: one of the run, whose panels stand over depth or rows.
+   !> True if the script draws a picture: one of the run, whose panels stand over depth or rows.
    elemental function is_live(picture) result(is)
       type(picture_type), intent(in) :: picture
       logical :: is
@@ -119,7 +119,7 @@ contains
       end do
    end function keys_text
 
-   !> What stands at the vertical axis: names of rows, or what it counts and where it ends.
+   !> Text at the vertical axis: names of rows, or the label of the axis and its ends.
    pure function axis_text(panel) result(text)
       type(panel_type), intent(in) :: panel
       character(:), allocatable :: text

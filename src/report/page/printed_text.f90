@@ -1,5 +1,4 @@
-!> What a run keeps for its page: tables that are printed and of which report.html has no other form, and what became of its
-!> solutions.
+!> Texts that a run keeps for its page: printed tables of which report.html has no other form, and the outcome of its solutions.
 module dg_printed_text
    use dg_printable, only: printable
    use dg_run_outcome, only: outcome_type

@@ -1,5 +1,5 @@
-!> What became of every solution of a run: how many each part of it asked for, how many are there, and which are not. The page of
-!> the run says it in its headline, so that it says what the exit status says.
+!> Outcome of every solution of a run: the number that each part asked for, the number found, and those that are missing. The
+!> headline of the page has it, and agrees with the exit status.
 module dg_run_outcome
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
    use dg_column, only: put, quantity_length, quantity_none, quantity_text, row_type
@@ -69,7 +69,7 @@ contains
       end do
    end subroutine note_cases
 
-   !> What a part asked for and is not there: a load case, or a fit of several.
+   !> Note a missing result of a part: of a load case, or of a fit of several.
    pure subroutine note_lost(outcome, part, model, status, message, load_case)
       type(outcome_type), intent(inout) :: outcome
       character(*), intent(in) :: part
@@ -114,7 +114,7 @@ contains
       call put(row, 'not_converged', quantity_none, 'failed: the exit status tells of them', part%not_converged)
    end function part_row
 
-   !> What is not solved, in the columns of the page.
+   !> Row of a missing solution, in the columns of the page.
    pure function lost_row(lost) result(row)
       type(lost_type), intent(in) :: lost
       type(row_type) :: row

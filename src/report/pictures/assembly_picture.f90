@@ -73,7 +73,7 @@ contains
       end associate
    end function assembly_chart
 
-   !> What the bit does.
+   !> Action of the bit, in words.
    pure function bit_text(units, result) result(text)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(in) :: result
@@ -159,7 +159,7 @@ contains
       end do
    end subroutine add_string
 
-   !> What the axis across is called: a vertical hole has no high side.
+   !> Name of the axis across: a vertical hole has no high side.
    pure function side_label(inclination) result(text)
       real(wp), intent(in) :: inclination    !< at the bit [rad]
       character(:), allocatable :: text

@@ -79,7 +79,7 @@ contains
       look = "with filledcurves closed fs solid 0.35 noborder fc rgb '"//colour//"'"
    end function band_look
 
-   !> What stands behind a word of a look, without quotes; '' where the look has not the word.
+   !> Text behind a word of a look, without quotes; '' where the look lacks the word.
    pure function look_part(look, word) result(text)
       character(*), intent(in) :: look, word
       character(:), allocatable :: text

@@ -160,7 +160,7 @@ contains
       real(wp), intent(in) :: angle(:)
       logical, intent(in) :: counts(:)     !< as many
       logical :: lone(size(angle))
-      !> What is near [rad], and the part of all that is few [-].
+      !> Distance of near angles [rad], and largest share of few rows [-].
       real(wp), parameter :: near = 0.5_wp, few = 0.05_wp
       integer :: i, above, below
       lone = .false.

@@ -1,5 +1,5 @@
-!> What the string of one load case carries against depth, by all models: axial force with buckling limits, torque or bending
-!> moment, side force on the length of a joint, and where the string lies.
+!> Loads of the string of one load case against depth, by all models. Panels: axial force with buckling limits, torque or bending
+!> moment, side force on the length of a joint, and the place of the string in the hole.
 module dg_forces_picture
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type

@@ -28,7 +28,7 @@ module dg_gnuplot_script
    integer, parameter :: longest_format = 49
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
-   !> How far a drawn line may be from the curve, of the width of its panel [-]: a third of a pixel.
+   !> Largest distance of a drawn line from the curve, over the width of its panel [-]: a third of a pixel.
    real(wp), parameter :: fineness = 1.5e-3_wp
    !> A curve of more points than this goes to and fro so often that it hides itself: it is drawn as a band of so many parts.
    integer, parameter :: most_points = 500, band_parts = 150
@@ -236,8 +236,8 @@ contains
              '; set bmargin at screen '//to_text(place(3), digits)//'; set tmargin at screen '//to_text(place(4), digits)
    end function margins
 
-   !> What stands at the rows of a panel, as the tics of its axis; longer names are cut so that they fit `room`, a part of
-   !> a picture so many pixels wide.
+   !> Names of the rows of a panel, as the tics of its axis. Longer names are cut so that they fit `room`, a part of a picture with
+   !> the given width in pixels.
    pure function row_tics(names, room, width) result(tics)
       type(text_type), intent(in) :: names(:)
       real(wp), intent(in) :: room

@@ -148,7 +148,7 @@ contains
       end do
    end subroutine find_values
 
-   !> Whether the torque of a case is more than round-off.
+   !> True if the torque of a case is more than round-off.
    elemental function has_torque(load_case) result(has)
       type(load_case_type), intent(in) :: load_case
       logical :: has

@@ -277,7 +277,7 @@ contains
       place = views%place(:, i - 1, view) + share*(views%place(:, i, view) - views%place(:, i - 1, view))
    end function place_at
 
-   !> What a picture of a case is called.
+   !> Title of a picture of a case.
    pure function case_title(units, load_case) result(title)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case

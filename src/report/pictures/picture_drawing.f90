@@ -15,14 +15,14 @@ module dg_picture_drawing
    private
    public :: draw_pictures, complaint_file, usual_patience
 
-   !> How long gnuplot may draw without beginning another picture [s]: it takes 10 ms for one of 1000 rows and two minutes for one
-   !> of four million, on a slow machine twice that.
+   !> Longest time that gnuplot may draw without beginning another picture [s]. It takes 10 ms for one of 1000 rows and two minutes
+   !> for one of four million, on a slow machine twice that.
    real(wp), parameter :: usual_patience = 300.0_wp
    !> Where gnuplot complains; kept only where it failed.
    character(*), parameter :: complaint_file = 'gnuplot.log'
    !> Variables of the environment that change what gnuplot does: its terminal, its start, where it looks for scripts and fonts.
    character(*), parameter :: hidden_variables(2) = [character(4) :: 'GNU', 'FIT_']
-   !> What a whole picture ends in.
+   !> End of a complete picture.
    character(*), parameter :: last_mark = '</svg>'
 
    !> Gnuplots at a time: more gain nothing, and the machine may be others' too.
@@ -156,7 +156,7 @@ contains
       call system_clock(drawing%asked)
    end subroutine start_gnuplot
 
-   !> Whether a gnuplot has begun no other picture for too long.
+   !> True if gnuplot has begun no other picture for too long.
    function is_silent(drawing, folder, names, patience) result(silent)
       type(drawing_type), intent(inout) :: drawing
       character(*), intent(in) :: folder
@@ -254,7 +254,7 @@ contains
       path = picture_path(folder, name)//unfinished_suffix
    end function unfinished_path
 
-   !> Whether a file is a whole picture.
+   !> True if a file is a complete picture.
    function is_whole(path) result(whole)
       character(*), intent(in) :: path
       logical :: whole

@@ -1,4 +1,4 @@
-!> What a picture shows, in words, in the place of the names that gnuplot gives: browsers show titles, screen readers read them.
+!> Titles of pictures, in words, in the place of the names that gnuplot gives: browsers show titles, screen readers read them.
 module dg_picture_title
    use dg_error, only: error_type
    use dg_file_lines, only: read_lines

@@ -1,5 +1,5 @@
-!> What is used of the string's strength against depth, by all models: stress and yield strength, safety factor, bending stress and
-!> its range in a turn, torque against make-up.
+!> Utilisation of the string's strength against depth, by all models. Panels: stress and yield strength, safety factor, bending
+!> stress and its range in a turn, torque against make-up torque.
 module dg_strength_picture
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -111,7 +111,7 @@ contains
       end subroutine add_steps
    end function strength_chart
 
-   !> What the components bear, from the top down, each at its upper and its lower end [m]; `missing` where it is not known.
+   !> Strengths of the components, from the top down, each at its upper and its lower end [m]; `missing` where unknown.
    pure subroutine steps(components, tops, deepest, depths, yields, makeups, torsions)
       type(component_type), intent(in) :: components(:)
       real(wp), intent(in) :: tops(:)        !< from component_tops [m]

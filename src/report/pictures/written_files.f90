@@ -1,5 +1,6 @@
-!> What a run has written into its output folder: kept there in drillgap_files.txt, so that the next run can remove what it does not
-!> write anew, and nothing else. Before that: whether a run would write over what it reads, or through a link.
+!> List of the files that a run has written into its output folder. It is kept there in drillgap_files.txt: the next run removes the
+!> listed files that it does not write anew, and no others. Before that, a check: a run must not write over its input, or through a
+!> link.
 module dg_written_files
    use dg_error, only: error_type, raise, status_bad_input, status_failure
    use dg_file_identity, only: identity_of, identity_of_link, identity_type, is_same_file, link_target
@@ -274,7 +275,7 @@ contains
       call delete_file(path)
    end subroutine remove_result
 
-   !> Whether a file is one that the run reads.
+   !> True if a file is an input of the run.
    function is_input(job, file) result(is)
       type(job_type), intent(in) :: job
       type(identity_type), intent(in) :: file
@@ -310,7 +311,7 @@ contains
       end do
    end subroutine remove_unfinished
 
-   !> Whether a path is a folder and no link to one.
+   !> True if a path is a folder and not a link to one.
    function is_own_folder(path) result(is)
       character(*), intent(in) :: path
       logical :: is

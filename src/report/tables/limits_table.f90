@@ -189,7 +189,7 @@ contains
       end do
    end subroutine find_overpull
 
-   !> What is used of the ratings of premium connections, where they have some.
+   !> Append the utilisation of the ratings of premium connections, where they have some.
    pure subroutine append_ratings(lines, name, utilisation)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: name                 !< of the case

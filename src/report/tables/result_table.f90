@@ -68,7 +68,7 @@ contains
       end do
    end function cost_table
 
-   !> What each case cost and where its gaps ended; '-' where a model has no gaps or does not iterate.
+   !> Append the cost of each case and the final states of its gaps; '-' where a model has no gaps or does not iterate.
    pure subroutine append_costs(lines, units, cases, results)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -117,7 +117,7 @@ contains
       call add_cell(table, 'Seconds', seconds_width, sum(results%seconds), one, 3)
    end subroutine add_sums
 
-   !> What the meshes are like, and which local scales asked for shorter elements than the deck, in all cases together.
+   !> Summary of the meshes, and local scales that asked for shorter elements than the deck, in all cases together.
    pure function mesh_line(results, units) result(line)
       type(case_result_type), intent(in) :: results(:)
       type(unit_system_type), intent(in) :: units

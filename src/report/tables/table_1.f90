@@ -188,7 +188,7 @@ contains
       end select
    end function says
 
-   !> What stands behind a row: the mark, or nothing.
+   !> Text behind a row: the mark, or empty.
    pure function mark_of(layout, marked) result(mark)
       type(layout_type), intent(in) :: layout
       logical, intent(in) :: marked

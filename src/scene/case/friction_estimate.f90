@@ -1,4 +1,4 @@
-!> What is known of the friction of hole sections beyond the deck: found by one study of a run, for others to go on from.
+!> Estimates of the friction of hole sections beyond the deck: found by one study of a run, for use by others.
 module dg_friction_estimate
    use dg_kinds, only: wp
    use dg_contact_friction, only: shift_friction

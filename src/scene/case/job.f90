@@ -1,4 +1,4 @@
-!> What to run and where results go: the part of a deck that is no mechanics.
+!> Models to run and place of results: the part of a deck that is no mechanics.
 module dg_job
    use dg_design_factors, only: design_factors_type
    use dg_missing, only: optional_real

@@ -16,7 +16,7 @@ module dg_model
    public :: model_type, boundary_type, string_index, copy_without_cases
    public :: hold_free, hold_landed, hold_fixed, packer_hold_name
 
-   !> What the lower end may do in a packer: move up and down; up alone; not at all.
+   !> Motion of the lower end in a packer: up and down; up alone; none.
    integer, parameter :: hold_free = 1, hold_landed = 2, hold_fixed = 3
    character(*), parameter :: packer_hold_name(3) = [character(6) :: 'free', 'landed', 'fixed']
 

@@ -1,4 +1,4 @@
-!> What a deck may set of the solution. Ranges stand in dg_deck_keys, all other numbers of the iteration in dg_tuning.
+!> Settings of the solution that a deck may change. Ranges stand in dg_deck_keys, all other numbers of the iteration in dg_tuning.
 module dg_numerics
    use dg_kinds, only: wp
    use dg_key_visitor, only: key_visitor_type
@@ -94,8 +94,8 @@ contains
       call set_fidelity(numerics, fidelity)
    end function settings_of
 
-   !> How many times as long as usual an attempt may be, and stall, so that all of them together make use of max_iterations [-].
-   !> Where that is less than usual attempts are no shorter: fewer of them are made.
+   !> Length of an attempt, and of a stall in it, over the usual [-]: all attempts together make use of max_iterations. Where that
+   !> is less than usual, attempts are no shorter: fewer of them are made.
    pure function patience(numerics) result(times)
       type(numerics_type), intent(in) :: numerics
       type(numerics_type) :: usual

@@ -38,7 +38,7 @@ contains
       call visitor%optional('max_torque', rig%max_torque)
    end subroutine visit_rig
 
-   !> What the weight indicator shows [N]: block and string, as the dead line has them.
+   !> Load of the weight indicator [N]: block and string, as the dead line has them.
    elemental function indicated_load(rig, operation, hookload) result(indicated)
       type(rig_type), intent(in) :: rig
       integer, intent(in) :: operation         !< number (dg_load_case)
@@ -56,7 +56,7 @@ contains
       hookload = indicated/indicator_factor(rig, operation) - rig%block_weight
    end function string_load
 
-   !> What the indicator shows over the load on the lines [-]: 1 while the block stands.
+   !> Indicated load over the load on the lines [-]: 1 while the block stands.
    !>
    !> With the tension of the dead line as 1, the lines at the block have 1, 1/e, 1/e^2, ... when raising; an active dead-line
    !> sheave makes all of them 1/e times that. When lowering e stands in place of 1/e. The block hangs on their sum.

@@ -35,7 +35,7 @@ module dg_tuning
       type(attempt_type) :: attempt(4) = [attempt_type(170, 100.0_wp), attempt_type(150, 1.0_wp, spread=.true.), &
                                           attempt_type(150, 100.0_wp, other_place=.true.), &
                                           attempt_type(100, 100.0_wp, reach=long)]
-      !> How many of them are made, at most 4.
+      !> Number of attempts that are made, at most 4.
       integer :: most_attempts = 4
       !> Iterations of the first attempt at a string that coils. Near lock-up many need 200 to 320. The other attempts did not find
       !> their equilibria.
@@ -47,7 +47,7 @@ module dg_tuning
       !> string that its mesh was made for: shorter elements find its equilibrium.
       type(mesh_try_type) :: mesh(4) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 2), &
                                         mesh_try_type(0.125_wp, 3, 3)]
-      !> How many of them are tried, at most 4.
+      !> Number of meshes that are tried, at most 4.
       integer :: most_meshes = 4
       !> Times that elements are cut where the string stands outside its hole.
       integer :: most_cuts = 3
@@ -91,8 +91,8 @@ module dg_tuning
       real(wp) :: calm = 1.0e-2_wp
       !> From this growth on rho is the wall's own, and gaps stay where they are [-].
       real(wp) :: stiff = 1.0e4_wp
-      !> How far outside the hole a gap's new place may be before there is an equilibrium, over the clearance [-]: farther out the
-      !> element is too long for the iteration, and is cut where it stays so.
+      !> Largest distance of a gap's new place outside the hole before there is an equilibrium, over the clearance [-]. Farther out
+      !> the element is too long for the iteration, and is cut where it stays so.
       real(wp) :: gently = 0.1_wp
       !> Times that gaps may move near an equilibrium to the extremum of their element, or begin to follow it. Four cost more
       !> iterations and gain nothing.
@@ -114,11 +114,11 @@ module dg_tuning
       real(wp) :: along_hole = 0.1_wp
       !> First damping of a string that had none [-].
       real(wp) :: damping_start = 1.0e-3_wp
-      !> What is left of damping after a step that was accepted at first try [-].
+      !> Factor of damping after a step that was accepted at first try [-].
       real(wp) :: after_success = 0.3_wp
       !> The same after a step that was not accepted at first try. Each refusal doubles its own factor (Nielsen 1999) [-].
       real(wp) :: after_refusal = 0.8_wp
-      !> What damping grows by while the tangent is indefinite, and at the first refusal [-].
+      !> Factor of damping while the tangent is indefinite, and at the first refusal [-].
       real(wp) :: until_definite = 2.0_wp
       !> Damping is raised by this factor while a node moves by more than the step limit [-].
       real(wp) :: raise_damping = 4.0_wp

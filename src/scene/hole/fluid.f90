@@ -16,7 +16,7 @@ module dg_fluid
    integer, parameter :: side_inside = 1
    integer, parameter :: side_outside = 2
 
-   !> What separates a fluid inside from the one above it.
+   !> Separation of a fluid inside from the one above it.
    integer, parameter :: collar_none = 1        !< nothing: pressure goes through
    integer, parameter :: collar_closed = 2      !< a closed collar; below it begins at no pressure, as filled at surface
    integer, parameter :: collar_open_below = 3  !< a closed collar; below it has the pressure of the hole at the bit
@@ -46,7 +46,7 @@ contains
       mud%fluids(1)%density = density
    end function standing_mud
 
-   !> Whether a fluid fills a side.
+   !> True if a fluid fills a side.
    elemental function fills(fluid, side) result(yes)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: side

@@ -1,5 +1,5 @@
-!> What a deck may hold: the kinds of groups, keys and values. The tables themselves are in
-!> dg_deck_keys; checking, conversion of units and documentation all read the same tables.
+!> Schema of a deck: the kinds of groups, keys and values. The tables themselves are in dg_deck_keys; checking, conversion of units
+!> and documentation all read the same tables.
 module dg_deck_schema
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
@@ -118,7 +118,8 @@ contains
       if (text /= '' .and. rule%unit /= unit_none) text = text//' '//unit_label(units, rule%unit)
    end function range_text
 
-   !> Whether a number has the range of its key; one that is beyond it by the round-off of a conversion is the end of the range.
+   !> Check that a number is in the range of its key. A number beyond it by the round-off of a conversion becomes the end of the
+   !> range.
    pure subroutine hold_in_range(rule, number, holds)
       type(key_rule_type), intent(in) :: rule
       real(wp), intent(inout) :: number            !< [SI]

@@ -11,7 +11,8 @@ module dg_fluid_check
 
 contains
 
-   !> What moves with the string is inside it, and a float collar is a part of it. The annulus has a pressure at surface.
+   !> Check that a fluid which moves with the string is inside it, and that a float collar belongs to such a fluid. The annulus has
+   !> a pressure at surface.
    subroutine check_fluid(fluid, place, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
@@ -56,8 +57,8 @@ contains
          if (any(left)) hider = 0
       end function hidden_by
 
-      !> Whether a fluid begins deeper than the one listed before it. Of one that begins at a depth and one that moves with the
-      !> string: a moving one comes in deeper; of a moving one before it, at the lowest place of the bit.
+      !> True if a fluid begins deeper than the one listed before it. Between a fixed and a moving fluid: a moving one comes in
+      !> deeper. A fixed one after a moving one is compared at the lowest place of the bit.
       pure function begins_deeper(later, earlier) result(yes)
          type(fluid_type), intent(in) :: later, earlier
          logical :: yes

@@ -52,8 +52,8 @@ contains
       end do
    end subroutine check_open_passage
 
-   !> What is said besides of a component that is too wide for a section above the one where it stands, and no wider than that one:
-   !> it may be a tool that opens. Empty where that is no way out.
+   !> Advice on a component that is too wide for a section above its own but fits its own: it may be a tool that opens. Empty where
+   !> that does not help.
    function opening_advice(component, holes, lowest, units) result(text)
       type(component_type), intent(in) :: component
       type(hole_section_type), intent(in) :: holes(:)     !< from the top down

@@ -257,7 +257,7 @@ contains
       call visit_rig(visited, checker)
    end subroutine check_rig_ranges
 
-   !> Whether a number is 0; false for a NaN.
+   !> True if a number is 0; false for a NaN.
    pure function is_zero(number) result(yes)
       real(wp), intent(in) :: number
       logical :: yes

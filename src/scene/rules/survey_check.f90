@@ -66,14 +66,14 @@ contains
       end do
    end subroutine check_station_order
 
-   !> Whether a survey leaves out the hole next to surface.
+   !> True if a survey leaves out the hole next to surface.
    elemental function begins_below(md) result(below)
       real(wp), intent(in) :: md             !< of the first station [m]
       logical :: below
       below = md > at_surface
    end function begins_below
 
-   !> Whether the hole is vertical at the first station.
+   !> True if the hole is vertical at the first station.
    elemental function begins_vertical(inclination) result(vertical)
       real(wp), intent(in) :: inclination    !< there [rad]
       logical :: vertical

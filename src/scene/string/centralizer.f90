@@ -47,7 +47,7 @@ contains
       opening = max(0.5_wp*(hole - centralizer%od), least_opening)
    end function bow_opening
 
-   !> Whether a place, by its distance above the lower end of its component [m], is at a centralizer.
+   !> True if a place, by its distance above the lower end of its component [m], is at a centralizer.
    pure function at_centralizer(centralizer, distance) result(at)
       type(centralizer_type), intent(in) :: centralizer
       real(wp), intent(in) :: distance

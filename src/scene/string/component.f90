@@ -17,7 +17,7 @@ module dg_component
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
              is_hwdp, is_pipe, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
-   !> How the kind of a stabilizer begins, in either spelling.
+   !> Beginning of the kind of a stabilizer, in either spelling.
    character(*), parameter :: stabilizer = 'stabili'
    !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
    real(wp), parameter :: least_clearance = 0.25e-3_wp
@@ -141,7 +141,7 @@ contains
       if (is_worn(component)) diameter = component%id + component%wall_left*(component%od - component%id)
    end function worn_od
 
-   !> Whether the body has less wall than new pipe.
+   !> True if the body has less wall than new pipe.
    elemental function is_worn(component) result(worn)
       type(component_type), intent(in) :: component
       logical :: worn
@@ -187,14 +187,14 @@ contains
       if (is_open(component, upper_end)) diameter = component%opened_od
    end function contact_diameter
 
-   !> Whether the component is a tool that opens: under-reamer, expandable stabilizer, bicentre bit, packer.
+   !> True if the component is a tool that opens: under-reamer, expandable stabilizer, bicentre bit, packer.
    elemental function opens(component) result(does)
       type(component_type), intent(in) :: component
       logical :: does
       does = component%opened_od > 0.0_wp
    end function opens
 
-   !> Whether a tool is open. It opens as a whole, where no part of it stands above the depth from which on it is open.
+   !> True if a tool is open. It opens as a whole, where no part of it stands above the depth at which it opens.
    elemental function is_open(component, upper_end) result(is)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
@@ -213,7 +213,7 @@ contains
          diameter = max(component%centralizer%od, closed_diameter(component))
    end function centralizer_diameter
 
-   !> Whether the component touches at joints spaced along it, its body between them being thinner.
+   !> True if the component touches at joints spaced along it, with a thinner body between them.
    elemental function has_joints(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
@@ -239,7 +239,7 @@ contains
       if (is_bit(component) .and. .not. half_difference > least_clearance) room = max(room, most_tilt*component%length)
    end function room_of_held_bit
 
-   !> Whether the component is pipe, which may go up to surface: no collar and no tool. What a program leaves open is drill pipe.
+   !> True if the component is pipe, which may go up to surface: no collar and no tool. A component without a kind is drill pipe.
    elemental function is_pipe(component) result(is)
       type(component_type), intent(in) :: component
       logical :: is
@@ -259,7 +259,7 @@ contains
       if (allocated(component%kind)) is = lower_case(component%kind) == 'hwdp'
    end function is_hwdp
 
-   !> Whether the component is a bit, which may be as wide as its hole.
+   !> True if the component is a bit, which may be as wide as its hole.
    elemental function is_bit(component) result(is)
       type(component_type), intent(in) :: component
       logical :: is
@@ -267,8 +267,8 @@ contains
       if (allocated(component%kind)) is = lower_case(component%kind) == 'bit'
    end function is_bit
 
-   !> Whether the component has blades, which touch all along it: a stabilizer at its joint_od, at its od where it has none, or
-   !> another tool that opens, open or closed. A bit has none.
+   !> True if the component has blades, which touch along its whole length. It is a stabilizer at its joint_od, at its od where it
+   !> has none, or another tool that opens, open or closed. A bit has none.
    elemental function has_blades(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
@@ -277,14 +277,14 @@ contains
       if (.not. has) has = opens(component) .and. .not. is_bit(component)
    end function has_blades
 
-   !> Whether the component is bent before anything loads it.
+   !> True if the component is bent before anything loads it.
    elemental function has_bend(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
       has = component%bend > 0.0_wp
    end function has_bend
 
-   !> Whether pads of the component press it across the hole: a push-the-bit tool.
+   !> True if pads of the component press it across the hole: a push-the-bit tool.
    elemental function has_pad(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has

@@ -18,7 +18,7 @@ module dg_connection_rating
 
 contains
 
-   !> Whether a connection has any rating.
+   !> True if a connection has any rating.
    elemental function is_rated(rating) result(rated)
       type(connection_rating_type), intent(in) :: rating
       logical :: rated

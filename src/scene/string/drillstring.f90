@@ -166,7 +166,7 @@ contains
       piece = bottom + [piece(2) - piece_length, piece(2)]
    end function short_piece
 
-   !> Whether a place, by its distance above the lower end of its component [m], is at a tool joint.
+   !> True if a place, by its distance above the lower end of its component [m], is at a tool joint.
    pure function at_joint(component, distance) result(at)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: distance

@@ -1,4 +1,4 @@
-!> How far two paths through the same stations part between them.
+!> Distance between two paths through the same stations, at depths between the stations.
 module dg_path_difference
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between

@@ -16,7 +16,7 @@ module dg_survey
    !> Sine of the inclination under which a hole has no high side [-]. Well above the round-off of a tangent
    !> (1e-16), far below what any survey tool resolves (1e-3).
    real(wp), parameter :: vertical_sine = 1.0e-9_wp
-   !> What a clock angle is short of a full turn by round-off; ten digits show it as one [rad].
+   !> Angles closer than this to a full turn are printed as 0: ten digits show them as one turn [rad].
    real(wp), parameter :: no_angle = 1.0e-9_wp
    !> Excess of an inclination over pi that is only the round-off of a conversion from degrees [rad].
    real(wp), parameter :: angle_round_off = 1.0e-12_wp

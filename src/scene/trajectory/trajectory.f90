@@ -158,9 +158,9 @@ contains
       offset = foot_offset(trajectory%arcs(index), point)
    end subroutine closest_point
 
-   !> How a point lies off the hole axis: across the tangent at the foot of the perpendicular. Beyond its ends the axis
-   !> goes on as the circles (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller
-   !> who keeps the index pays for one arc.
+   !> Offset of a point from the hole axis: across the tangent at the foot of the perpendicular. Beyond its ends the axis goes on as
+   !> the circles (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller who keeps the index
+   !> pays for one arc.
    pure subroutine gap_to_axis(trajectory, index, point, gap, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(inout) :: index           !< arc to start from; on return the one that holds the foot

@@ -84,7 +84,7 @@ contains
       end do
    end subroutine set_elements
 
-   !> How the wall presses on tool joints at a shape.
+   !> Push of the wall on tool joints at a shape.
    pure subroutine press_points(beam, offset, push)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: offset(:, :)                 !< of their nodes (2,points) [m]

@@ -43,7 +43,7 @@ module dg_bending_element
       real(wp) :: load(8) = 0.0_wp       !< of weight and bends, (y_1, y_2, y_1', y_2') at the upper, then the lower node [N, N.m]
    end type beam_element_type
 
-   !> How the wall presses at a node, or on the half of an element that belongs to a place.
+   !> Push of the wall at a node, or on the half of an element that belongs to a place.
    type :: wall_push_type
       real(wp) :: force = 0.0_wp         !< R; 0 where nothing touches, and the others are then not set [N]
       real(wp) :: stiffness = 0.0_wp     !< derivative of R by the distance from the hole axis [N/m]
@@ -186,7 +186,7 @@ contains
       other(2) = vector(1)
    end function turned
 
-   !> How the wall presses, by the law of dg_gap_state.
+   !> Push of the wall, by the law of dg_gap_state.
    pure subroutine push_at(law, moved, length, offset, push)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: moved       !< how far inwards the wall stands [m]
@@ -205,7 +205,7 @@ contains
       push%n = offset/distance
    end subroutine push_at
 
-   !> What a wall that presses does: R (n + m t x n) on the offset, r a R n on the slope.
+   !> Force and couple of a wall that presses: R (n + m t x n) on the offset, r a R n on the slope.
    pure subroutine find_action(push, lever, around, force, couple)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]

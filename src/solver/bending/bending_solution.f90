@@ -128,8 +128,8 @@ contains
       end do
    end subroutine find_residual
 
-   !> What the tolerance of the residual, or the round-off of the weight, leaves of moments [N.m]: smaller ones are none. A string
-   !> that rests on a straight wall, or hangs in a vertical hole, has none, and to be small or large against round-off says nothing.
+   !> Least moment that exceeds the tolerance of the residual, and the round-off of the weight [N.m]. Smaller moments count as zero.
+   !> A string on a straight wall, or hanging in a vertical hole, has zero moments: no error relative to round-off is meaningful.
    pure function least_moment(beam) result(moment)
       type(bending_beam_type), intent(in) :: beam      !< with its elements set
       real(wp) :: moment
@@ -152,7 +152,8 @@ contains
       load = max(load, maxval(abs(above)))
    end function largest_load
 
-   !> Whether a step changed moments at the ends of the elements by less than a part of the largest one there after it.
+   !> True if a step changed moments at the ends of the elements by less than a part of the largest one. The largest is that after
+   !> the step.
    pure function is_small(beam, y, step, part, least) result(small)
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step

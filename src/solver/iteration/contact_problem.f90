@@ -97,7 +97,7 @@ contains
       stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
    end function in_series
 
-   !> Whether the energy's tangent with the closed gaps' stiffness and so much damping is positive definite.
+   !> Test if the energy's tangent with the closed gaps' stiffness and the given damping is positive definite.
    pure subroutine is_definite(energy, lump, problem, damping, definite)
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)              !< what a unit of damping adds to the diagonal

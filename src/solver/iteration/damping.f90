@@ -21,9 +21,9 @@ module dg_damping
 
 contains
 
-   !> What a unit of damping adds to the diagonal: for lateral unknowns F^2/(4 EI) of the place times the node's length, for
-   !> slopes a part of that length's cube, as the consistent matrix of a line load has it, so that no pattern of slopes escapes.
-   !> Every place has at least a part of a soft wall's stiffness, and nodes are held along the hole as well.
+   !> Diagonal terms of a unit of damping. For lateral unknowns F^2/(4 EI) of the place times the node's length, for slopes a part
+   !> of that length's cube, as the consistent matrix of a line load has it, so that no pattern of slopes escapes. Every place has
+   !> at least a part of a soft wall's stiffness, and nodes are held along the hole as well.
    pure subroutine weigh_string(tuning, mesh, work, soft, lump)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh

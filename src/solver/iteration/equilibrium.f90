@@ -1,6 +1,6 @@
 !> Newton-Raphson iteration to equilibrium with contact forces as unknowns of their own (Eq. 12 with Eqs. 7 and 8).
 !>
-!> What makes contact hard for an iteration is that a stiff wall turns micrometres into kilonewtons. Here a contact force R does
+!> A stiff wall makes contact hard for an iteration: it turns micrometres into kilonewtons. Here a contact force R does
 !> not follow from the depth |f|: both are unknowns, and meet at equilibrium. A gap is closed where R + rho (|f| - depth(R)) > 0,
 !> with rho a stiffness that softens the wall on the way (dg_contact_problem). Residual, tangent and the test of a step go by R,
 !> which changes smoothly.
@@ -229,7 +229,7 @@ contains
       end if
    end function ending
 
-   !> Whether gaps may move once more, or are looked at for the last time: after more_moves rounds, at equilibrium.
+   !> True if gaps may move once more, or are examined for the last time: after more_moves rounds, at equilibrium.
    pure function may_move(it, equations, there) result(may)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
@@ -262,7 +262,8 @@ contains
       call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
    end subroutine take_back
 
-   !> Whether an equilibrium is so near: by the residual and the forces of gaps that opened or closed, walls at their own stiffness.
+   !> True if an equilibrium is within `part` of the force scale. The residual and the forces of gaps that opened or closed count,
+   !> with walls at their own stiffness.
    pure function is_within(it, equations, part) result(is)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations

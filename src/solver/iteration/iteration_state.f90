@@ -23,7 +23,7 @@ module dg_iteration_state
    public :: equilibrium_type, new_equilibrium, make_room_to_damp, measure, margin_of, energy_slope, place_and_survey, go_back
    public :: judge_gaps, move_gaps, rigid, stiffen_walls
 
-   !> What rho grows by where it is the wall's own [-].
+   !> Growth of rho at which it is the wall's own [-].
    real(wp), parameter :: rigid = 1.0e30_wp
    !> Damping that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
    !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum

@@ -1,4 +1,4 @@
-!> How a step of the iteration to equilibrium (dg_equilibrium) is shortened and taken.
+!> Shortening and taking of a step of the iteration to equilibrium (dg_equilibrium).
 module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
@@ -171,7 +171,7 @@ contains
       end do
    end subroutine find_lengths
 
-   !> What a step of a node's unknowns moves it by and, to first order, its director: (6), in space axes.
+   !> Motion of a node by a step of its unknowns and, to first order, that of its director: (6), in space axes.
    pure subroutine move_in_space(frame, d, state, step, moved)
       real(wp), intent(in) :: frame(3, 3), d(3), state(6), step(6)
       real(wp), intent(out) :: moved(6)

@@ -1,4 +1,4 @@
-!> How a run of the iteration to equilibrium ended.
+!> Outcome of a run of the iteration to equilibrium.
 module dg_outcome
    implicit none
    private

@@ -58,9 +58,9 @@ contains
       beam = firmer
    end subroutine settle_firmly
 
-   !> Whether the beam is at the string of the analysis: at the nodes of the mesh where that is compressed. In tension a string has
-   !> one equilibrium, unless friction or a large torque make another. Next to a free end in a vertical hole nothing says on which
-   !> side the string lies: there the beam may lie anywhere with the same moment.
+   !> True if the beam is at the string of the analysis: at the nodes of the mesh where the string is compressed. In tension a
+   !> string has one equilibrium, unless friction or a large torque make another. Next to a free end in a vertical hole nothing says
+   !> on which side the string lies: there the beam may lie anywhere with the same moment.
    pure function is_near(mesh, lying, nodes, y, moments) result(is)
       type(mesh_type), intent(in) :: mesh
       type(lying_type), intent(in) :: lying

@@ -32,7 +32,7 @@ module dg_bending_layout
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
    !> Clearance of an element whose contact is that of a point alone [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
-   !> How far from a free end more stiffness holds a compressed string, over sqrt(EI/P) [-].
+   !> Distance from a free end at which more stiffness holds a compressed string, over sqrt(EI/P) [-].
    real(wp), parameter :: end_reach = 8.0_wp
    !> Least force [N] and least load [N/m] by which a bending length goes.
    real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
@@ -168,7 +168,7 @@ contains
       end associate
    end subroutine find_breaks
 
-   !> Whether clearance changes, as at a blade's end, or a bend begins or ends at a node next to the bit.
+   !> True if clearance changes, as at a blade's end, or a bend begins or ends at a node next to the bit.
    pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
@@ -180,7 +180,7 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> Whether the contact of an element is that of one tool joint, at one place between its ends.
+   !> True if the contact of an element is that of one tool joint, at one place between its ends.
    pure function is_point(mesh, gaps, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -189,7 +189,7 @@ contains
       is = mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
    end function is_point
 
-   !> Whether the contact of an element stands by itself between its ends, at the extremum that its gap follows.
+   !> True if the contact of an element stands by itself between its ends, at the extremum that its gap follows.
    elemental function stands_alone(mesh, gaps, e) result(does)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -198,7 +198,7 @@ contains
       does = gaps%followed(e) .and. gaps%state(e) /= state_free .and. is_between(mesh, gaps, e)
    end function stands_alone
 
-   !> Whether a gap is not next to an end of its element.
+   !> True if a gap is not next to an end of its element.
    pure function is_between(mesh, gaps, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -207,7 +207,7 @@ contains
       is = gaps%xi(e)*mesh%length(e) > sliver .and. (1.0_wp - gaps%xi(e))*mesh%length(e) > sliver
    end function is_between
 
-   !> Whether two positive numbers differ by a change that counts.
+   !> True if two positive numbers differ by a significant change.
    pure function differ(a, b) result(yes)
       real(wp), intent(in) :: a, b
       logical :: yes

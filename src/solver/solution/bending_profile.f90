@@ -113,8 +113,8 @@ contains
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile
 
-   !> What the bit presses with across the hole, where it is held there, and where it points: those of the beam. In the last of the
-   !> analysis' elements the place of contact is known only as far as there are gaps.
+   !> Side force of the bit where it is held, and tilt of the bit: those of the beam. In the last of the analysis' elements the
+   !> place of contact is known only as far as there are gaps.
    pure subroutine take_bit(trajectory, mesh, beam, bent, result)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh

@@ -143,8 +143,8 @@ contains
       end do
    end function side_forces
 
-   !> What part of the contact of its element of the analysis a node of the beam has above it [-]: friction has made that part of
-   !> its torque and axial force there. Of an element without contact it is the part of its length.
+   !> Part of the contact of its element of the analysis above a node of the beam [-]. Friction has made that part of its torque and
+   !> axial force there. Of an element without contact it is the part of its length.
    pure function contact_above(mesh, beam, bent) result(above)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -265,7 +265,7 @@ contains
       unlike%share = most/max(unlike%by_analysis, least_contact)
    end subroutine compare_contact
 
-   !> Whether two lengths are the same but for round-off.
+   !> True if two lengths are the same but for round-off.
    pure function is_same(a, b) result(same)
       real(wp), intent(in) :: a, b
       logical :: same

@@ -129,7 +129,7 @@ contains
       stretches%spread(n) = is_spread
    end subroutine add
 
-   !> What touches at each element of the analysis: contact_centralizer, contact_joint where tool joints stand one by one,
+   !> Kind of contact at each element of the analysis: contact_centralizer, contact_joint where tool joints stand one by one,
    !> contact_blades, else 0.
    pure function kinds_of(model, case_index, mesh) result(kind)
       type(model_type), intent(in) :: model

@@ -187,7 +187,7 @@ contains
       finer = subdivided(depths, longest)
    end function halved_pieces
 
-   !> Whether the diameter that touches changes at a node, as at a blade's end, or the string is bent on one side of it alone. Tool
+   !> True if the contact diameter changes at a node, as at a blade's end, or the string is bent on one side of it alone. Tool
    !> joints and centralizers that touch one by one have their contact in the middle of their element.
    pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh

@@ -1,4 +1,4 @@
-!> What is said of a case in which no equilibrium was found: where the string is in trouble, and what was tried.
+!> Message on a case that did not converge: the place of the largest error, and the attempts.
 module dg_no_equilibrium
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_not_converged

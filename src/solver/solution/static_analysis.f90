@@ -52,7 +52,7 @@ module dg_static_analysis
 
    !> Part of the helical load from which a string may buckle: the margin of stability is told [-].
    real(wp), parameter :: buckling_share = 0.4_wp
-   !> How far outside the hole a node may lie, over the clearance [-]: rock yields and elements sag by a tenth or two.
+   !> Largest distance of a node outside the hole, over the clearance [-]: rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
    !> Axial strain of the soft string, and its contact force over its weight, beyond which friction counts as holding the string
    !> [-]: steel yields at a tenth of the strain, and forces that contact makes grow by factors from bend to bend.
@@ -162,7 +162,7 @@ contains
       call warn_of_range(model%units, other, i == 2, result)
    end subroutine find_range
 
-   !> Whether a mesh has had the work that it may have, but for its last iteration.
+   !> True if a mesh has used its allowed work, but for its last iteration.
    pure function work_is_done(numerics, result) result(done)
       type(numerics_type), intent(in) :: numerics
       type(case_result_type), intent(in) :: result

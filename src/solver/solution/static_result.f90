@@ -29,14 +29,14 @@ module dg_static_result
    public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, warn_of_range, &
              warn_of_slope, warn_of_contact
 
-   !> What it touches when gaps do not stand where they were asked to. The figure: GP1's side forces with gaps at x0 and at nodes
-   !> of 5 m elements lie by up to 12 % off those of 0.5 m.
+   !> Results affected when gaps are not at the place asked for. The figure: GP1's side forces with gaps at x0 and at nodes of 5 m
+   !> elements lie by up to 12 % off those of 0.5 m.
    character(*), parameter :: touched = 'allow 10 % on side force and tilt of the bit, and on bending moments between contacts'
    !> Length of the elements that are advised over that of the longest [-], and the shortest that are [m].
    real(wp), parameter :: advised = 0.1_wp, shortest_advised = 0.5_wp
    !> Forces out of balance over the weight from which on a result is none [-]. Sound results have 1e-12 to 1e-6, at any wall.
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
-   !> What walls may pull with in all, over the weight [-]: the usual r_n0 in 10 000 gaps.
+   !> Largest total pull of walls over the weight [-]: the usual r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
    !> Largest force out of balance over the weight of a string in equilibrium, stable or not [-].
    real(wp), parameter :: in_balance = 1.0e-8_wp
@@ -242,8 +242,8 @@ contains
       end associate
    end subroutine warn_of_contact
 
-   !> What a result tells of how it was found. Shorter elements are advised but for helically buckled strings, which most often keep
-   !> such contact points on them.
+   !> Add remarks on the course of the solution. Shorter elements are advised but for helically buckled strings, which most often
+   !> keep such contact points on them.
    subroutine add_remarks(units, mesh, asked, numerics, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
@@ -309,9 +309,9 @@ contains
       end if
    end subroutine result_of_lock_up
 
-   !> How far the worst node lies outside the hole, over the clearance [-], and which. A string between two gaps is not seen by the
-   !> wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no result. Where a
-   !> gap beside the node presses the wall in, the hole is as wide as that: a wall that gives way is no other hole.
+   !> Largest distance of a node outside the hole, over the clearance [-], and the node. A string between two gaps is not seen by
+   !> the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no result. Where
+   !> a gap beside the node presses the wall in, the hole is as wide as that: a wall that gives way is no other hole.
    pure subroutine look_outside(model, mesh, work, worst, place)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

@@ -17,9 +17,9 @@ module dg_buckled_start
    private
    public :: lay_buckled
 
-   !> What a place of the string does.
+   !> State of a place of the string.
    integer, parameter :: stretched = 0, on_low_side = 1, sinusoidal = 2, helical = 3
-   !> What ends a sinusoid: nothing, its load fades; an end in the middle of the hole; a stiffer part that lies still; a coil.
+   !> End of a sinusoid: none, its load fades; an end in the middle of the hole; a stiffer part that does not buckle; a helix.
    integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
    !> Distance of the first zero of the sine from the end of the buckled part [half waves], and extra phase of its envelope there
    !> [rad]. For an end in the middle of the hole they follow from linear theory at the load of onset: the sinusoidal shape
@@ -39,7 +39,7 @@ module dg_buckled_start
    !> Change of bending stiffness that ends a sinusoid [-].
    real(wp), parameter :: much_stiffer = 1.5_wp
 
-   !> What ends a zone.
+   !> End of a zone.
    type :: end_type
       integer :: kind = fades
       real(wp) :: zero = 0.0_wp   !< way of a sinusoid's first zero from there [half waves]
@@ -115,7 +115,7 @@ contains
       end do
    end subroutine mirror
 
-   !> What the string does at each node, and the wave number of that [rad/m].
+   !> State of the string at each node, and its wave number [rad/m].
    pure subroutine classify_nodes(mesh, axial, load, regime, rate)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)
@@ -204,7 +204,7 @@ contains
       if (mesh%ei(above) < mesh%ei(e)) e = above
    end function weaker
 
-   !> How far off the axis a node lies [m], and how that changes along the hole [-]; of one that lies on the axis, the clearance.
+   !> Distance of a node from the axis [m], and its change along the hole [-]; for a node on the axis, the clearance.
    pure subroutine radius_of(clearance, offset, slope, radius, growth)
       real(wp), intent(in) :: clearance
       real(wp), intent(in) :: offset(2), slope(2)
@@ -218,7 +218,7 @@ contains
       end if
    end subroutine radius_of
 
-   !> What ends the zone at one of its nodes: beyond its lower end where `side` is 1, beyond its upper end where it is -1.
+   !> End of the zone at one of its nodes: beyond its lower end where `side` is 1, beyond its upper end where it is -1.
    pure function what_ends(mesh, regime, node, side, centred) result(ends)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: regime(:)

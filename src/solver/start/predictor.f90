@@ -27,7 +27,7 @@ module dg_predictor
    private
    public :: predict, start_type
 
-   !> What a start is asked for.
+   !> Settings of a start.
    type :: start_type
       real(wp) :: scale = 1.0_wp       !< of friction and bit loads [-]
       real(wp) :: softness = 1.0_wp    !< stiffness of the walls that it is laid against over their own [-]
@@ -128,8 +128,8 @@ contains
       end do
    end subroutine predict
 
-   !> Whether a compressed string coils to the left: against its torque or, without one, as the side that it lies on turns along the
-   !> hole. A hole that is seen in a mirror then has the mirror image of the coils. In a plane both are alike.
+   !> True if a compressed string buckles into a left-handed helix. The helix is against its torque or, without torque, as the side
+   !> that the string lies on turns along the hole. A mirrored hole then has the mirrored helix. In a plane both are alike.
    pure function coils_left(axial, torque, offset) result(left)
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
       real(wp), intent(in) :: offset(:, :)          !< where it lies (2,nodes) [m]
@@ -155,7 +155,7 @@ contains
       slope(2, :) = -slope(2, :)
    end subroutine mirror
 
-   !> Whether a node of the line y(4,nodes) lies farther off the axis than so many times its clearance.
+   !> True if a node of the line y(4,nodes) is farther off the axis than `times` its clearance.
    pure function lies_outside(times, mesh, y) result(outside)
       real(wp), intent(in) :: times
       type(mesh_type), intent(in) :: mesh

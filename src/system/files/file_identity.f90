@@ -67,7 +67,7 @@ contains
       identity = asked(from_here, c_text(trim(path)), 0_c_int)
    end function identity_of
 
-   !> What stands under a path itself: a link where it is one.
+   !> Identity of a path itself: of the link where it is one.
    function identity_of_link(path) result(identity)
       character(*), intent(in) :: path
       type(identity_type) :: identity
@@ -111,7 +111,7 @@ contains
       end do
    end function link_target
 
-   !> Whether both are there and one file.
+   !> True if both exist and are one file.
    elemental function is_same_file(one, other) result(is)
       type(identity_type), intent(in) :: one, other
       logical :: is

@@ -183,7 +183,7 @@ contains
       call move_alloc(other, lines)
    end subroutine resize
 
-   !> What the processor says of a failure, without the path that it repeats.
+   !> Reason of a failure by the processor's message, without the path that it repeats.
    pure function reason(message) result(text)
       character(*), intent(in) :: message
       character(:), allocatable :: text

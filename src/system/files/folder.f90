@@ -101,14 +101,14 @@ contains
       end if
    end subroutine make_folder
 
-   !> Whether a path is a folder: only a folder holds the entry '.'.
+   !> True if a path is a folder: only a folder holds the entry '.'.
    function is_folder(path) result(is)
       character(*), intent(in) :: path
       logical :: is
       is = c_access(c_text(path//'/.'), is_there) == 0
    end function is_folder
 
-   !> Whether a path is a file that may be run.
+   !> True if a path is a file that may be run.
    function is_executable(path) result(is)
       character(*), intent(in) :: path
       logical :: is

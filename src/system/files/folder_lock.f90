@@ -27,7 +27,7 @@ module dg_folder_lock
 
    !> F_TLOCK of unistd.h (locks or says that somebody else has), SEEK_SET of stdio.h.
    integer(c_int), parameter :: try_lock = 2_c_int, from_start = 0_c_int
-   !> What lockf says where another process holds the lock (EACCES, EAGAIN of Linux).
+   !> Errors of lockf where another process holds the lock (EACCES, EAGAIN of Linux).
    integer(c_int), parameter :: held_by_other(2) = [13_c_int, 11_c_int]
    !> All bytes of a file, however long it gets.
    integer(c_long), parameter :: whole_file = 0_c_long
@@ -236,7 +236,7 @@ contains
       end do
    end function holders
 
-   !> Whether a line is that of a process of this machine that has ended.
+   !> True if a line is that of a process of this machine that has ended.
    function is_gone(line) result(gone)
       character(*), intent(in) :: line
       logical :: gone

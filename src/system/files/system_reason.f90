@@ -63,7 +63,7 @@ contains
       if (closed /= 0 .and. text == '') text = system_reason()
    end function reason_of_failed_write
 
-   !> What a number of errno.h means, in the system's words.
+   !> Meaning of a number of errno.h, in the system's words.
    function words_of(number) result(text)
       integer(c_int), intent(in) :: number
       character(:), allocatable :: text

@@ -13,7 +13,7 @@ module dg_xml
    private
    public :: read_tree
 
-   !> What the functions that expat calls work on.
+   !> Data of the functions that expat calls.
    type :: context_type
       type(xml_tree_type), pointer :: tree => null()
       type(c_ptr) :: parser = c_null_ptr

@@ -13,7 +13,7 @@ module dg_xml_tree
       integer :: line = 0
    end type xml_element_type
 
-   !> What is in an element follows it.
+   !> Elements of a document, each before its content.
    type :: xml_tree_type
       type(xml_element_type), allocatable :: elements(:)
       integer :: n = 0

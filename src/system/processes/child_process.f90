@@ -36,9 +36,9 @@ module dg_child_process
       integer(c_long) :: seconds, nanoseconds
    end type timespec_type
 
-   !> How often a child is looked at [ns]: far less than the start of any program takes.
+   !> Interval between looks at a child [ns]: far less than the start of any program takes.
    integer(c_long), parameter :: pause = 2000000_c_long
-   !> How long a program may take to end when asked to, before it is ended [s].
+   !> Longest time for a program to end when asked to, before it is ended [s].
    real(wp), parameter :: grace = 1.0_wp
    !> Where programs are looked for when PATH is not set.
    character(*), parameter :: usual_path = '/usr/local/bin:/usr/bin:/bin'
@@ -208,7 +208,7 @@ contains
       end do
    end subroutine visible_environment
 
-   !> Whether a text of C begins with `beginning`.
+   !> True if a text of C begins with `beginning`.
    function begins_with(text, beginning) result(does)
       type(c_ptr), intent(in) :: text
       character(*), intent(in) :: beginning

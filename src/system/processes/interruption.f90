@@ -1,6 +1,5 @@
-!> Whether somebody has asked the program to end: SIGINT (Ctrl-C), SIGTERM (a scheduler), SIGHUP (the terminal has gone).
-!> Long work asks now and then and ends in good order, with whole files for what is done. A second signal of the same kind
-!> ends the program at once.
+!> Requests to end the program: SIGINT (Ctrl-C), SIGTERM (a scheduler), SIGHUP (the terminal has gone). Long work asks now and then
+!> and ends in good order, with whole files for what is done. A second signal of the same kind ends the program at once.
 module dg_interruption
    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_null_funptr
    use dg_stopping, only: stop_type
@@ -41,7 +40,7 @@ contains
       before = set_handler(number, c_null_funptr)
    end subroutine note_signal
 
-   !> Whether a signal has come. Costs a look at one variable.
+   !> True if a signal has come. Costs a look at one variable.
    function is_interrupted() result(is)
       logical :: is
       is = arrived /= 0_c_int

@@ -1,4 +1,4 @@
-!> What happens when a signal arrives: C's `signal`, the one place where it is bound.
+!> Response to a signal: C's `signal`, the one place where it is bound.
 module dg_signal_handler
    use, intrinsic :: iso_c_binding, only: c_funptr, c_int, c_intptr_t
    implicit none

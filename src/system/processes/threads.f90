@@ -1,4 +1,4 @@
-!> How many threads work on what is independent.
+!> Number of threads for independent work.
 module dg_threads
    !$ use omp_lib, only: omp_get_max_threads
    implicit none

@@ -1,4 +1,4 @@
-!> What the program says on standard error.
+!> Messages of the program on standard error.
 module dg_diagnostic
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_printable, only: printable

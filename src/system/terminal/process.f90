@@ -1,4 +1,4 @@
-!> What a program asks of its operating system: how to end, and whether anybody watches.
+!> Requests to the operating system: end of the program, and terminals at its output.
 !>
 !> It ends by _exit: libraries are not asked to tidy up. OpenBLAS would wait for its threads, and one that found no memory for its
 !> work space when it began never ends.
@@ -19,7 +19,7 @@ module dg_process
    !> Descriptors (POSIX).
    integer(c_int), parameter :: standard_output = 1_c_int, standard_error = 2_c_int
 
-   !> What is told where a library ended the program. The run-time library has said before what it could not allocate.
+   !> Message where a library ended the program. The run-time library has said before what it could not allocate.
    character(*), parameter :: last_word = program_name//': a library has ended the program. If memory or threads are what it '// &
       'lacked: allow more (ulimit -v), use --threads 1, or give a larger element_length or fewer points and samples'//new_line('a')
 
@@ -99,13 +99,13 @@ contains
       call c_exit_now(int(status, c_int))
    end subroutine end_process
 
-   !> Whether standard error is a terminal: only then is progress shown.
+   !> True if standard error is a terminal: only then is progress shown.
    function someone_watches() result(watches)
       logical :: watches
       watches = c_isatty(standard_error) == 1_c_int
    end function someone_watches
 
-   !> Whether standard output is a terminal.
+   !> True if standard output is a terminal.
    function someone_reads() result(reads)
       logical :: reads
       reads = c_isatty(standard_output) == 1_c_int

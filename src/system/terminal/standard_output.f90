@@ -15,10 +15,10 @@ module dg_standard_output
    character(*), parameter :: nowhere = '/dev/null'
    !> Writing to a pipe that nobody reads (POSIX).
    integer(c_int), parameter :: broken_pipe = 13_c_int
-   !> What poll tells of a pipe without a reader (POSIX, number of Linux).
+   !> Event of poll for a pipe without a reader (POSIX, number of Linux).
    integer(c_short), parameter :: no_reader = 8_c_short
 
-   !> What poll is asked of a descriptor, and what it tells.
+   !> Descriptor for poll, with events asked for and events found.
    type, bind(c) :: polled_type
       integer(c_int) :: descriptor = 1_c_int
       integer(c_short) :: asked = 0_c_short, told = 0_c_short
