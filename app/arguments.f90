@@ -156,7 +156,7 @@ contains
       end subroutine read_threads
    end subroutine read_arguments
 
-   !> What all options together must have, and what excludes each other.
+   !> Check the options together: required ones, and those that exclude each other.
    subroutine check_words(arguments, error)
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(inout) :: error
@@ -221,7 +221,7 @@ contains
       if (length > 0) call get_command_argument(number, value=word)
    end function argument
 
-   !> How the program is called.
+   !> Usage of the program.
    subroutine usage_lines(lines)
       type(text_type), allocatable, intent(out) :: lines(:)
       call append_text(lines, 'usage: '//program_name//' DECK.nml [options]')

@@ -115,7 +115,7 @@ contains
       call run_deck(job, model, studies, arguments%chosen, status)
    end subroutine work
 
-   !> What a deck asks for, of a run that only checks it.
+   !> Print the summary of a deck, for a run that only checks it.
    subroutine print_echo(job, model, studies, notes)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -133,7 +133,7 @@ contains
       call print_lines(lines)
    end subroutine print_echo
 
-   !> What is legal in the deck but hardly meant. Load cases have a block of warnings for it.
+   !> Print notes on legal but unlikely input. Load cases have a block of warnings for it.
    subroutine print_notes(notes)
       type(text_type), intent(in) :: notes(:)
       integer :: i

@@ -47,7 +47,7 @@ module dg_run_cases
    private
    public :: run_cases
 
-   !> What prevented a result, if anything did.
+   !> Error that prevented a result, if any.
    type :: failure_type
       type(error_type), allocatable :: error
    end type failure_type

@@ -80,7 +80,8 @@ contains
       call release_folder(lock)
    end subroutine run_alone
 
-   !> What the path has that the deck's stations have not: every number below goes by it, so even --quiet prints it.
+   !> Print the features of the path that the deck's stations lack. Every number below depends on the path, so even --quiet prints
+   !> them.
    subroutine print_path(model)
       type(model_type), intent(in) :: model
       integer :: i

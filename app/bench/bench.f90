@@ -78,7 +78,7 @@ program bench
 
 contains
 
-   !> What solutions cost.
+   !> Print the cost of solutions.
    subroutine print_costs()
       type(model_type) :: model
       type(job_type) :: job

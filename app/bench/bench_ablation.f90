@@ -1,4 +1,4 @@
-!> What each number of dg_tuning is worth: wells solved with it and without it.
+!> Worth of each number of dg_tuning: wells solved with it and without it.
 module dg_bench_ablation
    use, intrinsic :: iso_fortran_env, only: output_unit
    use dg_case_result, only: case_result_type, result_converged
@@ -28,7 +28,7 @@ module dg_bench_ablation
       character(8) :: value = '', other = ''
    end type change_type
 
-   !> How the cases of all decks end.
+   !> Outcome of the cases of all decks.
    type :: outcome_type
       logical, allocatable :: converged(:)           !< (case)
       real(wp), allocatable :: totals(:, :)          !< hook load and torque (2,case) [N, N.m]

@@ -1,4 +1,5 @@
-!> What moments along the string cost: whole cases with and without them, and beside elements of 1 m, which bear them by themselves.
+!> Cost of moments along the string: whole cases with and without them. Compared with elements of 1 m, which need no second solution
+!> for moments.
 module dg_bench_moments
    use, intrinsic :: iso_fortran_env, only: output_unit
    use dg_bench_tools, only: median, now

@@ -1,4 +1,4 @@
-!> What the program takes beside its solutions: reading, limits, files, pictures, page.
+!> Time of the program beside its solutions: reading, limits, files, pictures, page.
 module dg_bench_program
    use, intrinsic :: iso_fortran_env, only: int64, output_unit
    use dg_bench_runs, only: column_of, folder, out, program_beside, since, time_run

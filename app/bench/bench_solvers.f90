@@ -18,7 +18,7 @@ module dg_bench_solvers
    real(wp), parameter :: microseconds = 1.0e6_wp
    !> Elements that a measurement goes through at least, smaller meshes several times.
    integer, parameter :: least_elements = 20000
-   !> What is compared; both of the last two are the deck's 'sparse', each where it is good.
+   !> Solvers that are compared; both of the last two are the deck's 'sparse', each where it is good.
    integer, parameter :: by_block = 1, by_band = 2, by_klu = 3, by_ldl = 4
    character(*), parameter :: names(4) = [character(6) :: 'block', 'banded', 'klu', 'ldl']
 

@@ -38,7 +38,7 @@ contains
       name = field_of('/proc/cpuinfo', 'model name')
    end function machine_name
 
-   !> What stands behind the colon of the first line that begins with `key`.
+   !> Text behind the colon of the first line that begins with `key`.
    function field_of(path, key) result(text)
       character(*), intent(in) :: path, key
       character(:), allocatable :: text

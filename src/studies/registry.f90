@@ -98,7 +98,7 @@ contains
       end do
    end subroutine append_new
 
-   !> What studies tell of a deck: those that run with the load cases at last.
+   !> Summaries of a deck by studies: those that run with the load cases at last.
    subroutine echo_studies(studies, job, before, after)
       type(studies_type), intent(in) :: studies
       type(job_type), intent(in) :: job
@@ -139,7 +139,7 @@ contains
       end do
    end subroutine run_phase
 
-   !> Whether any has numbered points, of which parts can be solved.
+   !> True if any study has numbered points, of which parts can be solved.
    function have_points(studies) result(have)
       type(studies_type), intent(in) :: studies
       logical :: have

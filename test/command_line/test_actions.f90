@@ -1,4 +1,4 @@
-!> What the program does beside solving: a deck to start from, the catalogue, and decks that take pipe from it.
+!> Actions of the program beside solving: a deck to start from, the catalogue, and decks that take pipe from it.
 module dg_test_actions
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type

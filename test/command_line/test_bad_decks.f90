@@ -56,7 +56,7 @@ contains
       call assertEqual(0, index(run%diagnostics, 'Fortran runtime'), message='no run-time message: '//expected)
    end subroutine refuse_text
 
-   !> Whether one line of the diagnostics starts with file and line and holds `expected`.
+   !> True if one line of the diagnostics starts with file and line and holds `expected`.
    pure function has_message(diagnostics, line, expected) result(has)
       character(*), intent(in) :: diagnostics
       integer, intent(in) :: line
@@ -259,7 +259,7 @@ contains
       call refuse("'sliding'", "'backream', rpm = 60", 18, 'operation backream needs trip_speed > 0')
    end subroutine test_load_cases
 
-   !> What pads, casing wear and fatigue need.
+   !> Check the requirements of pads, casing wear and fatigue.
    subroutine test_wear()
       call refuse("od = 171.45", "od = 171.45, pad_force = 15", 12, 'pad_force needs pad_position')
       call refuse("od = 171.45", "od = 171.45, pad_force = 15, pad_position = 120", 12, &

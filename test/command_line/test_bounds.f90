@@ -113,7 +113,7 @@ contains
       end do
    end function measured_cases
 
-   !> How often a word stands in a text.
+   !> Number of times that a word stands in a text.
    function times(text, word) result(number)
       character(*), intent(in) :: text, word
       integer :: number

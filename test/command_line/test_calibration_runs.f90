@@ -297,7 +297,7 @@ contains
       call assertEqual('', field(lines(2)%text, 8), message=lines(2)%text)
    end subroutine test_no_fit
 
-   !> What the data of the straight deck (group in line 10) cannot answer.
+   !> Refuse questions that the data of the straight deck (group in line 10) cannot answer.
    subroutine test_bad_groups()
       call refuse("separate = 'holes', 'operations'", 'fewer data than unknowns: 3 measured values tell of them, for 4')
       call refuse("cases = 'b'", 'fewer data than unknowns: 1 measured values')

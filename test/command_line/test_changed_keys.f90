@@ -14,7 +14,7 @@ module dg_test_changed_keys
    character(*), parameter :: newline = achar(10)
    character(*), parameter :: record = results_path//'/sweep_b.part_1_of_2'
    character(*), parameter :: again = deck_path//' --output '//results_path//' --part 1/2'
-   !> What stands in the deck, and instead of it.
+   !> Text of the deck, and its replacement.
    character(*), parameter :: changes(2, 66) = reshape([character(80) :: &
       'gravity = 9.8', 'gravity = 9.7', &
       "interpolation = 'minimum_curvature'", "interpolation = 'spline'", &

@@ -75,7 +75,8 @@ contains
       end function change
    end subroutine johancsik
 
-   !> What the sine adds to hook load and torque is within 1 % of that of the test's own soft string, and both are within 0.1 %.
+   !> Compare the effect of the sine on hook load and torque with that of the test's own soft string. The effect agrees within 1 %,
+   !> hook load and torque within 0.1 %.
    subroutine test_johancsik()
       character(*), parameter :: sine = "&tortuosity kind = 'sine', amplitude = 1, period = 100 /"
       real(wp), dimension(2) :: ours, ours_smooth, theirs, theirs_smooth

@@ -353,8 +353,8 @@ contains
       end if
    end subroutine survey
 
-   !> What a namelist allows: capitals, tabs, CR LF, &end, values over lines, both quotes, quotes doubled,
-   !> subscripts, keys parted by blanks or commas, ! in texts.
+   !> Accept the forms of a namelist: capitals, tabs, CR LF, &end, values over lines, both quotes, quotes doubled, subscripts, keys
+   !> parted by blanks or commas, ! in texts.
    subroutine test_forms()
       call accept('&job title', '&JOB Title')
       call accept("'a deck'", '"it''s ! one / deck"')
@@ -378,14 +378,14 @@ contains
       call assertEqual(0, run%status, message=new//': '//run%diagnostics)
    end subroutine accept
 
-   !> Whether a file of that name is among the results.
+   !> True if a file of that name is among the results.
    function is_file(name) result(is)
       character(*), intent(in) :: name
       logical :: is
       inquire (file=results_path//'/'//name, exist=is)
    end function is_file
 
-   !> Whether a file of that name is among the results and begins as HDF5 files do.
+   !> True if a file of that name is among the results and begins as HDF5 files do.
    function is_hdf5(name) result(is)
       character(*), intent(in) :: name
       logical :: is

@@ -31,8 +31,8 @@ contains
       call suite%addTest(TestMethod('bad_groups', test_bad))
    end function rig_runs_suite
 
-   !> What the rig shows of a load on its lines, from the dead line on: each line at the block has 1/e of the tension of the last
-   !> when raising, e when lowering.
+   !> Indicated load for a load on the lines, from the dead line on: each line at the block has 1/e of the tension of the last when
+   !> raising, e when lowering.
    pure function shown(load, raising) result(indicated)
       real(wp), intent(in) :: load
       logical, intent(in) :: raising

@@ -1,5 +1,5 @@
-!> What is printed: where it cannot be written the exit status says so, a deck may come from a pipe, and nothing of a deck
-!> commands the terminal.
+!> Standard output. Where it cannot be written the exit status says so, a deck may come from a pipe, and text of a deck cannot
+!> command the terminal.
 module dg_test_standard_output
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_program_run, only: content, deck_path, good_deck, program_path, replaced, results_path, run_deck_text, run_program, &

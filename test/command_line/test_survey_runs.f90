@@ -146,7 +146,7 @@ contains
       call write_text_file(path, lines, error)
    end subroutine put
 
-   !> What the check says of the path, without the number of stations.
+   !> Line of the check on the path, without the number of stations.
    function path_line(run) result(line)
       type(run_type), intent(in) :: run
       character(:), allocatable :: line

@@ -76,8 +76,8 @@ contains
       end if
    end subroutine check_drilled_wells
 
-   !> What must hold of a converged well, and of the same well turned about the vertical or, of a string that neither turns nor
-   !> carries torque, mirrored.
+   !> Check a converged well, and the same well turned about the vertical. A string that neither turns nor carries torque is
+   !> mirrored, too.
    subroutine look_at(model, stations, seed, result, sound, worst)
       type(model_type), intent(in) :: model
       type(stations_type), intent(in) :: stations

@@ -24,7 +24,7 @@ module dg_drilled_well
                          extended_reach = 7, plan_count = 7
    character(*), parameter :: plan_name(plan_count) = [character(14) :: 'vertical', 'build and hold', 's-shaped', 'horizontal', &
       'short radius', 'winding', 'extended reach']
-   !> How often each is drilled [-].
+   !> Share of each plan among drilled wells [-].
    real(wp), parameter :: plan_share(plan_count) = [0.12_wp, 0.20_wp, 0.13_wp, 0.25_wp, 0.08_wp, 0.12_wp, 0.10_wp]
 
    integer, parameter :: drill_string = 1, casing = 2, liner = 3, tubing = 4, coiled_tubing = 5, rods = 6, string_count = 6

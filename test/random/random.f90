@@ -221,14 +221,15 @@ contains
       force = max(scale, maxval(abs(result%profile%axial)))
    end function largest
 
-   !> Whether both results have their gaps where the deck asks for them. One that does not says so, and by how much that matters.
+   !> True if both results have their gaps where the deck asks for them. A result that does not carries a message with the size of
+   !> the effect.
    pure function same_places(a, b) result(same)
       type(case_result_type), intent(in) :: a, b
       logical :: same
       same = index(a%message//b%message, 'Converged only with') == 0
    end function same_places
 
-   !> Whether two solutions came to rest by different ways, their gaps perhaps at other places.
+   !> True if two solutions converged by different paths, their gaps perhaps at other places.
    pure function another_way(a, b) result(another)
       type(case_result_type), intent(in) :: a, b
       logical :: another

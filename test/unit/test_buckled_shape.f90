@@ -1,4 +1,4 @@
-!> What a string does, read off angles laid by hand: straight along the low side, snaking, coiling, changing sides with the hole.
+!> Buckled shape of a string from prescribed angles: straight along the low side, sinusoidal, helical, changing sides with the hole.
 module dg_test_buckled_shape
    use funit, only: assertEqual, TestMethod, TestSuite
    use dg_buckled_shape, only: find_buckled_shape

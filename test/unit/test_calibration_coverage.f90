@@ -31,8 +31,8 @@ module dg_test_calibration_coverage
    real(wp), parameter :: step = 1.0_wp/steps
    real(wp), parameter :: depths(4) = [1500.0_wp, 2000.0_wp, 2500.0_wp, 3000.0_wp]
 
-   !> What a rig measures: values of load cases of the soft string, hook loads with an offset. The soft string is solved for
-   !> frictions in steps, between which a cubic goes: campaigns and fits take the same.
+   !> Simulated measurements of a rig: values of load cases of the soft string, hook loads with an offset. The soft string is solved
+   !> for frictions in steps, between which a cubic goes: campaigns and fits take the same.
    type, extends(measured_function_type) :: campaign_type
       type(model_type) :: model
       integer, allocatable :: what(:)       !< hookload or torque, one a load case

@@ -65,8 +65,8 @@ contains
       end subroutine strength
    end subroutine test_strengths
 
-   !> What a name calls the weight is that of the body and a little more (threads, couplings, upsets), up to 6 % for casing and
-   !> tubing; with tool joints pipe is 10 to 30 % heavier than its body (those of the smallest bores most), of aluminium 18 to 24 %,
+   !> Compare the weight in a name with that of the body. It is more by threads, couplings and upsets, up to 6 % for casing and
+   !> tubing. With tool joints pipe is 10 to 30 % heavier than its body (those of the smallest bores most), of aluminium 18 to 24 %,
    !> rods with couplings 9 %.
    subroutine test_masses()
       type(catalogue_type) :: catalogue

@@ -97,7 +97,7 @@ contains
       call find_utilisation(model, result, along, factors, optional_real(), most)
    end subroutine use_up
 
-   !> What is used of a rating, and where.
+   !> Check the largest utilisation of a rating, and its depth.
    subroutine check_used(most, limit, share, md)
       type(utilisation_type), intent(in) :: most
       integer, intent(in) :: limit

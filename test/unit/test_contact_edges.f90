@@ -39,7 +39,7 @@ contains
       call find_edges(places(), spread(half, 1, n), force, spread(load, 1, n), total, edges)
    end subroutine find
 
-   !> What is up and down by a third is spread; so is half of the load, where the other half is carried elsewhere.
+   !> Count contact that varies by a third as spread. Half of the load is spread, too, where the other half is carried elsewhere.
    subroutine test_spread()
       type(contact_edge_type), allocatable :: edges(:)
       real(wp) :: force(n)

@@ -1,4 +1,4 @@
-!> How a stiff string makes a change of curvature: continuity, balance of moment and shear, length, choice of the mixed model.
+!> Change of curvature along a stiff string: continuity, balance of moment and shear, length, choice of the mixed model.
 module dg_test_curvature_change
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_curvature_change, only: bending_at, change_type, curvature_changes

@@ -120,7 +120,7 @@ contains
       end do
    end subroutine test_not_finite
 
-   !> What is negative, or a thousand times what it may be: millimetres, kilometres, per cent.
+   !> Refuse negative values, and a thousand times the limit: millimetres, kilometres, per cent.
    subroutine test_ranges()
       integer, parameter :: may_be_negative(1) = [3]
       type(model_parts_type) :: parts

@@ -1,4 +1,4 @@
-!> How far a string stands outside its hole: along elements, at steps of the hole, in soft walls, at the rows of a profile.
+!> Distance of a string outside its hole: along elements, at steps of the hole, in soft walls, at the rows of a profile.
 module dg_test_outside_hole
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_component, only: component_type

@@ -24,7 +24,7 @@ contains
       call suite%addTest(TestMethod('blocks', test_blocks))
    end function page_figures_suite
 
-   !> What a word of a look stands before; a word within another is none.
+   !> Find the text that follows a word of a look; a word within another does not count.
    subroutine test_looks()
       character(:), allocatable :: look
       look = marked_line_style(2, 80, 1.6_wp, '(8,4)')

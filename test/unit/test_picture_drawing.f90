@@ -1,4 +1,4 @@
-!> What gnuplot is given and how it is run: texts that it must take as they are, programs of its name that fail or hang.
+!> Input and runs of gnuplot: texts that it must take as they are, programs of its name that fail or hang.
 module dg_test_picture_drawing
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
@@ -167,7 +167,7 @@ contains
       call assertFalse(is_file('gnuplot.log'))
    end subroutine test_whole_only
 
-   !> What is drawn before a gnuplot hangs stays.
+   !> Keep pictures that were drawn before a gnuplot hangs.
    subroutine test_hangs()
       type(error_type), allocatable :: error
       logical :: drawn(3)
@@ -251,7 +251,7 @@ contains
       end if
    end function run_shell
 
-   !> What gnuplot prints when it runs a script.
+   !> Output of gnuplot when it runs a script.
    subroutine run_true_gnuplot(script, printed)
       type(text_type), intent(in) :: script(:)
       type(text_type), allocatable, intent(out) :: printed(:)

@@ -92,7 +92,7 @@ contains
       end subroutine add_row
    end subroutine test_table
 
-   !> What is read back differs by less than the 1e-9 promised.
+   !> Read numbers back: they differ by less than the 1e-9 promised.
    subroutine test_csv_numbers()
       real(wp), parameter :: values(6) = [733.123456789012_wp, -1.0e-7_wp/3.0_wp, 3190.0_wp, 2.0e5_wp/3.0_wp, 1.0e30_wp, 0.1_wp]
       real(wp), parameter :: promised = 1.0e-9_wp
@@ -107,7 +107,7 @@ contains
       call assertEqual('0.000000000', csv_number(-0.0_wp))
    end subroutine test_csv_numbers
 
-   !> What is missing, infinite or no number leaves a field empty and a cell with a dash.
+   !> Write missing, infinite and NaN values as an empty field, and in a cell as a dash.
    subroutine test_no_numbers()
       real(wp) :: none(5)
       integer :: i

@@ -206,7 +206,7 @@ contains
       allocate (lines, source=table_of(sample_job(), sample_model(), sample_results()))
    end function sample_table
 
-   !> Whether one of the lines is this text.
+   !> True if one of the lines is this text.
    pure logical function has(lines, text)
       type(text_type), intent(in) :: lines(:)
       character(*), intent(in) :: text

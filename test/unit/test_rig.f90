@@ -1,4 +1,4 @@
-!> What a weight indicator shows, against the lines and sheaves one by one, the balance of power, and published numbers.
+!> Load of a weight indicator, against the lines and sheaves one by one, the balance of power, and published numbers.
 module dg_test_rig
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp

@@ -1,4 +1,4 @@
-!> What a page says of solutions that are none: counts of all parts in its headline, a row for each that failed.
+!> Page of a run with missing solutions: counts of all parts in its headline, a row for each case without a solution.
 module dg_test_run_outcome
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged
@@ -175,7 +175,7 @@ contains
       call assertTrue(index(page%lines(5)%text, '<td>1300.00</td><td>0.25</td><td>1</td>') > 0, message=page%lines(5)%text)
    end subroutine test_uncertainty
 
-   !> What is too much for a page is counted.
+   !> Count the rows that are too many for a page.
    subroutine test_too_many()
       type(outcome_type) :: outcome
       type(line_list_type) :: page

@@ -40,7 +40,7 @@ contains
       mean = mean/places
    end function mean_along
 
-   !> What A and k are off by: the energy's slope by differences over its curvature. The swing leaves out terms in A^6.
+   !> Error of A and k: the energy's slope by differences over its curvature. The swing leaves out terms in A^6.
    subroutine test_least_energy()
       real(wp), parameter :: step = 1.0e-3_wp
       real(wp) :: a, k, energy(-1:1)

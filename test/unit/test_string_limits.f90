@@ -1,4 +1,4 @@
-!> What is read off along the string and off the whole string, from made-up profiles whose answers are simple.
+!> Results along the string and for the whole string, from made-up profiles whose answers are simple.
 module dg_test_string_limits
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string

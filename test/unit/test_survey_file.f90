@@ -85,7 +85,7 @@ contains
       call accept('empty rows below', 'MD,Inc,Azi|0,0,90|500,10,90.25|1234.5,45.5,100|,,|||')
    end subroutine test_lines_above
 
-   !> What a heading says goes before the units that the deck has.
+   !> Prefer the units of a heading to those of the deck.
    subroutine test_units()
       call accept('feet in an SI deck', 'MD (ft),Inc,Azi|0,0,90|1640.419947507,10,90.25|4050.1968504,45.5,100')
       call accept('feet of US surveys', 'MD (usft),Inc,Azi|0,0,90|1640.41666666667,10,90.25|4050.18875,45.5,100')
@@ -204,7 +204,7 @@ contains
       call refuse('two units', 'MD (ft),Inc,Azi|m,deg,deg|'//feet, 'names another unit')
    end subroutine test_unit_rows
 
-   !> What a title says counts where nothing else tells, unless the deck gives the units of this very file.
+   !> Use the units of a title where nothing else gives units, unless the deck gives those of this very file.
    subroutine test_titles()
       character(*), parameter :: rows = 'MD,Inc,Azi|0,0,90|500,10,90.25|1234.5,45.5,100'
       call refuse('feet', 'Depths in ft|'//rows, 'speaks of feet')

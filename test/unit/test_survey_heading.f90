@@ -178,7 +178,7 @@ contains
                   skipped='')
    end subroutine test_notes
 
-   !> What may be a station is never left out.
+   !> Never skip a line that may be a station.
    subroutine test_damaged()
       character(*), parameter :: head = 'MD,Inc,Azi;0,0,0;500,10,90;'
       character(*), parameter :: damaged(15) = [character(12) :: '12OO,45,100', 'l200,45,100', 'ERR,45,100', ',45,100', &

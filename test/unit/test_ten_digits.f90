@@ -8,7 +8,7 @@ module dg_test_ten_digits
    private
    public :: ten_digits_suite
 
-   !> How many numbers were compared, how many differed, and the first that did.
+   !> Number of compared values, number that differed, and the first that did.
    type :: tally_type
       integer :: compared = 0
       integer :: different = 0

@@ -136,7 +136,7 @@ contains
       end function plain
    end subroutine test_table
 
-   !> What a system holds itself is what the table says; a system by default is SI.
+   !> Compare the units that a system holds with the table; a system by default is SI.
    subroutine test_components()
       type(unit_system_type) :: systems(4), default
       integer :: i

@@ -32,10 +32,10 @@ module dg_extreme_case
    !> The same of a string that whirls, by other words.
    character(*), parameter :: warned_too(quantity_count) = [character(40) :: 'on hook load, torque and contact force', &
       'contact force and friction torque there', 'contact force and friction torque there', 'bending moments between contacts']
-   !> What stands before another hook load and another largest moment of a coiled string.
+   !> Texts before another hook load and another largest moment of a helically buckled string.
    character(*), parameter :: another = 'From another start', other_hookload = ' the hook load is', &
                               other_moment = 'the largest bending moment is'
-   !> What stands before the per cent by which contact force, and with it hook load and torque, may be off.
+   !> Text before the per cent by which contact force, and with it hook load and torque, may be off.
    character(*), parameter :: one_of_them = 'Contact force uncertain by '
    !> Told errors have two digits [-].
    real(wp), parameter :: rounded = 1.05_wp
@@ -54,7 +54,7 @@ module dg_extreme_case
    character(*), parameter :: verdict_name(verdict_count) = [character(10) :: 'right', 'refused', 'marked', 'locked up', &
                                                              'not solved', 'wrong']
 
-   !> What is solved. Friction is that of the well: along and around the hole.
+   !> Case to solve. Friction is that of the well: along and around the hole.
    type :: extreme_case_type
       character(60) :: label = ''
       type(independent_well_type) :: well

@@ -114,7 +114,7 @@ contains
          (' | '//trim(cell(i)), i=1, quantity_count), ' |'
    end subroutine finish_row
 
-   !> Whether the tests tell what they do: -d.
+   !> True if option -d asks the tests to print their steps.
    function is_told() result(told)
       logical :: told
       character(8) :: argument

@@ -328,8 +328,8 @@ contains
       end do
    end subroutine find_offsets
 
-   !> What is out of balance across the hole at the nodes [N], with the moments, the shear forces and the contact of these offsets;
-   !> and its derivative by the offsets where that is asked for. Both ends are held on the hole axis.
+   !> Forces out of balance across the hole at the nodes [N], from the moments, the shear forces and the contact of these offsets.
+   !> The derivative by the offsets is found where it is asked for. Both ends are held on the hole axis.
    subroutine evaluate(well, wall, beam, residual, band)
       type(independent_well_type), intent(in) :: well
       real(wp), intent(in) :: wall
@@ -438,8 +438,8 @@ contains
       value = (1.0_wp - share)*values(i) + share*values(i + 1)
    end function value_at
 
-   !> What the string presses with across the hole at its lower end [N], and its slope there [-], along the axes of the frame at the
-   !> high side (1) and right of it (2). Without an offset the clock of the last node is minus that of the frame's axis.
+   !> Side force of the string at its lower end [N], and its slope there [-], along the axes of the frame at the high side (1) and
+   !> right of it (2). Without an offset the clock of the last node is minus that of the frame's axis.
    pure subroutine push_at_bit(beam, push, slope)
       type(independent_beam_type), intent(in) :: beam
       real(wp), intent(out) :: push(2), slope(2)

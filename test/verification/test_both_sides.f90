@@ -139,8 +139,8 @@ contains
       call assertTrue(all(result%gaps(2:)%md > result%gaps(:n - 1)%md), message=what//': no element without length')
    end subroutine look_at_shoulders
 
-   !> What decides may stand on one side alone: a collar of little yield is used most at its upper end, where the row of the pipe's
-   !> side says little.
+   !> Find the limit that decides where it stands on one side alone. A collar of little yield is used most at its upper end, where
+   !> the row of the pipe's side says little.
    subroutine test_limits()
       type(model_type) :: model
       type(case_result_type) :: result
@@ -248,7 +248,7 @@ contains
       call assertEqual([side_none, side_above, side_below, side_none, side_none], again%side)
    end subroutine test_once
 
-   !> What is looked up by depth at a depth that stands twice: the lower side at it, each side next to it, nothing counted twice.
+   !> Look up values at a depth that stands twice: the lower side at it, each side next to it, nothing counted twice.
    subroutine test_twice()
       real(wp), parameter :: md(6) = [0.0_wp, 10.0_wp, 10.0_wp, 20.0_wp, 20.0_wp, 30.0_wp]
       real(wp), parameter :: values(6) = [0.0_wp, 1.0_wp, 5.0_wp, 6.0_wp, -2.0_wp, -3.0_wp]

@@ -143,7 +143,7 @@ contains
          call assertGreaterThan(rows, 5, message='rows in the layer')
       end do
    contains
-      !> How far outside the wall a string that is free for a length lies down; d and b on the way.
+      !> Distance outside the wall at which a string that is free for a length touches; d and b on the way.
       function place_off(length) result(y)
          real(wp), intent(in) :: length
          real(wp) :: y

@@ -55,8 +55,7 @@ contains
       call hold_ends(model)
    end subroutine hole_with_pipe
 
-   !> How far the string snakes about the low side [rad]: amplitude of the sine with the same mean square, of what is well off
-   !> the ends.
+   !> Amplitude of sinusoidal buckling about the low side [rad]: that of the sine with the same mean square, away from the ends.
    pure function snake(result, inner) result(amplitude)
       type(case_result_type), intent(in) :: result
       real(wp), intent(in) :: inner   !< distance from either end [m]
@@ -409,7 +408,7 @@ contains
       call assertRelativelyEqual(sag, maxval(result%profile%displacement), 1.0e-3_wp, message='sag')
    end subroutine test_light_column
 
-   !> How much compression may still grow off the wall. A column next to without weight: to Euler's load. A heavy vertical string,
+   !> Growth of compression up to buckling off the wall. A column next to without weight: to Euler's load. A heavy vertical string,
    !> 8 (EI/w)^(1/3) long, with 0.85 and 0.95 of its least load on the bit: by 0.3035 and 0.0878 of itself where it is compressed,
    !> what hangs above pulling as before (300 cubic elements as of test_vertical_by_length).
    subroutine test_margin()

@@ -40,7 +40,7 @@ module dg_test_columns
    real(wp), parameter :: margin_within = 0.05_wp
    !> Rows nearer than this to an end of the string or of a bend are not compared [m].
    real(wp), parameter :: end_part = 40.0_wp
-   !> What the tables of the trajectory give [m, rad].
+   !> Rounding of the tables of the trajectory [m, rad].
    real(wp), parameter :: rounding = 1.0e-9_wp
 
 contains

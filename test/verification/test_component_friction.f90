@@ -92,8 +92,9 @@ contains
       end do
    end subroutine test_straight_hole
 
-   !> What the couple r n mu per metre of friction at the wall adds to the hook load of two parts, pulled or lowered: contact is
-   !> less by r n own at the bit, by r n (upper - own) between, half of it on either part, and more by r n upper at the top.
+   !> Change of hook load by the couple r n mu per metre of friction at the wall, for a string of two parts, pulled or lowered.
+   !> Contact is less by r n own at the bit, by r n (upper - own) between, half of it on either part, and more by r n upper at the
+   !> top.
    pure function arm(couple, upper) result(force)
       real(wp), intent(in) :: couple, upper   !< r n [N], mu of the upper part
       real(wp) :: force

@@ -1,4 +1,4 @@
-!> What fidelity costs in accuracy: coarse meshes against elements of 1 m.
+!> Error of fidelity settings: coarse meshes against elements of 1 m.
 module dg_test_fidelity
    use funit, only: assertLessThan, assertEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type

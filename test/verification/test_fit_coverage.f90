@@ -1,4 +1,4 @@
-!> How often intervals of least squares hold the truth, in simulated measurements.
+!> Share of intervals of least squares that hold the truth, in simulated measurements.
 module dg_test_fit_coverage
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use dg_counter_random, only: normal_number

@@ -1,4 +1,4 @@
-!> What the factors of a symmetric tangent tell of a string: in how many ways it is unstable.
+!> Number of unstable modes of a string from the factors of a symmetric tangent.
 module dg_test_loss_of_definiteness
    use funit, only: assertEqual, assertGreaterThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_assembly, only: assemble, load_type

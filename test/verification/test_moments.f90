@@ -1,5 +1,5 @@
-!> What the program prints along a string at its default settings, against a string solved independently (dg_independent_beam):
-!> rotating and pulled strings in a hole that builds and turns, a tapered one, a sharp dogleg, casing run in.
+!> Results along a string at default settings, against a string solved independently (dg_independent_beam). Cases: rotating and
+!> pulled strings in a hole that builds and turns, a tapered one, a sharp dogleg, casing run in.
 module dg_test_moments
    use funit, only: assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
@@ -21,13 +21,13 @@ module dg_test_moments
    private
    public :: moments_suite
 
-   !> What the program promises at its default settings. Over the largest moment: the largest moment itself, how far it may be low,
-   !> every row, root mean square; over their own size hook load, torque, sum of contact.
+   !> Promised errors at default settings. Over the largest moment: the largest moment itself, how far it may be low, every row,
+   !> root mean square. Over their own size: hook load, torque, sum of contact.
    real(wp), parameter :: largest_within = 0.03_wp, never_below = 0.02_wp, everywhere_within = 0.05_wp, mean_within = 0.01_wp
    real(wp), parameter :: hookload_within = 1.0e-3_wp, contact_within = 5.0e-3_wp, torque_within = 2.0e-3_wp
    !> Force and tilt of the bit as vectors, over their own size. Seen: 0.2 %; by the elements of the analysis 3 to 5 %.
    real(wp), parameter :: bit_within = 5.0e-3_wp
-   !> What the result tells of its own error is more than that error, and less than what it warns of.
+   !> Largest estimated error in a result: more than the true error, and less than the limit of a warning.
    real(wp), parameter :: told_within = 0.05_wp
    !> The rest of the columns. Axial force over the largest and torque over that at the top: between the nodes of the analysis
    !> they go along straight lines past contacts that stand at one place. Offset, as a vector, over the clearance; clock angle on
@@ -286,7 +286,7 @@ contains
       turn = angle - 2.0_wp*pi*nint(angle/(2.0_wp*pi))
    end function turn_of
 
-   !> Whether the hole leaves the vertical between two nodes about a place, and clock angles go over from north to the high side.
+   !> True if the hole leaves the vertical between two nodes about a place, and clock angles go over from north to the high side.
    pure function north_ends(beam, place) result(yes)
       type(independent_beam_type), intent(in) :: beam
       real(wp), intent(in) :: place

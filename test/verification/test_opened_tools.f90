@@ -249,7 +249,7 @@ contains
       call assertGreaterThan(weight(2), 1.01_wp*weight(3), message='less room, more weight')
    end subroutine test_yield
 
-   !> What is as wide as its hole has a quarter of a millimetre of room, as a bit has; it is solved by all methods.
+   !> Solve a tool as wide as its hole by all methods. It has a quarter of a millimetre of room, as a bit has.
    subroutine test_packer()
       type(model_type) :: model
       type(case_result_type) :: result

@@ -21,10 +21,10 @@ module dg_test_operations
 
    integer, parameter :: soft = 1, rigid = 2, mixed = 3, mcge = 4
    character(*), parameter :: names(4) = [character(5) :: 'soft', 'rigid', 'mixed', 'mcge']
-   !> How far friction, torque and contact force of a model may be from the soft string's, over its value [-]. Stiffness adds
-   !> pairs of contact forces at the ends of the bend, in this well some 1e-5 of the whole. Beams hang free
-   !> where they cross from the high side of the bend to the low side below it, 2c = 46 mm down in l = sqrt(4 c T/(w sin)) = 10 m:
-   !> that takes off about 2 w sin l = 5 kN of 518.
+   !> Largest difference of a model's friction, torque and contact force from the soft string's, over its value [-]. Stiffness adds
+   !> pairs of contact forces at the ends of the bend, in this well some 1e-5 of the whole. Beams hang free where they cross from
+   !> the high side of the bend to the low side below it, 2c = 46 mm down in l = sqrt(4 c T/(w sin)) = 10 m: that takes off about 2
+   !> w sin l = 5 kN of 518.
    real(wp), parameter :: apart(4) = [0.0_wp, 5.0e-5_wp, 5.0e-5_wp, 0.016_wp]
    !> Hook load without friction over the weight: what beams gain by lying lower than the axis and by bending.
    real(wp), parameter :: lifted = 2.0e-4_wp

@@ -110,7 +110,7 @@ contains
       end do
    end subroutine test_three_moments
 
-   !> What the bit does not take of the pads' force the stabilizers, all on the low side, are relieved of.
+   !> Compare the part of the pads' force that the bit does not take with the relief of the stabilizers on the low side.
    subroutine test_balance()
       type(case_result_type) :: still, pushed
       call solve(0.5_wp, 0.0_wp, 0.0_wp, operation_static, still)

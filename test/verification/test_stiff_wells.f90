@@ -26,12 +26,11 @@ module dg_test_stiff_wells
    integer, parameter :: soft = 1, rigid = 2, mixed = 3, mcge = 4
    character(*), parameter :: names(4) = [character(5) :: 'soft', 'rigid', 'mixed', 'mcge']
    real(wp), parameter :: wob = 89.0e3_wp, tob = 2700.0_wp
-   !> What E I adds in the three wells: pairs of forces |d|/l at two changes of curvature, some kN of friction-bearing
-   !> contact at most, of which half lightens the contact on its other side. Reached in buildhold: 7e-6 of
-   !> the hook load, 2e-5 of the torque.
+   !> Effect of E I in the three wells: pairs of forces |d|/l at two changes of curvature, some kN of friction-bearing contact at
+   !> most, of which half lightens the contact on its other side. Reached in buildhold: 7e-6 of the hook load, 2e-5 of the torque.
    real(wp), parameter :: stiffness_share = 2.0e-5_wp
    real(wp), parameter :: stiffness_share_of_torque = 5.0e-5_wp
-   !> What the beams differ by: they cut bends inside the clearance and touch in places. 2 per cent of the friction at most:
+   !> Largest difference of the beams: they cut bends inside the clearance and touch in places. 2 per cent of the friction at most:
    !> 2.04 with overpull, with elements of half a metre as with those of ten.
    real(wp), parameter :: beam_share = 0.021_wp
 

@@ -71,7 +71,7 @@ contains
       self%forms = self%files
    end subroutine read_plan
 
-   !> How many solutions it takes.
+   !> Add the number of solutions of the study.
    subroutine echo(self, job, lines)
       class(accuracy_study_type), intent(in) :: self
       type(job_type), intent(in) :: job

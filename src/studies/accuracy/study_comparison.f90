@@ -1,5 +1,5 @@
-!> What the solutions of a study tell: errors against the finest, order of convergence, and which settings are worth their
-!> price. SI units.
+!> Comparison of the solutions of a study: errors against the finest, order of convergence, and settings that are worth their cost.
+!> SI units.
 module dg_study_comparison
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
@@ -96,7 +96,7 @@ contains
       records%in_pareto_set = pareto_set(worst, seconds)
    end subroutine compare_case
 
-   !> What a hook load and a torque are wrong by, the worse of the two [-]; missing where neither is known.
+   !> Error of hook load or torque, the larger of the two [-]; missing where neither is known.
    pure function worst_error(errors) result(worst)
       real(wp), intent(in) :: errors(:)
       real(wp) :: worst

@@ -1,5 +1,5 @@
-!> What accuracy costs in one load case: error of hook load, torque, contact force and bending moment against seconds, one mark a
-!> way to compute it, both axes logarithmic. The finest way has no error and no mark.
+!> Cost of accuracy in one load case: error of hook load, torque, contact force and bending moment against seconds. One mark per
+!> method, both axes logarithmic. The finest method has no error and no mark.
 module dg_study_picture
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged

@@ -1,4 +1,4 @@
-!> What a deck's &study compares: lists of settings, each empty where the deck leaves it alone. SI units.
+!> Plan of a deck's &study: lists of settings to compare, each empty where the deck does not vary it. SI units.
 module dg_study_plan
    use dg_kinds, only: wp
    implicit none

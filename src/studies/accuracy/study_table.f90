@@ -131,7 +131,7 @@ contains
       call add_cell(table, 'MB', narrow, total%memory, megabyte, 2)
    end subroutine add_row
 
-   !> How the elements of a variant are chosen: a fidelity or a length.
+   !> Choice of the elements of a variant: a fidelity or a length.
    pure function mesh_of(units, variant) result(text)
       type(unit_system_type), intent(in) :: units
       type(variant_type), intent(in) :: variant
@@ -156,7 +156,7 @@ contains
       end if
    end function error_cell
 
-   !> What found no solution.
+   !> Append the variants without a solution.
    pure subroutine append_lost(lines, model, job, plan, variants, records)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(model_type), intent(in) :: model

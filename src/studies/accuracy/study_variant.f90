@@ -19,7 +19,7 @@ module dg_study_variant
       real(wp) :: wall = 0.0_wp           !< stiffness of every wall [N/m2]; 0: as in the deck
    end type variant_type
 
-   !> What makes a variant fine, in so many numbers.
+   !> Number of levels by which variants are ranked in fineness.
    integer, parameter :: fineness_levels = 8
 
 contains
@@ -111,8 +111,8 @@ contains
       if (.not. wall > 0.0_wp) wall = variant%numerics%gk_contact
    end function wall_of
 
-   !> Whether `one` is a finer model than `other`: by its physics, then by the length of its elements, proof of its moments,
-   !> tolerance, wall (the stiffer), place of gaps (the paper's), linear solver (with exchange of rows); of two alike the fidelity.
+   !> True if `one` is a finer model than `other`. The order of criteria: physics, length of elements, proof of moments, tolerance,
+   !> stiffer wall, the paper's place of gaps, linear solver (with exchange of rows). The fidelity decides between two alike.
    pure function is_finer(one, other) result(finer)
       type(variant_type), intent(in) :: one, other
       logical :: finer
@@ -127,7 +127,7 @@ contains
       end do
    end function is_finer
 
-   !> What makes a variant fine, the weightiest first; greater is finer.
+   !> Fineness of a variant by levels, the weightiest first; greater is finer.
    pure function fineness(variant) result(levels)
       type(variant_type), intent(in) :: variant
       real(wp) :: levels(fineness_levels)
@@ -138,14 +138,14 @@ contains
                 real(variant%numerics%linear_solver, wp), merge(1.0_wp, 0.0_wp, variant%fidelity > 0)]
    end function fineness
 
-   !> Whether two variants differ in the length of their elements alone, neither of them a fidelity.
+   !> True if two variants differ in the length of their elements alone, neither of them a fidelity.
    pure function same_but_mesh(one, other) result(same)
       type(variant_type), intent(in) :: one, other
       logical :: same
       same = one%fidelity == 0 .and. other%fidelity == 0 .and. one%model == other%model .and. same_settings(one, other)
    end function same_but_mesh
 
-   !> Whether two variants have tolerance, wall, place of gaps and linear solver in common.
+   !> True if two variants have tolerance, wall, place of gaps and linear solver in common.
    pure function same_settings(one, other) result(same)
       type(variant_type), intent(in) :: one, other
       logical :: same

@@ -1,4 +1,4 @@
-!> What a &calibrate of a deck asks for: friction factors that are to be found from measured hook loads and torques.
+!> Data of a deck's &calibrate: friction factors that are to be found from measured hook loads and torques.
 !>
 !> An unknown is one factor that hole sections and load cases share: all of them, or one for each hole section, operation,
 !> bit depth, or combination of these that occurs. Beside them a calibration may look for what the gauge shows beyond string and
@@ -165,7 +165,7 @@ contains
       end subroutine weigh
    end subroutine set_data
 
-   !> Whether a calibration has load cases to predict.
+   !> True if a calibration has load cases to predict.
    elemental function predicts(calibration) result(yes)
       type(calibration_type), intent(in) :: calibration
       logical :: yes
@@ -228,8 +228,8 @@ contains
       end if
    end function variance_kinds
 
-   !> Whether a measured number says something about an unknown: hook load about friction along the hole, torque about friction
-   !> around it, each where the string moves so.
+   !> True if a measured number depends on an unknown. Hook load depends on friction along the hole, torque on friction around it,
+   !> each where the string moves so.
    pure function tells(calibration, load_cases, datum, unknown) result(yes)
       type(calibration_type), intent(in) :: calibration
       type(load_case_type), intent(in) :: load_cases(:)

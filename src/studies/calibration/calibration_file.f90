@@ -59,7 +59,7 @@ contains
       end subroutine write_one
    end subroutine write_calibrations
 
-   !> What was found of an unknown in the columns of calibration.csv.
+   !> Result of an unknown in the columns of calibration.csv.
    function found_row(model, calibration, result, unknown) result(row)
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration

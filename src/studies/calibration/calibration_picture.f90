@@ -1,5 +1,5 @@
-!> What a calibration found: friction factors with their 95 % intervals beside those of the deck, the gauge's offsets where they
-!> were looked for, and the error of every load case before and after.
+!> Picture of a calibration's results. It shows friction factors with their 95 % intervals beside those of the deck, offsets of the
+!> gauge where they were unknowns, and the error of every load case before and after.
 module dg_calibration_picture
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type, unknown_type

@@ -1,4 +1,4 @@
-!> What a calibration with one model found. SI units.
+!> Result of a calibration with one model. SI units.
 module dg_calibration_result
    use dg_kinds, only: wp
    use dg_depth_correlation, only: find_succession, scatter_along, succession_type, widen_intervals
@@ -94,7 +94,7 @@ contains
       call widen_intervals(result%succession, growth, any(kinds > 0), freedom, columns, result%statistics)
    end subroutine judge_anew
 
-   !> What a found value is worth.
+   !> Verdict on a found value.
    pure function verdict_of(result, unknown) result(verdict)
       type(calibration_result_type), intent(in) :: result
       integer, intent(in) :: unknown

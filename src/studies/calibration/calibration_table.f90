@@ -98,7 +98,7 @@ contains
       call append_table(lines, table)
    end subroutine append_factors
 
-   !> What was measured, and calculated before and after.
+   !> Append measured values, and those calculated before and after.
    subroutine append_data(lines, units, model, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -146,7 +146,7 @@ contains
       end if
    end subroutine append_data
 
-   !> What the data cannot tell, and how far they are from what the model can be.
+   !> Append warnings: unknowns that the data do not determine, and errors too large for the model.
    subroutine append_warnings(lines, units, model, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -229,7 +229,7 @@ contains
                        'hold where it goes on as above')
    end subroutine append_succession
 
-   !> What the rest of the run uses, one line a hole section.
+   !> Append the friction that the rest of the run uses, one line per hole section.
    subroutine append_applied(lines, units, model, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -271,7 +271,7 @@ contains
       end function bound_text
    end subroutine append_applied
 
-   !> What a &uncertainty of another deck may repeat.
+   !> Append the results that an &uncertainty of another deck may repeat.
    subroutine append_learnt(lines, calibration, result, sections)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(calibration_type), intent(in) :: calibration
@@ -299,7 +299,7 @@ contains
       call append_text(lines, '  friction_correlations = '//text(3:))
    end subroutine append_learnt
 
-   !> What a factor is for.
+   !> Scope of a factor, in words.
    function unknown_text(units, model, unknown) result(text)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model

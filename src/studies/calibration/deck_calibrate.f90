@@ -47,7 +47,7 @@ contains
       end do
    end subroutine take_calibrations
 
-   !> Whether a &calibrate looks for friction.
+   !> True if the unknown of a &calibrate is friction.
    pure function is_calibration(group) result(yes)
       type(checked_group_type), intent(in) :: group
       logical :: yes
@@ -193,7 +193,7 @@ contains
             ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
             ' unknowns; add measurements or separate less', faults)
    contains
-      !> Whether a number is above its bound, which is told then.
+      !> True if a number is above its bound; then adds a message.
       function too_many(number, most, what) result(yes)
          integer, intent(in) :: number, most
          character(*), intent(in) :: what
@@ -225,7 +225,8 @@ contains
       end do
    end subroutine check_predicted
 
-   !> What is applied must be one factor a hole section, must not be overruled by its own load cases, and must not be two.
+   !> Check factors that are applied. There must be one factor per hole section, from one model and one calibration, and no load
+   !> case of its own may overrule it.
    subroutine check_apply(draft, group, calibrations, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
@@ -266,7 +267,7 @@ contains
       end associate
    end subroutine check_apply
 
-   !> What an unknown is, for messages.
+   !> Name of an unknown, for messages.
    function unknown_words(draft, unknown) result(words)
       type(draft_type), intent(in) :: draft
       type(unknown_type), intent(in) :: unknown

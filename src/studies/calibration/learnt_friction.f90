@@ -1,4 +1,4 @@
-!> What a calibration has learnt of the friction of hole sections, for a Monte Carlo that goes on from it.
+!> Friction of hole sections from a calibration, for a Monte Carlo that continues from it.
 module dg_learnt_friction
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type

@@ -1,5 +1,5 @@
-!> What a calibration says of measurements that it has not seen: the value that the unknowns found give, and the interval in which
-!> a single measurement lies with 95 %.
+!> Prediction of a calibration for measurements that it has not used: the value at the unknowns found, and the interval that holds a
+!> single measurement with 95 %.
 !>
 !> The variance of a measurement less its prediction is s^2 + g.C g: its own scatter, and what the unknowns' covariance C makes of
 !> it, with g the derivatives of the predicted value (linear theory; Bates & Watts 1988, Nonlinear regression analysis, sec. 2.3).

@@ -174,7 +174,7 @@ contains
                within(value, half, measured))
    end function prediction_row
 
-   !> Whether a measured value lies in its interval: yes, no, or nothing where there is no value or no interval.
+   !> Text on a measured value: yes if it lies in its interval, no if not. Empty where there is no value or no interval.
    pure function within(value, half, measured) result(text)
       real(wp), intent(in) :: value, half      !< of the prediction; may be missing
       type(optional_real), intent(in) :: measured

@@ -36,7 +36,7 @@ module dg_string_function
 
 contains
 
-   !> What a calibration fits: by its `number`-th model, on so many threads.
+   !> Function that a calibration fits: by its `number`-th model, on the given number of threads.
    subroutine new_string_function(function, model, calibration, number, threads)
       type(string_function_type), intent(out) :: function
       type(model_type), intent(in) :: model
@@ -96,7 +96,7 @@ contains
       where (.not. solved) values = missing
    end subroutine as_given
 
-   !> Whether a case has all factors of the last single point.
+   !> True if a case has all factors of the last single point.
    pure function is_known(self, place, point) result(yes)
       class(string_function_type), intent(in) :: self
       integer, intent(in) :: place
@@ -126,7 +126,7 @@ contains
       !$omp end parallel
       self%solutions = self%solutions + size(tasks, 2)
    contains
-      !> What one thread does, with a model of its own.
+      !> Work of one thread, with a model of its own.
       subroutine share_tasks()
          type(model_type) :: mine
          type(case_result_type) :: result

@@ -50,7 +50,7 @@ contains
       panel_count = merge(2, 1, any([(turns(sweep, i), i=1, size(sweep%operations))]))
    end function panel_count
 
-   !> Whether an operation has torque at the top.
+   !> True if an operation has torque at the top.
    pure function turns(sweep, operation)
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: operation      !< its place in the sweep
@@ -73,7 +73,7 @@ contains
       end associate
    end subroutine add_broomstick_panel
 
-   !> What was measured, in either panel.
+   !> Add measured values, in either panel.
    subroutine add_measured(chart, sweep)
       type(chart_type), intent(inout) :: chart
       type(sweep_type), intent(in) :: sweep

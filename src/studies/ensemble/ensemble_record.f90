@@ -48,7 +48,7 @@ module dg_ensemble_record
 
 contains
 
-   !> What it is called in messages: sweep 'a'.
+   !> Name of an ensemble in messages: sweep 'a'.
    pure function ensemble_title(ensemble) result(title)
       type(ensemble_type), intent(in) :: ensemble
       character(:), allocatable :: title
@@ -170,7 +170,7 @@ contains
       end if
    end function taken_text
 
-   !> How points that did not converge can be solved again; '' where all did.
+   !> Advice on how to solve points again that did not converge; '' where all did.
    pure function failed_text(ensemble, parts) result(text)
       type(ensemble_type), intent(in) :: ensemble
       integer, intent(in) :: parts                     !< of the run; 0: undivided

@@ -30,7 +30,7 @@ module dg_ensemble_study
    public :: ensemble_study_type, name_ranges, prepare_ensembles
    public :: range_text_type
 
-   !> What it is called.
+   !> Names of a kind of study.
    type :: range_text_type
       character(:), allocatable :: what            !< sweep or uncertainty, in messages and names of files
       character(:), allocatable :: points          !< its points, and those that are solved
@@ -86,7 +86,7 @@ module dg_ensemble_study
          class(ensemble_watch_type), intent(inout) :: watch
       end subroutine solve_interface
 
-      !> What follows from the points: the file is written, lines for the terminal come back.
+      !> Report the points: write the file, return lines for the terminal.
       subroutine report_interface(self, number, run, lines, error)
          import :: ensemble_study_type, run_type, text_type, error_type
          implicit none
@@ -108,7 +108,7 @@ module dg_ensemble_study
       end function place_interface
    end interface
 
-   !> What a point keeps, with its line in a record [bytes].
+   !> Memory of a point, with its line in a record [bytes].
    real(wp), parameter :: bytes_of_point = 250.0_wp
 
 contains
@@ -324,7 +324,7 @@ contains
       if (text /= '') call tell(text)
    end subroutine report_text
 
-   !> How many points have their result: 3 of 5.
+   !> Number of points that have their result: 3 of 5.
    pure function solved_of_all(ensemble) result(text)
       type(ensemble_type), intent(in) :: ensemble
       character(:), allocatable :: text

@@ -35,7 +35,7 @@ module dg_model_text
 
 contains
 
-   !> What a sweep is, with its string, hole and solver.
+   !> Description of a sweep, with its string, hole and solver.
    function sweep_lines(model, sweep) result(texts)
       type(model_type), intent(in) :: model
       type(sweep_type), intent(in) :: sweep
@@ -45,7 +45,7 @@ contains
       allocate (texts, source=lines%lines(:lines%count))
    end function sweep_lines
 
-   !> The same, put to lines that are there.
+   !> Append the description of a sweep to lines.
    subroutine append_sweep(lines, model, sweep)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
@@ -170,7 +170,7 @@ contains
       call visit_hole(visited, writer)
    end subroutine append_hole
 
-   !> What acts on forces; strength and make-up torque do not.
+   !> Append the data of a component that act on forces; strength and make-up torque do not.
    subroutine append_component(lines, head, part)
       type(line_list_type), intent(inout), target :: lines
       character(*), intent(in) :: head

@@ -10,7 +10,7 @@ module dg_part_list
 
 contains
 
-   !> Whether a text is a whole number of 1 to 9999.
+   !> True if a text is a whole number of 1 to 9999.
    pure function is_count(text) result(is)
       character(*), intent(in) :: text
       logical :: is

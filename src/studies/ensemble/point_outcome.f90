@@ -1,4 +1,4 @@
-!> What became of points over bit depth: rows of those that are not there, for the page of the run.
+!> Outcome of points over bit depth: rows of the missing points, for the page of the run.
 module dg_point_outcome
    use dg_case_result, only: result_locked_up, result_not_converged
    use dg_job, only: model_name

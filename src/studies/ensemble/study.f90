@@ -1,4 +1,4 @@
-!> What every study is: many load cases, or one again and again, for one question of a deck. It reads its groups, tells what it
+!> Interface of every study: many load cases, or one again and again, for one question of a deck. It reads its groups, tells what it
 !> understood, runs, and adds its files and pictures. Studies do not know each other; what one leaves for others is in the run.
 module dg_study
    use dg_case_memory, only: need_type
@@ -25,7 +25,7 @@ module dg_study
    integer, parameter :: phase_after = 3     !< after them
    integer, parameter :: phase_points = 4    !< at last: it has numbered points, of which a divided run solves some
 
-   !> What the studies of one run share.
+   !> Data shared by the studies of one run.
    type :: run_type
       type(job_type) :: job
       type(model_type) :: given                     !< as the deck has it

@@ -15,7 +15,7 @@ module dg_sweep
    public :: point_count, point_number, point_at, model_of, measured_at, shown_depths
    public :: point_case, point_holes, at_operation, regular_depths, with_depths
 
-   !> What the rig showed at a depth in an operation.
+   !> Measured values of the rig at a depth in an operation.
    type :: measured_type
       character(:), allocatable :: name        !< of the load case that tells it
       integer :: operation = operation_static
@@ -102,7 +102,7 @@ contains
       model = point%model
    end function model_of
 
-   !> What was measured at a point; numbers that were not are absent.
+   !> Measured values at a point; numbers that were not measured are absent.
    pure function measured_at(sweep, point) result(measured)
       type(sweep_type), intent(in) :: sweep
       type(point_type), intent(in) :: point
@@ -162,7 +162,7 @@ contains
       end do
    end subroutine point_holes
 
-   !> What a list has for an operation: one for all, or one each; 0 where there is none.
+   !> Value of a list for an operation. The list has one value for all, or one each; 0 where there is none.
    pure function at_operation(list, operation) result(value)
       real(wp), allocatable, intent(in) :: list(:)
       integer, intent(in) :: operation         !< its place in the sweep

@@ -59,7 +59,7 @@ contains
 
    contains
 
-      !> What one thread does: with a model of its own, whose one load case becomes point after point.
+      !> Work of one thread: with a model of its own, whose one load case becomes point after point.
       subroutine share_points()
          type(model_type) :: mine
          type(sweep_result_type) :: found(block_size)
@@ -88,7 +88,7 @@ contains
       end subroutine share_points
    end subroutine solve_points
 
-   !> What the rig shows of points that are solved, in the order of their numbers, each with all of its samples.
+   !> Add readings of the weight indicator to solved points, in the order of their numbers, each with all of its samples.
    subroutine add_indicator(model, sweep, samples, points)
       type(model_type), intent(in) :: model
       type(sweep_type), intent(in) :: sweep
@@ -104,7 +104,7 @@ contains
       end do
    end subroutine add_indicator
 
-   !> What is left to the limits of rig and string. The pull until something yields is that of the soft string, which has a force
+   !> Add the margins to the limits of rig and string. The pull until something yields is that of the soft string, which has a force
    !> at every depth in microseconds.
    subroutine add_margins(job, model, sweep, points)
       type(job_type), intent(in) :: job
@@ -162,7 +162,7 @@ contains
       call share_weights()
       !$omp end parallel
    contains
-      !> What one thread does, with a model of its own.
+      !> Work of one thread, with a model of its own.
       subroutine share_weights()
          type(model_type) :: mine
          type(point_type) :: place

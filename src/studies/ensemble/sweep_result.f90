@@ -1,4 +1,4 @@
-!> What a model returns for one point of a sweep. SI units.
+!> Result of a model for one point of a sweep. SI units.
 module dg_sweep_result
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged, result_locked_up
@@ -27,7 +27,7 @@ module dg_sweep_result
 
 contains
 
-   !> Whether a point has its result, be it that there is no solution.
+   !> True if a point has its result, even if that is that no solution was found.
    elemental function is_solved(point) result(yes)
       type(sweep_result_type), intent(in) :: point
       logical :: yes

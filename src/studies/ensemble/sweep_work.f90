@@ -22,7 +22,7 @@ module dg_sweep_work
 
 contains
 
-   !> Whether a piece of work belongs to part `part` of `parts`: every parts-th does, so that each part has its share of
+   !> True if a piece of work belongs to part `part` of `parts`. Each part takes every parts-th piece, so that it has its share of
    !> shallow and of deep points.
    elemental function in_part(piece, part, parts) result(yes)
       integer, intent(in) :: piece, part, parts
@@ -78,8 +78,7 @@ contains
       end do
    end subroutine take_result
 
-   !> Whether the exponent of a number in row_form, its last three letters, is one that a double surely has: reading a greater one
-   !> overflows.
+   !> True if the exponent of a number in row_form, its last three letters, fits a double. Reading a greater one overflows.
    pure function fits(number) result(does)
       character(number_width), intent(in) :: number
       logical :: does
@@ -87,7 +86,7 @@ contains
       does = verify(number(number_width - 2:), digits) == 0 .and. number(number_width - 2:) <= greatest_exponent
    end function fits
 
-   !> Whether a text holds bytes that no message has.
+   !> True if a text holds bytes that no message has.
    pure function has_control_bytes(text) result(has)
       character(*), intent(in) :: text
       logical :: has

@@ -62,7 +62,7 @@ contains
       end do
    end function record_head
 
-   !> What a record's head says of a part, as 'part 3 of 40'.
+   !> Text on a part in a record's head, as 'part 3 of 40'.
    pure function part_text(part, parts) result(text)
       integer, intent(in) :: part, parts
       character(:), allocatable :: text
@@ -148,7 +148,7 @@ contains
       record%places = record%places(:count)
    end subroutine read_record
 
-   !> What is behind a word; '' where the text does not begin with it.
+   !> Text behind a word; '' where the text does not begin with the word.
    pure function after(word, text) result(rest)
       character(*), intent(in) :: word, text
       character(:), allocatable :: rest

@@ -39,7 +39,7 @@ module dg_depth_correlation
 
 contains
 
-   !> How alike residuals of neighbours in depth are, and errors must have been.
+   !> Correlation of residuals of neighbours in depth, and that of their errors.
    pure subroutine find_succession(jacobian, residual, depth, group, succession)
       real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns found), over the deviations
       real(wp), intent(in) :: residual(:)        !< over the deviations [-]

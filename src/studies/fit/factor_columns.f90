@@ -17,7 +17,7 @@ module dg_factor_columns
       real(wp) :: deviation = missing
    end type estimate_type
 
-   !> What holds a string; missing where it is not known.
+   !> Forces and depth of the place that holds a string; missing where unknown.
    type :: held_type
       real(wp) :: depth = missing, depth_frictionless = missing      !< [m]
       real(wp) :: tension_above = missing, tension_below = missing   !< [N]

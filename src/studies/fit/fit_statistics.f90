@@ -1,5 +1,4 @@
-!> What a fit is worth: confidence intervals, and which unknowns the data cannot tell apart. LAPACK's dgesvd takes the
-!> Jacobian to pieces.
+!> Quality of a fit: confidence intervals, and unknowns that the data cannot separate. LAPACK's dgesvd factorizes the Jacobian.
 module dg_fit_statistics
    use dg_kinds, only: wp
    use dg_constants, only: pi

@@ -13,7 +13,7 @@ module dg_least_squares
    integer, parameter :: fit_out_of_iterations = 2   !< the best found so far
    integer, parameter :: fit_without_values = 3      !< the function has no values at the start, or none around the fit
 
-   !> What is to meet the data.
+   !> Function that is fitted to the data.
    type, abstract :: measured_function_type
    contains
       procedure(evaluate_points), deferred :: evaluate
@@ -55,7 +55,7 @@ module dg_least_squares
    real(wp), parameter :: difference_share = 1.0e-3_wp
    !> A step smaller than this part of the scale ends the fit: far below what any measurement tells.
    real(wp), parameter :: rest_share = 1.0e-7_wp
-   !> So does a part of the sum of squares that no step gains any more.
+   !> Largest possible decrease of the sum of squares, as a part of it, at which the fit ends.
    real(wp), parameter :: rest_gain = 1.0e-12_wp
    integer, parameter :: most_iterations = 60
    !> Damping: first, by what it changes, and the most.
@@ -65,7 +65,7 @@ module dg_least_squares
    !> Nor where it moves no datum by this part of the datum: iterations leave as much noise in a difference.
    real(wp), parameter :: noise = 1.0e-5_wp
 
-   !> So often a start is halved that has no values: a sixteenth of any friction is little.
+   !> Maximum number of halvings of a start without values: a sixteenth of any friction is little.
    integer, parameter :: most_halvings = 4
 
 contains

@@ -1,4 +1,4 @@
-!> What groups of a deck that fit measurements have in common: their load cases and models.
+!> Common parts of a deck's groups that fit measurements: their load cases and models.
 module dg_measured_cases
    use dg_checked_group, only: checked_group_type, group_fault, is_given, line_of, places_of, texts_of
    use dg_deck_draft, only: draft_type, find_case

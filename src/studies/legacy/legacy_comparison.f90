@@ -20,7 +20,7 @@ module dg_legacy_comparison
    !> Units that they are shown in.
    integer, parameter :: quantity_of(quantity_count) = [quantity_force, quantity_moment, quantity_line_load]
 
-   !> What another program printed of one load case: depths, and any of axial force, torque, side force.
+   !> Results of another program for one load case: depths, and any of axial force, torque, side force.
    type :: legacy_table_type
       character(:), allocatable :: label             !< safe as part of a file name
       character(:), allocatable :: file

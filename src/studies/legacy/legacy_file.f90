@@ -140,7 +140,7 @@ contains
       end do
    end subroutine take_lines
 
-   !> Whether a line that is a comment would be a row without its mark: a depth stands where the column has it.
+   !> True if a comment line would be a row without its comment mark: a depth stands in the column of depths.
    function has_depth(text, column, table) result(has)
       character(*), intent(in) :: text
       type(column_type), intent(in) :: column      !< of measured depth
@@ -165,7 +165,7 @@ contains
       end if
    end function has_depth
 
-   !> Whether numbers are written in one way, rows are two or more, and depths increase.
+   !> Check that numbers are written in one way, rows are two or more, and depths increase.
    subroutine check_rows(columns, table, faults)
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
@@ -223,7 +223,7 @@ contains
       end do
    end subroutine find_columns
 
-   !> Whether a heading is that of a column, plain or followed by _ and a unit, which then counts as bracketed.
+   !> True if a heading is that of a column, plain or followed by _ and a unit. The unit then counts as bracketed.
    function matches(k, place, name, unit) result(is)
       integer, intent(in) :: k
       character(*), intent(in) :: place        !< heading that is looked for
@@ -260,7 +260,7 @@ contains
                  '_unit, or units, in the deck', faults)
    end subroutine check_unit
 
-   !> Whether a first row is data already: columns given by number, no headings.
+   !> True if a first row is data already: columns given by number, no headings.
    function is_data(columns, row) result(is)
       type(column_type), intent(in) :: columns(:)
       type(text_type), intent(in) :: row(:)
@@ -269,7 +269,7 @@ contains
       call read_real(row(columns(1)%number)%text, number, is)
    end function is_data
 
-   !> Whether a row below the headings gives the units of all columns that are read.
+   !> True if a row below the headings gives the units of all columns that are read.
    function is_row_of_units(columns, row) result(is)
       type(column_type), intent(in) :: columns(:)
       type(text_type), intent(in) :: row(:)

@@ -12,7 +12,7 @@ module dg_legacy_picture
    private
    public :: legacy_chart
 
-   !> What each quantity is called on its axis.
+   !> Name of each quantity on its axis.
    character(*), parameter :: axis_name(quantity_count) = [character(21) :: 'effective axial force', 'torque', 'side force']
    character(*), parameter :: their_look = "with linespoints pt 6 ps 0.6 lw 1.0 dt (3,3) lc rgb '"//colour_black//"'"
 

@@ -65,7 +65,8 @@ contains
       end do
    end function legacy_report
 
-   !> Whether their axial force is larger at the lowest depth than at the top and ours is not, as of hook loads over bit depth.
+   !> True if their axial force is larger at the lowest depth than at the top and ours is not. Their table then looks like hook
+   !> loads over bit depth.
    pure function grows_with_depth(comparison) result(grows)
       type(comparison_type), intent(in) :: comparison
       logical :: grows
@@ -176,7 +177,7 @@ contains
          end if
       end function growth_text
 
-      !> How the growth over an interval was found that holds no depth of the table.
+      !> Remark on the growth over an interval without a depth of the table.
       pure function remark(interval) result(text)
          type(interval_type), intent(in) :: interval
          character(:), allocatable :: text

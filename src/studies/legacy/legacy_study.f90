@@ -34,7 +34,7 @@ module dg_legacy_study
       procedure :: add_pictures
    end type legacy_study_type
 
-   !> What a row has of a quantity that no program gives.
+   !> Values of a row for a quantity that no program gives.
    real(wp), parameter :: nothing(quantity_count) = missing
    !> Columns of the table beneath the picture.
    character(*), parameter :: shown(12) = [character(24) :: 'model', 'md', 'hole', 'axial', 'legacy_axial', &

@@ -12,7 +12,7 @@ module dg_deck_steering
 
 contains
 
-   !> What the deck asks; not allocated where it asks nothing. All load cases where none is named.
+   !> Take the deck's &steering; not allocated where the deck has none. All load cases where none is named.
    subroutine take_steering(draft, groups, steering, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)

@@ -192,7 +192,8 @@ contains
       if (push(1)*tilt(1) < 0.0_wp) side_cutting = -tilt(1)*probe%wob/push(1)
    end subroutine fit_side_cutting
 
-   !> What must be nothing, of the string in a hole of curvature k; with its parts where they are asked for.
+   !> Function that is zero at the equilibrium curvature, for a string in a hole of curvature k; with its parts where they are asked
+   !> for.
    subroutine evaluate(probe, k, f, sound, push, tilt)
       type(probe_type), intent(inout) :: probe
       real(wp), intent(in) :: k(2)                          !< towards the high side and to the right [1/m]

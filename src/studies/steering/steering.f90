@@ -1,4 +1,4 @@
-!> What a &steering of a deck asks: where assemblies drill to.
+!> Data of a deck's &steering: directions in which assemblies drill.
 module dg_steering
    use dg_kinds, only: wp
    use dg_missing, only: missing, optional_real

@@ -52,7 +52,7 @@ contains
       self%forms = self%files
    end subroutine read_steering
 
-   !> How many cases and toolfaces.
+   !> Add the number of cases and tool faces.
    subroutine echo(self, job, lines)
       class(steering_study_type), intent(in) :: self
       type(job_type), intent(in) :: job

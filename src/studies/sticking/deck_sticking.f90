@@ -40,7 +40,7 @@ contains
       end do
    end subroutine take_stickings
 
-   !> What a &calibrate looks for: a resistance or a free point; 0: friction.
+   !> Unknown of a &calibrate: a resistance or a free point; 0: friction.
    pure function kind_of(group) result(kind)
       type(checked_group_type), intent(in) :: group
       integer :: kind

@@ -1,4 +1,4 @@
-!> What holds a string: resistance at a known depth, and the free point from stretch.
+!> Search for the place that holds a string: resistance at a known depth, and the free point from stretch.
 module dg_hold_string
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged

@@ -1,5 +1,5 @@
-!> What a &calibrate of a deck asks of a string that does not move freely (hypothesis 2 of the paper): the resistance at a
-!> stuck point or key seat, or the depth down to which the string is free.
+!> Data of a &calibrate for a string that does not move freely (hypothesis 2 of the paper). Unknown is the resistance at a stuck
+!> point or key seat, or the depth down to which the string is free.
 module dg_sticking
    use dg_kinds, only: wp
    use dg_missing, only: missing, optional_real
@@ -31,7 +31,7 @@ module dg_sticking
    integer, parameter :: sticking_no_solution = 4
    character(*), parameter :: sticking_status_name(4) = [character(11) :: 'found', 'at_bound', 'below_bit', 'no_solution']
 
-   !> What was found of a string that is held, with one model. SI units; `missing` where there is no value.
+   !> Result for a string that is held, with one model. SI units; `missing` where there is no value.
    type :: sticking_result_type
       integer :: model = 0                        !< number (dg_job)
       integer :: case_index = 0                   !< of the load case, of the second pull of a free point

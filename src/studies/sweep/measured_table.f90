@@ -1,4 +1,4 @@
-!> What was measured at the rig beside what a sweep calculates there, and the friction factor that would give it.
+!> Measured values at the rig beside those of a sweep, and the friction factor that would give them.
 module dg_measured_table
    use dg_kinds, only: wp
    use dg_comparison, only: as_measured
@@ -17,7 +17,7 @@ module dg_measured_table
    private
    public :: append_measured, factor_text, fitting_friction, quantity_hookload, quantity_torque
 
-   !> What a table or a row is about; also the digits of it behind the point.
+   !> Quantity of a table or a row; also its number of digits behind the point.
    integer, parameter :: quantity_hookload = 1, quantity_torque = 2
    integer, parameter :: depth_width = 10
    integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
@@ -26,7 +26,7 @@ module dg_measured_table
 
 contains
 
-   !> What was measured, what every friction factor gives there, and the factor that would give it.
+   !> Append measured values, the values of every friction factor there, and the factor that would give the measured ones.
    pure subroutine append_measured(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units

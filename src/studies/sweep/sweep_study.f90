@@ -121,7 +121,7 @@ contains
       call solve_points(run%job, run%model, self%ranges(number), self%ensembles(number), watch)
    end subroutine solve
 
-   !> What follows from the points: margins, its file, its table.
+   !> Report the points: margins, the file, the table.
    subroutine report(self, number, run, lines, error)
       class(sweep_study_type), intent(inout) :: self
       integer, intent(in) :: number

@@ -117,7 +117,7 @@ contains
       end do
    end function curves_of
 
-   !> Whether the hook loads of an operation are shown with the same digits at all friction factors, and all are solutions.
+   !> True if the hook loads of an operation are shown with the same digits at all friction factors, and all are solutions.
    pure function all_alike(units, sweep, points, model, operation) result(alike)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep

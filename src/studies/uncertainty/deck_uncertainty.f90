@@ -82,7 +82,7 @@ contains
          ' solutions; lower samples or raise bit_depth_step', faults)
    end subroutine take_one
 
-   !> How friction varies, and what of it together.
+   !> Take the variation of friction, and its correlation.
    subroutine take_friction(draft, group, estimates, uncertainty, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group

@@ -50,7 +50,7 @@ contains
          done = real(solved, wp)*real(max(job%parts, 1), wp)/real(size(ensemble%points), wp)
       end function share
 
-      !> What one thread does.
+      !> Work of one thread.
       subroutine share_samples()
          type(model_type) :: mine
          type(error_type), allocatable :: no_path

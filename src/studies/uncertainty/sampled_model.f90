@@ -14,7 +14,7 @@ module dg_sampled_model
    public :: draw_model, draw_of
    public :: quantity_friction, quantity_density, quantity_inclination, quantity_azimuth, quantity_hookload, quantity_torque
 
-   !> What is drawn; each has its own numbers, so that a deck with one more uncertainty keeps the others'.
+   !> Quantities that are drawn; each has its own numbers, so that a deck with one more uncertainty keeps the others'.
    integer, parameter :: quantity_friction = 1     !< index: hole section
    integer, parameter :: quantity_density = 2
    integer, parameter :: quantity_inclination = 3  !< index: station; 0: all alike

@@ -1,5 +1,5 @@
-!> What an &uncertainty of a deck asks for: a range of bit depths as in a sweep, solved again and again with what is not known
-!> drawn anew each time.
+!> Data of a deck's &uncertainty: a range of bit depths as in a sweep, solved again and again with new random values of the unknown
+!> inputs.
 module dg_uncertainty
    use dg_kinds, only: wp
    use dg_sweep, only: point_count, sweep_type
@@ -16,8 +16,8 @@ module dg_uncertainty
       real(wp) :: friction_deviation = 0.0_wp       !< of each hole section's coefficients [-]
       real(wp) :: friction_correlation = 1.0_wp     !< of the coefficients of two hole sections [-]
       real(wp), allocatable :: friction_deviations(:)  !< one a hole section, in place of these two; not allocated: none [-]
-      !> What a hole section's coefficient changes by for standard normal numbers, one a section (sections, sections), lower
-      !> triangle; not allocated: friction is certain [-].
+      !> Factor of a hole section's coefficients for standard normal numbers, one per section: (sections, sections), lower triangle
+      !> [-]. Not allocated if friction is certain.
       real(wp), allocatable :: friction_factor(:, :)
       logical :: axial = .true., rotary = .true.    !< which coefficients change
       integer :: estimate = 0                       !< number of that whose deviations of friction are taken; 0: none
@@ -30,7 +30,7 @@ module dg_uncertainty
       integer :: interpolation = interpolation_minimum_curvature !< of the survey
    end type uncertainty_type
 
-   !> What correlations rounded to four decimals may leave of a pivot [-].
+   !> Error of a pivot from correlations rounded to four decimals [-].
    real(wp), parameter :: rounded = 1.0e-3_wp
 
 contains

@@ -1,5 +1,5 @@
-!> What uncertain data make of hook load and torque against bit depth: half of the samples lie below the middle line, a tenth beyond
-!> each of the outer ones; what was measured is laid over it.
+!> Hook load and torque of uncertain data against bit depth. Half of the samples lie below the middle line, a tenth beyond each of
+!> the outer ones. Measured values are drawn on top.
 module dg_uncertainty_picture
    use dg_kinds, only: wp
    use dg_broomstick_panels, only: add_broomstick_panel, add_measured, add_rig_limits, begin_broomstick, measured_look, &

@@ -37,7 +37,7 @@ module dg_uncertainty_study
    public :: uncertainty_study_type
    public :: note_uncertainty
 
-   !> What is found of one range of depths.
+   !> Result for one range of depths.
    type :: found_type
       type(point_statistics_type), allocatable :: statistics(:)      !< of all its points
    end type found_type
@@ -167,7 +167,7 @@ contains
       call solve_samples(run%job, run%model, self%uncertainties(number), self%ensembles(number), watch)
    end subroutine solve
 
-   !> What follows from the samples: quantiles, its file, its table.
+   !> Report the samples: quantiles, the file, the table.
    subroutine report(self, number, run, lines, error)
       class(uncertainty_study_type), intent(inout) :: self
       integer, intent(in) :: number
@@ -237,7 +237,7 @@ contains
       end do
    end subroutine add_pictures
 
-   !> What a Monte Carlo is. The gauges' deviations come in when all is solved and may change.
+   !> Description of a Monte Carlo. The gauges' deviations come in when all is solved and may change.
    function uncertainty_lines(model, uncertainty) result(texts)
       type(model_type), intent(in) :: model
       type(uncertainty_type), intent(in) :: uncertainty

@@ -43,7 +43,7 @@ contains
       end do
    end function uncertainty_table
 
-   !> What varies, by how much.
+   !> Uncertain inputs and their deviations.
    pure function deviations_text(units, uncertainty) result(text)
       type(unit_system_type), intent(in) :: units
       type(uncertainty_type), intent(in) :: uncertainty
@@ -146,7 +146,7 @@ contains
          if (indicated) loads = found%weight_indicator
       end function loads_of
 
-      !> How many samples at the depth that has most of them.
+      !> Number of samples at the depth that has most of them.
       pure function most(counts) result(text)
          integer, intent(in) :: counts(:)
          character(:), allocatable :: text
@@ -155,7 +155,7 @@ contains
       end function most
    end subroutine append_curve
 
-   !> What matters most at the deepest bit depth, the largest share first.
+   !> Ranking of inputs at the deepest bit depth, the largest share first.
    pure function shares_text(what, uncertainty, shares) result(text)
       character(*), intent(in) :: what
       type(uncertainty_type), intent(in) :: uncertainty

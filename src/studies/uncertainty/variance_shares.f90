@@ -1,4 +1,4 @@
-!> What matters most: which share of the variance of a result each uncertain input explains.
+!> Shares of uncertain inputs in the variance of a result.
 !>
 !> Samples are a linear function of the standard normal numbers that they were drawn from, and what is left. The square of each
 !> coefficient is the variance by that number (first-order index of a linear model; Saltelli et al. 2008, Global sensitivity
@@ -88,7 +88,7 @@ contains
       place = pack([(j, j=1, sections), 0, 0, 0], drawn)
    end subroutine list_numbers
 
-   !> Whether an input is uncertain. What is left belongs to the survey where its stations are off each on their own.
+   !> True if an input is uncertain. The remainder belongs to the survey where the errors of its stations are independent.
    pure function varies(uncertainty, input) result(does)
       type(uncertainty_type), intent(in) :: uncertainty
       integer, intent(in) :: input

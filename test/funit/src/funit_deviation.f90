@@ -1,4 +1,4 @@
-!> How far numbers were from what a test expected of them, so that a test that passes tells by how much. State like that of the
+!> Deviation of numbers from the values that a test expects: a test that passes reports the largest. State like that of the
 !> exceptions: tests run one after another.
 module funit_deviation
    use, intrinsic :: iso_fortran_env, only: real64
@@ -31,7 +31,7 @@ contains
       allowed = limit/scale
    end subroutine note_deviation
 
-   !> What was noted since the last call, in words; '' for nothing.
+   !> Text on the deviations since the last call; '' if there are none.
    subroutine take_deviation(text)
       character(:), allocatable, intent(out) :: text
       character(80) :: line

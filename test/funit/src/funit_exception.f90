@@ -38,7 +38,7 @@ contains
       call move_alloc(longer, pending)
    end subroutine throw
 
-   !> Whether a failure is recorded.
+   !> True if a failure is recorded.
    logical function anyExceptions()
       anyExceptions = .false.
       if (allocated(pending)) anyExceptions = size(pending) > 0

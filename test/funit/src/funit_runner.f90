@@ -92,7 +92,7 @@ contains
       flush (output_unit)
    end subroutine run_test
 
-   !> Whether somebody watches: tables in a file stay as they are.
+   !> True if output goes to a terminal: tables in a file stay as they are.
    function on_terminal() result(is)
       logical :: is
       interface

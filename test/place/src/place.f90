@@ -91,7 +91,7 @@ contains
       root = ''
    end function root_above
 
-   !> What this program was started as.
+   !> Name by which this program was started.
    function own_name() result(name)
       character(:), allocatable :: name
       integer :: length
