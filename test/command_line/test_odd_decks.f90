@@ -89,7 +89,7 @@ contains
       run = under_limits(good_deck())
       call assertEqual(0, run%status, message=run%diagnostics)
       call refused(good_deck()//sweep, 'fewer frictions or a larger bit_depth_step', 'step = 0.001', 'step = 10')
-      call refused(good_deck()//chance, 'fewer samples', 'samples = 2000', 'samples = 100')
+      call refused(good_deck()//chance, 'fewer samples', 'samples = 2000', 'samples = 10')
       call refused(good_deck()//study, 'a larger element_length than 0.01 m', '0.01, 5', '1, 5')
       call refused(replaced(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, measured_hookload = 300.0')//fit, &
                    'give no &calibrate', fit, '')
