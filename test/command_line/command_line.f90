@@ -37,6 +37,8 @@ contains
       use dg_test_applied_friction, only: applied_friction_suite
       use dg_test_followed_advice, only: followed_advice_suite
       use dg_test_followed_faults, only: followed_faults_suite
+      use dg_test_followed_keys, only: followed_keys_suite
+      use dg_test_followed_studies, only: followed_studies_suite
       use dg_test_followed_surveys, only: followed_surveys_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
@@ -58,6 +60,8 @@ contains
       call suite%addTest(program_suite())
       call suite%addTest(can_be_done_suite())
       call suite%addTest(followed_faults_suite())
+      call suite%addTest(followed_keys_suite())
+      call suite%addTest(followed_studies_suite())
       call suite%addTest(followed_surveys_suite())
       call suite%addTest(followed_advice_suite())
       call suite%addTest(output_folder_suite())

@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('pipe_of_the_catalogue', test_catalogue))
       call suite%addTest(TestMethod('catalogue_within', test_within))
       call suite%addTest(TestMethod('catalogue_faults', test_catalogue_faults))
+      call suite%addTest(TestMethod('catalogue_advice_followed', test_catalogue_followed))
       call suite%addTest(TestMethod('convert', test_convert))
       call suite%addTest(TestMethod('metric_template', test_metric_template))
       call suite%addTest(TestMethod('convert_to_metric', test_convert_metric))
@@ -154,6 +155,40 @@ contains
       call assertTrue(index(run%diagnostics, "group &component: 'bare' of ") > 0 .and. &
                       index(run%diagnostics, 'test_bare.csv has no od; give it here') > 0, message=run%diagnostics)
    end subroutine test_catalogue_faults
+
+   !> Advice on a catalogue is followed, and the message is gone.
+   subroutine test_catalogue_followed()
+      type(run_type) :: run
+      character(*), parameter :: of_a_grade = "List pipe of a grade so: --list-catalogue 'DP 5 S135'"
+      call follow('name,od_mm\na,127\na,127\n', "'a' stands in line 2 already; keep one", 'name,od_mm\na,127\n')
+      call follow('name,od\na,127\n', "unknown column 'od'; legal: name, kind", 'name,od_mm\na,127\n')
+      call follow('kind,od_mm\na,127\n', 'the header names no name', 'name,od_mm\na,127\n')
+      call follow('name,kind\na,drillpipe\n', 'has no od; give it here', 'name,kind\na,drillpipe\n', ', od = 127')
+      run = run_program('--list-catalogue S135')
+      call assertTrue(index(run%output, of_a_grade) > 0, message=run%output)
+      run = run_program("--list-catalogue 'DP 5 S135'")
+      call assertTrue(index(run%output, 'DP 5 19.50 NC50 S135') > 0, message=run%output)
+      call assertEqual(0, index(run%output, of_a_grade), message=run%output)
+      run = run_program('--list-catalogue dp')         ! as for 'DP 7 20' above
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'DP 5 19.50 NC50') > 0, message=run%output)
+   contains
+      !> Components 'a' of two catalogues, the second one with a key.
+      subroutine follow(faulty, expected, followed, key)
+         character(*), intent(in) :: faulty, expected, followed
+         character(*), intent(in), optional :: key
+         character(:), allocatable :: text
+         text = replaced(good_deck(), '&job ', "&job catalogue_file = '../test_follow.csv', ")
+         call execute_command_line("printf '"//faulty//"' > build/test_follow.csv")
+         run = run_deck_text(replaced(text, pipe, "&component catalogue = 'a' /"), '--check')
+         call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+         call execute_command_line("printf '"//followed//"' > build/test_follow.csv")
+         text = replaced(text, pipe, "&component catalogue = 'a' /")
+         if (present(key)) text = replaced(text, "catalogue = 'a'", "catalogue = 'a'"//key)
+         run = run_deck_text(text, '--check')
+         call assertEqual(0, run%status, message='followed: '//expected//'; got: '//run%diagnostics)
+      end subroutine follow
+   end subroutine test_catalogue_followed
 
    !> To field units and back: the same results, and the numbers that the deck had.
    subroutine test_convert()

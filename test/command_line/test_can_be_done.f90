@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
       call suite%addTest(TestMethod('overpull_left_out', test_overpull))
+      call suite%addTest(TestMethod('reaming', test_reaming))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
       call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
@@ -122,7 +123,7 @@ contains
    end subroutine test_advice
 
    !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
-   !> as it says.
+   !> as it says. After 'Possible with': yes with that overpull.
    subroutine test_overpull()
       character(*), parameter :: excess = 'Not possible without overpull either: hook load with block (rig) '
       type(run_type) :: run
@@ -135,6 +136,9 @@ contains
       told = number_after(run%output, excess)
       run = run_deck_text(deck_of('0', '205'))
       call assertTrue(index(unwrapped(run%output), ', '//told//' klbf too much') > 0, message=told//' told; '//run%output)
+      run = run_deck_text(deck_of('-90', '300'))
+      run = run_deck_text(deck_of('-'//number_after(run%output, '. Possible with '), '300'))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
    contains
       !> Pulling with weight on bit and rig limit [klbf].
       function deck_of(wob, limit) result(text)
@@ -143,6 +147,26 @@ contains
          text = replaced(deck("operation = 'up', wob = "//wob, .false.), 'max_hookload = 500', 'max_hookload = '//limit)
       end function deck_of
    end subroutine test_overpull
+
+   !> 'Rotate the string' where it does not go down by itself: reaming can be done, with that hook load.
+   subroutine test_reaming()
+      character(*), parameter :: advice = "Check it by a case operation = 'reaming' with rpm and trip_speed"
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      character(:), allocatable :: hookload
+      real(wp) :: found, promised
+      run = run_deck_text(deck("operation = 'down', friction = 0.6", .false.))
+      call assertTrue(index(unwrapped(run%output), advice) > 0, message=run%output)
+      hookload = number_after(run%output, 'its weight is enough then, hook load about ')
+      read (hookload, *) promised
+      run = run_deck_text(deck("operation = 'reaming', rpm = 120, trip_speed = 0.02, friction = 0.6", .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      hookload = field(rows(3)%text, col_hookload)
+      read (hookload, *) found
+      call assertTrue(abs(found - promised) < 0.01_wp*promised, message='hook load of a string that turns: '//hookload)
+   end subroutine test_reaming
 
    !> 'Deepest bit depth possible: about' a depth: yes 1 % above it, NO 1 % below it.
    subroutine test_reach()

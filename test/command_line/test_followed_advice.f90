@@ -22,6 +22,8 @@ contains
       call suite%addTest(TestMethod('friction_above_a_stuck_point', test_sticking))
       call suite%addTest(TestMethod('arguments', test_arguments))
       call suite%addTest(TestMethod('folders', test_folders))
+      call suite%addTest(TestMethod('in_the_way_of_results', test_in_the_way))
+      call suite%addTest(TestMethod('record_of_an_earlier_run', test_record))
    end function followed_advice_suite
 
    !> A deck has the message `expected` in its results; with `fault` changed to `remedy` it converges without it.
@@ -97,6 +99,12 @@ contains
       call act('--convert '//deck_path//' furlong', 'takes one deck and units, as SI, field', '--convert '//deck_path//' field')
       call act('--template furlong', 'Units are SI, field', '--template field')
       call act('--well 1 '//deck_path, 'go with --import', deck_path//' --check')
+      call act('', 'no deck given. Write drillgap DECK.nml', deck_path//' --check')
+      call act("''", 'the name of the deck is empty. Give a file', deck_path//' --check')
+      call act(deck_path//' --output', '--output needs a value, as in --output ', deck_path//' --check --output '//results_path)
+      call act('--template --convert', 'exclude each other. Give one', '--template')
+      call act('--template=field', 'after --template comes a blank, not =', '--template field')
+      call act('/dev/zero --check', 'it is a device; give a file', deck_path//' --check')
    contains
       subroutine obey(option, expected, remedy)
          character(*), intent(in) :: option, expected, remedy
@@ -122,13 +130,18 @@ contains
       end subroutine act
    end subroutine test_arguments
 
-   !> The folder of results: unnamed, or with a folder in place of its lock.
+   !> The folder of results: unnamed, not to be written into, or with a folder in place of its lock. Options without use in a deck
+   !> that has no sweep.
    subroutine test_folders()
       character(*), parameter :: lock = results_path//'/drillgap.lock'
       type(run_type) :: run
       type(error_type), allocatable :: error
       run = run_deck_text(good_deck(), '--check')
       call obey('- < '//deck_path, 'Give output_dir in &job, or --output DIR', '- --output '//results_path//' < '//deck_path)
+      call obey(deck_path//' --check --again', 'every run: leave --again out', deck_path//' --check')
+      call obey(deck_path//' --check --part 1/2', 'nothing else can be divided into parts', deck_path//' --check')
+      call obey(deck_path//' --output /proc', 'cannot write into the output folder /proc', &
+                deck_path//' --output '//results_path)
       call make_folder(lock, error)
       call obey(deck_path//' --output '//results_path, lock//' is no file; remove it', &
                 deck_path//' --output '//results_path, remove=lock)
@@ -146,6 +159,61 @@ contains
          call assertEqual(0, index(run%diagnostics, expected), message=run%diagnostics)
       end subroutine obey
    end subroutine test_folders
+
+   !> What stands in the folder of results where the run would write: it is removed, or another folder is named.
+   subroutine test_in_the_way()
+      character(*), parameter :: folder = '; remove it, or give another folder by output_dir or --output'
+      character(*), parameter :: results = ' --output '//results_path, other = ' --output '//scratch//'/other'
+      type(run_type) :: run
+      run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
+      call shell('mkdir -p '//results_path)
+      call clear_way('echo mine > '//results_path//'/pictures', '/pictures is no folder'//folder, '/pictures')
+      call clear_way('mkdir '//scratch//'/else; ln -s ../else '//results_path//'/pictures', 'remove the link, or give another', &
+                     '/pictures')
+      call clear_way('ln -s nowhere '//results_path//'/summary.csv', 'remove them, or give another folder', '/summary.csv')
+      call shell('cp '//deck_path//' '//results_path//'/summary.csv')
+      run = run_program(results_path//'/summary.csv --check'//results)
+      call assertTrue(index(run%diagnostics, 'give another folder by output_dir or --output, or move the file') > 0, &
+                      message=run%diagnostics)
+      run = run_program(results_path//'/summary.csv --check'//other)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call shell('mv '//results_path//'/summary.csv '//scratch//'/moved.nml')
+      run = run_program(scratch//'/moved.nml --check'//results)
+      call assertEqual(0, run%status, message=run%diagnostics)
+   contains
+      !> `put` puts something in the way, which is `name` of the folder.
+      subroutine clear_way(put, expected, name)
+         character(*), intent(in) :: put, expected, name
+         call shell(put)
+         run = run_program(deck_path//' --check'//results)
+         call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+         run = run_program(deck_path//' --check'//other)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call shell('rm '//results_path//name)
+         run = run_program(deck_path//' --check'//results)
+         call assertEqual(0, run%status, message=run%diagnostics)
+      end subroutine clear_way
+   end subroutine test_in_the_way
+
+   !> A record that no sweep of the deck goes on with.
+   subroutine test_record()
+      character(*), parameter :: advice = 'is unfinished work of an earlier run; remove it if it is not needed'
+      type(run_type) :: run
+      run = run_deck_text(good_deck())
+      call shell('echo > '//results_path//'/sweep_old.partial')
+      run = run_program(deck_path//' --output '//results_path)
+      call assertTrue(index(run%diagnostics, 'sweep_old.partial '//advice) > 0, message=run%diagnostics)
+      call shell('rm '//results_path//'/sweep_old.partial')
+      run = run_program(deck_path//' --output '//results_path)
+      call assertEqual('', run%diagnostics)
+   end subroutine test_record
+
+   subroutine shell(command)
+      character(*), intent(in) :: command
+      integer :: status
+      call execute_command_line(command, exitstat=status)
+      call assertEqual(0, status, message=command)
+   end subroutine shell
 
    !> An opened reamer above a hole that was not opened.
    pure function reamed_well() result(text)

@@ -5,7 +5,7 @@ module dg_test_followed_faults
    use dg_program_run, only: good_deck, replaced, run_deck_text, run_type
    implicit none
    private
-   public :: followed_faults_suite
+   public :: follow, followed_faults_suite
 
    character(*), parameter :: newline = achar(10)
 

@@ -18,6 +18,9 @@ contains
       call suite%addTest(TestMethod('headings', test_headings))
       call suite%addTest(TestMethod('other_kinds_of_file', test_kinds))
       call suite%addTest(TestMethod('positions_and_parents', test_others))
+      call suite%addTest(TestMethod('columns', test_columns))
+      call suite%addTest(TestMethod('hole_above', test_above))
+      call suite%addTest(TestMethod('documents', test_documents))
    end function followed_surveys_suite
 
    !> A file has a message with `expected`; the file that follows the advice is read without it. `keys`: of &trajectory, before and
@@ -79,6 +82,49 @@ contains
       call follow('<html><table>', 'Open it in a spreadsheet, save the sheet as CSV, and name that file', sound)
       call follow('{"md": [0]}', 'Export the survey as CSV, and name that file', sound)
    end subroutine test_kinds
+
+   !> Columns that the header leaves open.
+   subroutine test_columns()
+      character(*), parameter :: twice = 'MD,Inc,Azimuth,Azi;0,0,0,0;1400,10,10,12', other = 'Tiefe a,Inc,Azi;0,0,0;1400,10,10'
+      character(*), parameter :: north = 'MD,Inc,Azimuth TN,Azimuth GN;0,0,0,0;1400,10,10,12', blanks = 'MD Inc Azi Bit Run;'
+      call follow('Foo,MD a,MD a,Inc,Azi;1,0,0,0,0;1,1400,5,10,10', 'stands twice in the header. Rename one of them', &
+                  'Foo,MD a,MD b,Inc,Azi;1,0,0,0,0;1,1400,5,10,10', ", md_column = 'MD a'", ", md_column = 'MD a'")
+      call follow(other, "Did you mean 'Tiefe a'?", other, ", md_column = 'Tiefe b'", ", md_column = 'Tiefe a'")
+      call follow('MD (furlong),Inc,Azi;0,0,0;7,10,10', 'convert it: md in m, ft or usft', 'MD (m),Inc,Azi;0,0,0;1408,10,10')
+      call follow('MD,Inc (gon),Azi;0,0,0;1400,11,10', 'angles in deg or rad', 'MD,Inc (deg),Azi;0,0,0;1400,9.9,10')
+      call follow('', 'it needs a header naming md, inc, azi', sound)
+      call follow(blanks//'0 0 0 1;1400 10 80 1', 'no heading of two words: separate them by commas or tabs', &
+                  'MD,Inc,Azi,Bit Run;0,0,0,1;1400,10,80,1')
+      call follow(twice, "Name one in &trajectory: azi_column = 'Azimuth'", twice, new_keys=", azi_column = 'Azimuth'")
+      call follow(north, 'To take another: azi_column', north, new_keys=", azi_column = 'Azimuth TN'")
+      call follow(char(255)//char(254)//'M'//char(0)//'D'//char(0), 'its text is UTF-16; save it as UTF-8', sound)
+   end subroutine test_columns
+
+   !> The hole above a survey that begins inclined.
+   subroutine test_above()
+      character(*), parameter :: slant = 'MD,Inc,Azi;30,45,10;300,60,10;1400,90,10', vertical = ", tie_on = 'vertical'"
+      character(*), parameter :: side = 'MD,Inc,Azi;1010,30.5,46;1100,35,60;1400,60,80', key = ", parent_file = 'parent.csv'"
+      character(*), parameter :: parent = 'MD,Inc,Azi;0,0,0;500,0,0;800,20,45;1000,30,45'
+      call follow(side, "For a sidetrack give parent_file = 'FILE'", side, new_keys=key, new_parent=parent)
+      call follow(side, "parent_file is empty. Give a path relative to the deck", side, ", parent_file = ''", key, &
+                  new_parent=parent)
+      call follow(side, "For a slant well or a river crossing give tie_on = 'straight'", side, new_keys=", tie_on = 'straight'")
+      call follow(slant, 'Warning: holes hardly turn by more than', slant, vertical, ", tie_on = 'straight'")
+      call follow(slant, 'For a sidetrack give parent_file, for a slant well', slant, vertical, key, &
+                  new_parent='MD,Inc,Azi;0,45,10;20,45,10')
+   end subroutine test_above
+
+   !> An XML document with several trajectories, or none.
+   subroutine test_documents()
+      character(*), parameter :: head = '<trajectorys version="1.4.1.1">', foot = '</trajectorys>'
+      character(*), parameter :: stations = '<trajectoryStation><md uom="m">0</md><incl uom="dega">0</incl></trajectoryStation>'// &
+         '<trajectoryStation><md uom="m">1400</md><incl uom="dega">10</incl><azi uom="dega">10</azi></trajectoryStation>'
+      character(*), parameter :: one = '<trajectory><name>Plan</name>'//stations//'</trajectory>'
+      character(*), parameter :: other = '<trajectory><name>Actual</name>'//stations//'</trajectory>'
+      call follow(head//one//other//foot, 'Name one by survey_well', head//one//other//foot, new_keys=", survey_well = 'Actual'")
+      call follow('<wells><well/></wells>', 'Export the survey as CSV', sound)
+      call follow('<wells><well/></wells>', 'or as a WITSML trajectory', head//one//foot)
+   end subroutine test_documents
 
    !> Positions that the file lists, and the hole that a sidetrack leaves.
    subroutine test_others()

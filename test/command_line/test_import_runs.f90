@@ -69,6 +69,7 @@ contains
       call suite%addTest(TestMethod('missing_values', test_missing))
       call suite%addTest(TestMethod('hostile_names', test_hostile))
       call suite%addTest(TestMethod('which_well', test_which))
+      call suite%addTest(TestMethod('advice_followed', test_followed))
       call suite%addTest(TestMethod('refused', test_refused))
    end function import_runs_suite
 
@@ -168,6 +169,24 @@ contains
       run = imported(text_list(trajectory, replaced(tubular, 'Auk 9', 'Auk 8')), "--well 'Auk 9'")
       call expect(run%output, '! MISSING: the string')
    end subroutine test_which
+
+   !> What a refusal asks for is given.
+   subroutine test_followed()
+      type(run_type) :: run
+      run = run_program('--import')
+      call expect(run%diagnostics, '--import needs a file, as in --import well.xml')
+      call refuse(text_list(edm, edm), '', 'b.xml: a second EDM export. Give one')
+      run = imported(text_list(edm), '')
+      call refuse(text_list(tubular), '', 'no survey in what was given. Add the trajectory of the well')
+      run = imported(text_list(tubular, trajectory), '')
+      call refuse(text_list('md,inc,azi|0,0,0|'), '', 'is not XML in UTF-8. Give an EDM export, or WITSML documents')
+      run = imported(text_list(trajectory, tubular), '')
+      call refuse(text_list('<export>'//holes//foot), '', 'Export the wellbore with its survey')
+      run = imported(text_list(survey//holes//foot), '')
+      run = run_program('deck.nml --well A')
+      call expect(run%diagnostics, '--well and --units go with --import')
+      run = imported(text_list(edm), "--well 'Tern 3' --units SI")
+   end subroutine test_followed
 
    subroutine test_refused()
       type(run_type) :: run

@@ -25,12 +25,15 @@ contains
       call suite%addTest(TestMethod('hook_loads_over_depth', test_hookloads))
       call suite%addTest(TestMethod('bad_tables', test_bad_tables))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
+      call suite%addTest(TestMethod('advice_followed', test_followed))
+      call suite%addTest(TestMethod('loads_on_the_bit', test_loads))
    end function legacy_runs_suite
 
    !> Writes a table, lines parted by |, and runs the good deck with a group that names it; the group stands in line 21.
-   function run_with(table, keys) result(run)
+   function run_with(table, keys, deck) result(run)
       character(*), intent(in) :: table
       character(*), intent(in) :: keys
+      character(*), intent(in), optional :: deck     !< in place of the good deck
       type(run_type) :: run
       type(text_type), allocatable :: lines(:)
       type(error_type), allocatable :: error
@@ -44,7 +47,11 @@ contains
       end do
       call write_text_file(table_path, lines, error)
       call assertFalse(allocated(error), message='table')
-      run = run_deck_text(good_deck()//group//keys//' /'//newline)
+      if (present(deck)) then
+         run = run_deck_text(deck//group//keys//' /'//newline)
+      else
+         run = run_deck_text(good_deck()//group//keys//' /'//newline)
+      end if
    end function run_with
 
    !> Rows behind a mark of comments are counted in a note.
@@ -162,6 +169,56 @@ contains
       call refuse('0 150|900 0', ", md = '1', axial = '3'", file//'1:', 'axial is to be column 3; the table has 2')
       call refuse('   0 150|900', ", md = '1:4', axial = '5:8'", file//'2:', 'the row ends at character 3')
    end subroutine test_bad_tables
+
+   !> Advice is followed, and the message is gone.
+   subroutine test_followed()
+      call follow("   0 150.0| 900   0.0", ", md = '1:4', axial = 'axial'", "give all as 'first:last'", "   0 150.0| 900   0.0", &
+                  ", md = '1:4', axial = '5:10'")
+      call follow("md,axial|0,150|900,0", ", axial = ''", "give a heading, a number, or characters 'first:last'", &
+                  "md,axial|0,150|900,0", ", axial = 'axial'")
+      call follow("md,axial|0,150|900,0", ", axial = ''", "give a heading, a number, or characters 'first:last'", &
+                  "md,axial|0,150|900,0", ", axial = '2'")
+      call follow("   0 150.0| 900   0.0", ", md = '1:4', axial = '5:4'", "as in '11:20'", "   0 150.0| 900   0.0", &
+                  ", md = '1:4', axial = '5:10'")
+      call follow("md,axial|0,150|900,0", ", axial = '0'", "the first is 1", "md,axial|0,150|900,0", ", axial = '2'")
+      call follow("md,pull|0,150|900,0", "", "name at least one of its columns", "md,pull|0,150|900,0", ", axial = 'pull'")
+      call follow("md,axial|0,150", "", "two or more make a table", "md,axial|0,150|900,0", "")
+      call follow("md,axial|0,150|900,0|450,75", "", "depths must increase", "md,axial|0,150|450,75|900,0", "")
+      call follow("md,axial,axial|0,150,1|900,0,1", "", "give axial as the number of its column", &
+                  "md,axial,axial|0,150,1|900,0,1", ", axial = '2'")
+      call follow("report|md,axial|0,150|900,0", "", "give the number of lines above them as skip", "report|md,axial|0,150|900,0", &
+                  ", skip = 1")
+      call follow("md,axial (furlong)|0,150|900,0", "", "set axial_unit in the deck", "md,axial (furlong)|0,150|900,0", &
+                  ", axial_unit = 'kN'")
+      call follow("md (m),axial (klbf)|0,30|900,0", "", "set axial_unit, or units, in the deck", "md (m),axial (klbf)|0,30|900,0", &
+                  ", axial_unit = 'klbf'")
+      call follow("md_ft,axial_klbf|0,30|2950,0", "", "set axial_unit, or units, in the deck", "md_ft,axial_klbf|0,30|2950,0", &
+                  ", units = 'field'")
+      call follow("md,axial|0,150000|900,0", "", "check the unit of its column (axial_unit)", "md,axial|0,150000|900,0", &
+                  ", axial_unit = 'N'")
+   contains
+      subroutine follow(table, keys, expected, new_table, new_keys)
+         character(*), intent(in) :: table, keys, expected, new_table, new_keys
+         type(run_type) :: run
+         run = run_with(table, keys)
+         call assertTrue(index(run%output//run%diagnostics, expected) > 0, &
+                         message='wanted: '//expected//'; got: '//run%output//run%diagnostics)
+         run = run_with(new_table, new_keys)
+         call assertEqual(0, run%status, message='followed: '//expected//'; got: '//run%diagnostics)
+         call assertEqual(0, index(run%output//run%diagnostics, expected), message='followed: '//run%output)
+      end subroutine follow
+   end subroutine test_followed
+
+   !> A difference at the bit is gone with the load on the bit of the other program.
+   subroutine test_loads()
+      character(*), parameter :: table = 'md,axial|0,250|900,-100', advice = 'at the lowest depth: compare the loads on the bit.'
+      type(run_type) :: run
+      run = run_with(table, '')
+      call assertTrue(index(run%output, advice) > 0, message=run%output)
+      run = run_with(table, '', replaced(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, wob = 100'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, advice), message=run%output)
+   end subroutine test_loads
 
    subroutine test_bad_groups()
       character(*), parameter :: good = 'md,axial|0,150|900,0', line = deck_path//':21:'

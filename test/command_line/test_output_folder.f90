@@ -157,15 +157,22 @@ contains
       call shell('find '//scratch//' | diff build/before - && test -L '//results_path//'/'//name)
    end subroutine refuse
 
-   !> While a run holds the folder another is refused, and is told by whom.
+   !> While a run holds the folder another is refused, and is told by whom. Another folder takes it, and the same one afterwards.
    subroutine test_two_runs()
+      character(*), parameter :: short = 'build/test_short_deck.nml'
       type(run_type) :: run
+      run = run_deck_text(good_deck(), '--check')
+      call shell('cp '//deck_path//' '//short)
       run = run_deck_text(long_deck(), '--check')
       call start('', 'profile_u_mcge.csv')
       run = run_program(deck_path//' --output '//results_path)
       call assertEqual(1, run%status, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'is in use by another run: process ') > 0, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, ' since 2') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, '; wait for its end, or give another folder by --output') > 0, &
+                      message=run%diagnostics)
+      run = run_program(short//' --output '//scratch//'/another')
+      call assertEqual(0, run%status, message=run%diagnostics)
       ! by another way, and as a part: refused as well
       run = run_program(deck_path//' --output '//results_path//'/../results/.')
       call assertEqual(1, run%status, message=run%diagnostics)
@@ -175,6 +182,8 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call stop_run('TERM')
       call assertEqual(0, count_of('ls '//results_path//' | grep lock'), message='the lock')
+      run = run_program(short//' --output '//results_path)
+      call assertEqual(0, run%status, message=run%diagnostics)
    end subroutine test_two_runs
 
    !> Parts of a sweep run side by side, but not twice the same, and no whole run beside them.

@@ -128,6 +128,8 @@ contains
       do i = first_line, last
          call put_above(lines(i)%text(:content_length(lines(i)%text)), layout%extent, texts)
       end do
+      ! single blanks everywhere and a column without heading: the header does not stand above the numbers
+      if (first_line == last .and. size(phrases) == 1 .and. any([(texts(i)%text == '', i=1, size(texts))])) call take(words)
 
    contains
 

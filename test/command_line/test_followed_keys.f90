@@ -1,0 +1,115 @@
+!> Advice of messages about keys and numbers of a deck: it is followed, and the message is gone. Each fault is one change to a deck
+!> that is right, each remedy one change to the faulty deck.
+module dg_test_followed_keys
+   use funit, only: TestMethod, TestSuite
+   use dg_test_followed_faults, only: follow
+   implicit none
+   private
+   public :: followed_keys_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function followed_keys_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('followed_keys')
+      call suite%addTest(TestMethod('tools', test_tools))
+      call suite%addTest(TestMethod('texts', test_texts))
+      call suite%addTest(TestMethod('numbers', test_numbers))
+   end function followed_keys_suite
+
+   !> Keys of tools and of the hole that need another key.
+   subroutine test_tools()
+      call follow("&solver", "&centralizer component = 'collars', od = 200, spacing = 10, kind = 'bow' / &solver", &
+                  "kind = 'bow' needs restoring_force", "'bow'", "'bow', restoring_force = 5")
+      call follow("od = 171.45", "bend = 1.5, od = 171.45", "bend needs bend_position", "= 1.5", "= 1.5, bend_position = 2")
+      call follow("od = 171.45", "pad_force = 15, od = 171.45", "pad_force needs pad_position", "= 15", "= 15, pad_position = 2")
+      call follow("od = 171.45", "fatigue_curve = 'own', od = 171.45", "fatigue_curve = 'own' needs fatigue_limit", "'own'", &
+                  "'own', fatigue_limit = 100")
+      call follow("od = 171.45", "fatigue_limit = 100, od = 171.45", "fatigue_limit needs fatigue_curve = 'own'", "= 100, od", &
+                  "= 100, fatigue_curve = 'own', od")
+      call follow("od = 171.45", "joint_fatigue_exponent = 5, od = 171.45", "joint_fatigue_exponent needs joint_fatigue_limit", &
+                  "= 5", "= 5, joint_fatigue_limit = 100")
+      call follow("top_lateral = 'centred'", "packer_hold = 'fixed'", "packer_hold needs packer_bore", "'fixed'", &
+                  "'fixed', packer_bore = 100")
+      call follow("&solver", "&rig sheave_efficiency = 0.98 / &solver", "sheave_efficiency = 0.98 needs lines", "= 0.98", &
+                  "= 0.98, lines = 10")
+      call follow("wob = 20.0", "wob = 20.0, hours = 5", "hours needs rpm > 0", "= 5", "= 5, rpm = 60")
+      call follow("wob = 20.0", "wob = 20.0 / &load_case name = 'r', operation = 'reaming', bit_depth = 800, rpm = 60", &
+                  "needs trip_speed > 0", "= 60", "= 60, trip_speed = 0.1")
+      call follow("diameter = 220.0", "wear_factor = 10, diameter = 220.0", "wear_factor needs casing_od", "= 10", &
+                  "= 10, casing_od = 244.5")
+      call follow("density = 1200.0", "density = 1200.0 / &fluid density = 1100, above_bit = 10", "it needs where = 'inside'", &
+                  "= 10", "= 10, where = 'inside'")
+      call follow("density = 1200.0", &
+                  "density = 1200.0 / &fluid density = 1100, md_top = 300, where = 'inside', float_collar = 'closed'", &
+                  "it needs above_bit", "md_top = 300", "above_bit = 10")
+      call follow("density = 1200.0", "density = 1200.0 / &fluid density = 1100", &
+                  "from the top down, each with the md_top, tvd_top or", "= 1100", "= 1100, md_top = 300")
+      call follow("density = 1200.0", "density = 1200.0 / &fluid density = 1100", &
+                  "from the top down, each with the md_top, tvd_top or", "= 1100", "= 1100, tvd_top = 300")
+      call follow("density = 1200.0", "density = 1200.0, where = 'inside' / &fluid where = 'inside', density = 1100", &
+                  "or above_bit where it begins", "= 1100", "= 1100, above_bit = 300")
+      call follow("'centred' /", "'centred', bit_lateral = 'free' / &steering /", "needs bit_lateral = 'centred' in &boundary", &
+                  "'free'", "'centred'")
+      call follow("'centred' /", "'centred' / &steering cases = 's', measured_dogleg = 1, 2 /", "needs one, or one a case", &
+                  "1, 2", "1")
+      call follow("'centred' /", "'centred' / &steering cases = 'u', 's', side_cutting = 0.1 /", &
+                  "needs wob > 0 or no side_cutting", "bit_depth = 900.0", "wob = 5, bit_depth = 900.0")
+      call follow("'centred' /", "'centred' / &steering cases = 'u', 's', side_cutting = 0.1 /", &
+                  "needs wob > 0 or no side_cutting", ", side_cutting = 0.1", "")
+   end subroutine test_tools
+
+   !> Groups, keys and texts of a deck.
+   subroutine test_texts()
+      call follow("&boundary top", "&job / &boundary top", "given a second time, first in line 1; keep one", "&job / ", "")
+      call follow("friction = 0.3", "friction = 0.3, diameter = 210", "given a second time, first in line 9; keep one", &
+                  ", diameter = 210", "")
+      call follow("&component name = 'collars', kind = 'collar', length = 100.0"//newline//"  od = 171.45, id = 71.4 /"//newline// &
+                  "&component od = 127.0, id = 108.6"//newline//"  joint_od = 168.3 /", "", &
+                  "group &component: missing; a deck needs it", "&solver", "&component od = 127, id = 108.6 / &solver")
+      call follow("azi = 3*10.0 /", "azi = 3*10.0", "not closed before &hole in line 6; end it with /", "3*10.0", "3*10.0 /")
+      call follow("'a deck'", "'a deck", "is not closed on its line", "'a deck", "'a deck'")
+      call follow("= 220.0", "= 8.5""", "a number has no mark of inches behind it", "8.5""", "220")
+      call follow("'a deck'", "'F"//char(246)//"rde'", "save the file as UTF-8", char(246), char(195)//char(182))
+      call follow("'collars'", "'a"//char(226)//char(129)//char(166)//"b'", "the direction of writing; remove it", char(226)// &
+                  char(129)//char(166), "")
+      call follow("'collars'", "'=b'", "begin with a letter or a digit", "=b", "b")
+      call follow("'s', op", "'@b', op", "begin with a letter or a digit", "@b", "1b")
+   end subroutine test_texts
+
+   !> Depths, lengths and settings that do not fit each other.
+   subroutine test_numbers()
+      call follow("md  = 0.0", "tie_on = 'vertical', kick_off = 60, md  = 50", "needs a depth above it", "= 60", "= 40")
+      call follow("md  = 0.0, 500.0, 900.0"//newline//"  inc = 0.0, 0.0, 30.0"//newline//"  azi = 3*10.0", &
+                  "interpolation = 'spline', md = 0, 775, 900, inc = 0, 160, 30, azi = 3*10", &
+                  "or use interpolation = 'minimum_curvature'", "'spline'", "'minimum_curvature'")
+      call follow("md  = 0.0, 500.0, 900.0"//newline//"  inc = 0.0, 0.0, 30.0"//newline//"  azi = 3*10.0", &
+                  "interpolation = 'spline', md = 0, 775, 900, inc = 0, 160, 30, azi = 3*10", "add stations or use", &
+                  "775, 900, inc = 0, 160, 30, azi = 3*10", "400, 775, 830, 900, inc = 0, 80, 160, 90, 30, azi = 5*10")
+      call follow("md  = 0.0, 500.0, 900.0"//newline//"  inc = 0.0, 0.0, 30.0"//newline//"  azi = 3*10.0", &
+                  "md = 0, inc = 0, azi = 10", "at least two are needed", "md = 0, inc = 0, azi = 10", &
+                  "md = 0, 900, inc = 0, 30, azi = 2*10")
+      call follow("md  = 0.0, 500.0, 900.0", "md = 0, 500, 400", "measured depth must increase", "400", "900")
+      call follow("md_top = 0.0", "md_top = 10.0", "holes must begin at surface, md_top = 0", "= 10.0", "= 0")
+      call follow("md_top = 400.0", "md_top = 410.0", "sections must abut", "= 410.0", "= 400.0")
+      call follow("md_top = 400.0", "md_top = 390.0", "sections must abut", "= 390.0", "= 400.0")
+      call follow("length = 100.0", "", "only the last component of string 'main' may reach to surface", "'collar',", &
+                  "'collar', length = 100,")
+      call follow("id = 108.6", "id = 108.6, length = 800, kind = 'drillpipe'"//newline// &
+                  "  joint_od = 220 / &component od = 127, id = 108.6", "needs a diameter < 215.9 mm", "= 220 /", "= 168 /")
+      call follow("= 800.0", "= 950.0", "needs a number, > 0 and <= 900 m", "= 950.0", "= 900.0")
+      call follow("wob = 20.0", "wob = 20.0, length_reference = 'u'", "has another string or bit_depth; it must have the same", &
+                  "bit_depth = 800.0", "bit_depth = 900.0")
+      call follow("'centred' /", "'centred', packer_bore = 100, packer_hold = 'fixed' / &load_case name = 'v', operation = "// &
+                  "'static', bit_depth = 800 / &load_case name = 'w', operation = 'static', bit_depth = 800, wob = 5, "// &
+                  "length_reference = 'v' /", "leave wob out", "wob = 5, ", "")
+      call follow("= 10.0 /", "= 10.0, gk_contact = 10.0, gk_max = 5.0 /", "gk_max must be at least gk_contact", "= 5.0", &
+                  "= 10.0")
+      call follow("= 10.0 /", "= 10.0, gk_contact = 5, gk_min = 10 /", "gk_min must be smaller than gk_contact", "= 10 /", &
+                  "= 1 /")
+      call follow("= 10.0 /", "= 10.0, eps_n0 = 0.9 /", "eps_n0 must be smaller than eps_nmax", "= 0.9", "= 0.001")
+      call follow("= 10.0 /", "= 10.0, eps_n0 = 0.015 /", "does not count as touching", "= 0.015", "= 0.001")
+   end subroutine test_numbers
+end module dg_test_followed_keys
