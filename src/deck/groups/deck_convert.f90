@@ -124,7 +124,7 @@ contains
          new = written(:index(written, '*'))//shortest(number*from/to)
       end function converted
 
-      !> Key of units that a group needs and lacks: the units of the deck, or those of the file that it names.
+      !> Key of units that a group needs and lacks: the new units of the deck, or those of the file that it names.
       pure function added(start) result(text)
          integer, intent(in) :: start
          character(:), allocatable :: text

@@ -16,7 +16,7 @@ module dg_uncertainty
       real(wp) :: friction_deviation = 0.0_wp       !< of each hole section's coefficients [-]
       real(wp) :: friction_correlation = 1.0_wp     !< of the coefficients of two hole sections [-]
       real(wp), allocatable :: friction_deviations(:)  !< one a hole section, in place of these two; not allocated: none [-]
-      !> Factor of a hole section's coefficients for standard normal numbers, one per section: (sections, sections), lower triangle
+      !> Change of a hole section's coefficient by standard normal numbers, one per section: (sections, sections), lower triangle
       !> [-]. Not allocated if friction is certain.
       real(wp), allocatable :: friction_factor(:, :)
       logical :: axial = .true., rotary = .true.    !< which coefficients change
@@ -30,7 +30,7 @@ module dg_uncertainty
       integer :: interpolation = interpolation_minimum_curvature !< of the survey
    end type uncertainty_type
 
-   !> Error of a pivot from correlations rounded to four decimals [-].
+   !> Largest pivot that counts as zero, as correlations are rounded to four decimals [-].
    real(wp), parameter :: rounded = 1.0e-3_wp
 
 contains
