@@ -186,7 +186,7 @@ contains
       call follow("md,axial|0,150|900,0|450,75", "", "depths must increase", "md,axial|0,150|450,75|900,0", "")
       call follow("md,axial,axial|0,150,1|900,0,1", "", "give axial as the number of its column", &
                   "md,axial,axial|0,150,1|900,0,1", ", axial = '2'")
-      call follow("report|md,axial|0,150|900,0", "", "give the number of lines above them as skip", "report|md,axial|0,150|900,0", &
+      call follow("report|md,axial|0,150|900,0", "", "or the lines above the headings as skip", "report|md,axial|0,150|900,0", &
                   ", skip = 1")
       call follow("md,axial (furlong)|0,150|900,0", "", "set axial_unit in the deck", "md,axial (furlong)|0,150|900,0", &
                   ", axial_unit = 'kN'")

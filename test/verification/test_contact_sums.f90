@@ -1,6 +1,6 @@
 !> Sums of contact, hook loads and torques of stabilized assemblies in holes that build and turn, and of blades down to 1 mm.
-!> Expected values are those of an independent rod in three dimensions, with supports and a mesh of its own. It has the same law of the
-!> wall (1e5 and 1e6 kN/m2), so that it does not judge the wall.
+!> Expected values are those of an independent rod in three dimensions, with supports and a mesh of its own. It has the same law
+!> of the wall (1e5 and 1e6 kN/m2), so that it does not judge the wall.
 module dg_test_contact_sums
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use dg_case_result, only: case_result_type
