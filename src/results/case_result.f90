@@ -57,7 +57,7 @@ module dg_case_result
       real(wp) :: residual_force = 0.0_wp      !< largest nodal residual [N]
       real(wp) :: residual_moment = 0.0_wp     !< largest nodal residual [N.m]
       real(wp) :: lateral_step = 0.0_wp        !< largest lateral change [m]
-      real(wp) :: damping = 0.0_wp           !< damping, in units of F^2/(4 EI) [-]
+      real(wp) :: damping = 0.0_wp             !< of the step that led here, in units of F^2/(4 EI) [-]
       integer :: judged = judged_start         !< what judged the step that led here
       integer :: negative_pivots = missing_count !< negative eigenvalues of the step's matrix; missing: not known
       integer :: contacts = 0                  !< gaps in contact

@@ -160,7 +160,7 @@ contains
       end subroutine obey
    end subroutine test_folders
 
-   !> What stands in the folder of results where the run would write: it is removed, or another folder is named.
+   !> Files in the way of a run's results. The advice removes them, or names another folder.
    subroutine test_in_the_way()
       character(*), parameter :: folder = '; remove it, or give another folder by output_dir or --output'
       character(*), parameter :: results = ' --output '//results_path, other = ' --output '//scratch//'/other'

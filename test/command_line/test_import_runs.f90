@@ -170,7 +170,7 @@ contains
       call expect(run%output, '! MISSING: the string')
    end subroutine test_which
 
-   !> What a refusal asks for is given.
+   !> Refused decks that pass with the keys and values that the refusal names.
    subroutine test_followed()
       type(run_type) :: run
       run = run_program('--import')

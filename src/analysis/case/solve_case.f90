@@ -6,8 +6,6 @@ module dg_solve_case
    use dg_component, only: tube_area
    use dg_confirm_lock_up, only: confirm_lock_up
    use dg_error, only: error_type, raise, status_failure
-   use dg_fluid, only: side_outside
-   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type, string_index
@@ -18,7 +16,7 @@ module dg_solve_case
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_reason, stop_type
    use dg_text, only: to_text
-   use dg_trajectory, only: top_md, true_vertical_depth
+   use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_force
    implicit none
    private
@@ -88,13 +86,10 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(inout) :: result
-      type(fluid_column_type) :: annulus
-      real(wp) :: pressure, top
-      top = top_md(model%trajectory)
-      if (top > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
-      if (.not. any(model%mud%fluids%surface_pressure > 0.0_wp)) return
-      call new_fluid_column(model, model%cases(case_index), side_outside, annulus)
-      pressure = pressure_at(annulus, top, true_vertical_depth(model%trajectory, top))
+      real(wp) :: pressure
+      if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
+      pressure = maxval(model%mud%fluids%surface_pressure)       ! the uppermost fluid of the annulus alone may have one
+      if (.not. pressure > 0.0_wp) return
       associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
          call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
                           trim(in_units(model%units, unit_force, pressure*tube_area(parts(size(parts))%od, 0.0_wp), shown))// &

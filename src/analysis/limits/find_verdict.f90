@@ -10,8 +10,8 @@ module dg_find_verdict
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
-   use dg_fatigue, only: fatigue_type
    use dg_drillstring, only: component_tops
+   use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_job, only: model_mcge
@@ -132,13 +132,11 @@ contains
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: raised
       type(verdict_type) :: at_end
+      logical :: judged              ! loads at the upper end are known
       if (.not. has_upper_friction(upper, model%cases(result%case_index))) return
-      verdict%friction = merge(friction_upper_end, friction_calibrated, upper%known)
-      if (verdict%answer == answer_no .or. .not. upper%known) return
-      if (cannot_scale(model, result)) then
-         verdict%friction = friction_calibrated
-         return
-      end if
+      judged = upper%known .and. .not. (verdict%answer == answer_yes .and. cannot_scale(model, result))
+      verdict%friction = merge(friction_upper_end, friction_calibrated, judged)
+      if (verdict%answer == answer_no .or. .not. judged) return
       raised = model
       call raise_friction(model, result%case_index, upper, raised%holes)
       at_end%friction = friction_upper_end_alone

@@ -101,7 +101,7 @@ module dg_tuning
       !> an enlarged bend is 6 % off: `fpm test verification -- -f lone_contacts.place` fails. Of 1,105 decks of an independent
       !> reviewer 54 cases have contact more than 1 % off that on short elements, not 59.
       integer :: more_moves = 2
-      !> How much deeper the string is elsewhere in the element of such a contact [m]. With a millimetre more gaps move in vain.
+      !> Depth by which the string must be deeper elsewhere in the element of such a contact [m]. At 1 mm more gaps move in vain.
       real(wp) :: astray = 3.0e-3_wp
       !> Iterations after its gaps last moved at which a string is given up, and taken back to where it was before.
       integer :: longest_round = 25
@@ -116,7 +116,7 @@ module dg_tuning
       real(wp) :: damping_start = 1.0e-3_wp
       !> Factor of damping after a step that was accepted at first try [-].
       real(wp) :: after_success = 0.3_wp
-      !> The same after a step that was not accepted at first try. Each refusal doubles its own factor (Nielsen 1999) [-].
+      !> What is left of damping after a step that was refused before [-]. Each refusal doubles its own factor (Nielsen 1999).
       real(wp) :: after_refusal = 0.8_wp
       !> Factor of damping while the tangent is indefinite, and at the first refusal [-].
       real(wp) :: until_definite = 2.0_wp

@@ -24,6 +24,7 @@ module dg_equilibrium
    use dg_block_matrix, only: keep_symmetric
    use dg_case_result, only: judged_energy, judged_refused, judged_residual, judged_whole
    use dg_contact_problem, only: is_definite, measure_contacts
+   use dg_damping, only: damping_most, ease_damping, weigh_string
    use dg_equations, only: equations_type
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
@@ -38,7 +39,6 @@ module dg_equilibrium
    use dg_step, only: find_step
    use dg_stopping, only: is_stopped
    use dg_trajectory, only: trajectory_type
-   use dg_damping, only: ease_damping, damping_most, weigh_string
    use dg_workspace, only: workspace_type
    implicit none
    private

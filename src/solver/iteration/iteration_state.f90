@@ -37,7 +37,7 @@ module dg_iteration_state
       type(stop_type) :: stop
       real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
-      logical :: damped = .false.            !< damping keeps the energy's tangent positive definite
+      logical :: damped = .false.             !< damping keeps the energy's tangent positive definite
       real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
       logical, allocatable :: outside(:)      !< elements that stand outside there (e)
       integer :: outcome = outcome_open
@@ -46,7 +46,7 @@ module dg_iteration_state
       type(iteration_type) :: row
       type(block_matrix_type) :: energy       !< the tangent without friction and torque, of a damped string
       real(wp), allocatable :: lump(:, :)     !< what a unit of damping adds to its diagonal
-      real(wp) :: damping = 0.0_wp          !< in units of F^2/(4 EI) [-]
+      real(wp) :: damping = 0.0_wp            !< in units of F^2/(4 EI) [-]
       real(wp) :: raised = 1.0_wp             !< what a refusal raises damping by
       real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
       real(wp) :: before = 0.0_wp             !< largest residual where the step begins, pushes included [N, N.m]

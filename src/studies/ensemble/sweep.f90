@@ -162,7 +162,7 @@ contains
       end do
    end subroutine point_holes
 
-   !> Value of a list for an operation. The list has one value for all, or one each; 0 where there is none.
+   !> Value for an operation from a list with one value for all operations, or one for each. 0 without a list.
    pure function at_operation(list, operation) result(value)
       real(wp), allocatable, intent(in) :: list(:)
       integer, intent(in) :: operation         !< its place in the sweep

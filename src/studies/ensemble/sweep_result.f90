@@ -27,7 +27,7 @@ module dg_sweep_result
 
 contains
 
-   !> True if a point has its result, even if that is that no solution was found.
+   !> True if a point was tried, also where no solution was found.
    elemental function is_solved(point) result(yes)
       type(sweep_result_type), intent(in) :: point
       logical :: yes

@@ -45,7 +45,7 @@ contains
       call put(row, 'measured_torque', quantity_moment, 'the same of torque', measured%torque)
       call put(row, 'error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator', error)
       call put(row, 'message', quantity_text, &
-               'reason where there is no solution, else warnings', text_or_nothing(result%message))
+               'reason of a missing solution, else warnings', text_or_nothing(result%message))
       call put(row, 'weight_indicator', quantity_force, &
                'what the rig shows of the hook load, as in summary.csv', result%weight_indicator)
       call put(row, 'friction_cased', quantity_none, &

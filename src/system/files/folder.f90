@@ -7,7 +7,7 @@ module dg_folder
    use dg_text, only: append_text, c_text, text_type
    implicit none
    private
-   public :: make_folder, is_folder, is_executable, list_folder, remove_empty_folder
+   public :: make_folder, is_folder, is_executable, list_folder, refuse_writing, remove_empty_folder
 
    !> rwxrwxrwx less the user's umask (0777 octal).
    integer(c_int), parameter :: all_rights = 511_c_int
@@ -96,10 +96,16 @@ contains
          if (above /= '') reason = above
          call raise(error, status_failure, 'cannot make the output folder '//path//': '//reason)
       else if (c_access(c_text(path), may_write) /= 0) then
-         reason = system_reason()
-         call raise(error, status_failure, 'cannot write into the output folder '//path//': '//reason//'; use --output')
+         call refuse_writing(path, error)
       end if
    end subroutine make_folder
+
+   !> The error of an output folder that the system has just refused to write into.
+   subroutine refuse_writing(path, error)
+      character(*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+      call raise(error, status_failure, 'cannot write into the output folder '//path//': '//system_reason()//'; use --output')
+   end subroutine refuse_writing
 
    !> True if a path is a folder: only a folder holds the entry '.'.
    function is_folder(path) result(is)

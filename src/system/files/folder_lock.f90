@@ -11,7 +11,7 @@ module dg_folder_lock
    use dg_file_identity, only: identity_of, identity_of_link, identity_of_open, identity_type, is_same_file
    use dg_file_lines, only: read_lines
    use dg_file_system, only: delete_file
-   use dg_system_reason, only: system_reason
+   use dg_folder, only: refuse_writing
    use dg_text, only: c_text, text_type, to_text
    implicit none
    private
@@ -137,8 +137,7 @@ contains
                call raise(error, status_failure, 'cannot lock the output folder '//folder//': '//lock_name//' there cannot be '// &
                           'opened for writing; where no run is under way, remove it')
             else
-               call raise(error, status_failure, 'cannot write into the output folder '//folder//': '//system_reason()// &
-                          '; use --output')
+               call refuse_writing(folder, error)
             end if
             return
          end if
