@@ -16,7 +16,7 @@ from check_docs import ROOT
 MAKER = re.compile(r"\bcall (\w*(?:fault|raise|refuse|tell|message|note|advise)\w*|append_text)\(", re.I)
 LITERAL = re.compile(r"'((?:[^']|'')*)'|\"((?:[^\"]|\"\")*)\"")
 LENGTH, SHORTEST = 14, 10
-ALLOWED = 4
+ALLOWED = 2
 
 
 def joined(path):

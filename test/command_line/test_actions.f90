@@ -164,6 +164,11 @@ contains
       call follow('name,od\na,127\n', "unknown column 'od'; legal: name, kind", 'name,od_mm\na,127\n')
       call follow('kind,od_mm\na,127\n', 'the header names no name', 'name,od_mm\na,127\n')
       call follow('name,kind\na,drillpipe\n', 'has no od; give it here', 'name,kind\na,drillpipe\n', ', od = 127')
+      call follow('name,od_mm,connection\na,127,NC5O\n', "connection = 'NC5O' is unknown; legal: ", &
+                  'name,od_mm,connection\na,127,NC50\n')
+      call refuse("catalogue = 'DP 5 19.50 NC5'", "did you mean 'DP 5 19.50 NC50'?")
+      run = run_deck_text(replaced(good_deck(), pipe, "&component catalogue = 'DP 5 19.50 NC50' /"), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
       run = run_program('--list-catalogue S135')
       call assertTrue(index(run%output, of_a_grade) > 0, message=run%output)
       run = run_program("--list-catalogue 'DP 5 S135'")

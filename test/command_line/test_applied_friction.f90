@@ -2,7 +2,7 @@
 module dg_test_applied_friction
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type
+   use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_program, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
    use dg_text, only: text_type, to_text
    implicit none
@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('nothing_to_apply', test_nothing))
       call suite%addTest(TestMethod('refused', test_refused))
       call suite%addTest(TestMethod('at_its_bound', test_bound))
+      call suite%addTest(TestMethod('friction_that_is_possible', test_possible))
    end function applied_friction_suite
 
    !> Friction 0.2 down to 400 m and 0.3 below, as hook loads of tripping out at 500 and 1000 m tell it; 0.1 in the deck. What uses
@@ -118,6 +119,44 @@ contains
       if (anyExceptions()) return
       call compare(found, repeated)
    end subroutine test_handed_on
+
+   !> Pipe that goes down a hole of 60 deg with the friction found, 0.45, and does not with the upper end of its interval. It does
+   !> with the friction that the answer tells, weight along over weight across the hole, and not with 2 % more.
+   subroutine test_possible()
+      real(wp), parameter :: found = 0.45_wp
+      character(*), parameter :: told = 'With up to about ', mark = newline//'x  '
+      type(run_type) :: run
+      character(:), allocatable :: number
+      real(wp) :: factor
+      integer :: at
+      run = run_deck_text(well(0.1_wp)//"&calibrate separate = 'none', apply = .true., hookload_deviation = 19 /"//newline)
+      call assertTrue(index(run%output, mark//'NO ') > 0, message=run%output)
+      number = unwrapped(run%output)
+      at = index(number, told)
+      call assertTrue(at > 0 .and. index(number, ' times the calibrated friction the answer is yes') > at, message=run%output)
+      if (at == 0) return
+      read (number(at + len(told):), *) factor
+      call assertEqual(along/across/found, factor, 0.01_wp, message='closed form')
+      run = run_deck_text(well(found*factor))
+      call assertTrue(index(run%output, mark//'yes ') > 0, message=run%output)
+      run = run_deck_text(well(1.02_wp*found*factor))
+      call assertTrue(index(run%output, mark//'NO ') > 0, message=run%output)
+   contains
+      !> Its deck, with hook loads of friction 0.45.
+      function well(friction) result(text)
+         real(wp), intent(in) :: friction      !< of the deck [-]
+         character(:), allocatable :: text
+         character(:), allocatable :: up
+         up = "operation = 'up', measured_hookload = "
+         text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+                "&trajectory md = 0, 1000, inc = 60, 60, azi = 0, 0 /"//newline// &
+                "&hole diameter = 220, friction = "//to_text(friction)//" /"//newline//"&fluid density = 0 /"//newline// &
+                "&component od = 127, id = 108.6, mass = 20 /"//newline// &
+                "&load_case name = 'a', "//up//to_text(0.5_wp*(along + found*across))//", bit_depth = 500 /"//newline// &
+                "&load_case name = 'b', "//up//to_text(along + found*across)//", bit_depth = 1000 /"//newline// &
+                "&load_case name = 'x', operation = 'down', bit_depth = 1000 /"//newline
+      end function well
+   end subroutine test_possible
 
    !> A hook load below the weight asks for friction below 0. One factor for both sections is within its bounds.
    subroutine test_bound()

@@ -17,6 +17,7 @@ contains
       call suite%addTest(TestMethod('tools', test_tools))
       call suite%addTest(TestMethod('texts', test_texts))
       call suite%addTest(TestMethod('numbers', test_numbers))
+      call suite%addTest(TestMethod('units_and_slips', test_units))
    end function followed_keys_suite
 
    !> Keys of tools and of the hole that need another key.
@@ -112,4 +113,28 @@ contains
       call follow("= 10.0 /", "= 10.0, eps_n0 = 0.9 /", "eps_n0 must be smaller than eps_nmax", "= 0.9", "= 0.001")
       call follow("= 10.0 /", "= 10.0, eps_n0 = 0.015 /", "does not count as touching", "= 0.015", "= 0.001")
    end subroutine test_numbers
+
+   !> Numbers that are legal and hardly meant, and keys that are missing.
+   subroutine test_units()
+      call follow("od = 127.0, id = 108.6"//newline//"  joint_od = 168.3", "od = 5.0, id = 4.276"//newline//"  joint_od = 6.63", &
+                  "in holes of 215.9 mm and more; mind the units", "od = 5.0, id = 4.276"//newline//"  joint_od = 6.63", &
+                  "od = 127.0, id = 108.6"//newline//"  joint_od = 168.3")
+      call follow("joint_od = 168.3", "joint_od = 168.3, mass = 19.5", "mind the units, and the density of what is not steel", &
+                  "= 19.5", "= 29")
+      call follow("joint_od = 168.3", "joint_od = 168.3, mass = 11.2", "mind the units, and the density of what is not steel", &
+                  "= 11.2", "= 11.2, density = 2800")
+      call follow("joint_od = 168.3", "joint_od = 168.3, youngs = 30", "youngs = 30; steel has 206", "= 30", "= 206")
+      call follow("500.0, 900.0", "899.0, 900.0", "is a depth or an angle mistyped?", "899.0", "500.0")
+      call follow("500.0, 900.0"//newline, "500.0, 20000.0"//newline, "deeper than any hole so far; mind the units", "20000.0", &
+                  "900.0")
+      call follow("density = 1200.0", "density = 1.2", "is that of a gas or of foam; water has 1000", "= 1.2", "= 1200")
+      call follow("od = 127.0", "connection = 'NC50', od = 127.0", "needs a joint_id (with tool joints) or an id and a yield", &
+                  "= 'NC50'", "= 'NC50', joint_id = 88.9, yield = 931")
+      call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 100, md_bottom = 150 /", "give a longer section", &
+                  "= 150", "= 250")
+      call follow(", operation = 'sliding'", "", "key operation is missing; needs a text in quotes: trip_out, trip_in,", "'s'", &
+                  "'s', operation = 'trip_in'")
+      call follow("bit_depth = 800.0", "", "key bit_depth is missing; needs a number, 0.001 to 50000 m", "'sliding',", &
+                  "'sliding', bit_depth = 800,")
+   end subroutine test_units
 end module dg_test_followed_keys

@@ -1,7 +1,7 @@
 !> Advice of messages about a survey file: it is followed, and the message is gone. Lines of a file are parted by semicolons.
 module dg_test_followed_surveys
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: run_type
+   use dg_program_run, only: deck_path, run_program, run_type, scratch
    use dg_test_survey_runs, only: check_survey => check
    implicit none
    private
@@ -48,6 +48,7 @@ contains
       call follow('MD,Inc,Azi;0,0,0;700,,10;1400,10,10', 'no value for inc. '//no_station, 'MD,Inc,Azi;0,0,0;#700,,10;1400,10,10')
       call follow('MD,Inc,Azi;0,0,0;700,x1,10;1400,10,10', 'is no number. '//no_station, &
                   'MD,Inc,Azi;0,0,0;#700,x1,10;1400,10,10')
+      call follow('MD,Inc,Azi;0,0,0;1400,200,10', 'is out of range; needs a number, 0 to 180', sound)
       call follow('MD,Inc,Azi;0,0,0;1400,10,N10E', 'Write azimuths from 0 to 360 deg', sound)
       call follow('MD,Inc,Azi;0,0,0;#REF!,5,10;1400,10,10', 'an error of a spreadsheet. Give its number', &
                   'MD,Inc,Azi;0,0,0;700,5,10;1400,10,10')
@@ -114,16 +115,25 @@ contains
                   new_parent='MD,Inc,Azi;0,45,10;20,45,10')
    end subroutine test_above
 
-   !> An XML document with several trajectories, or none.
+   !> An XML document with several trajectories, or none, or on a machine without the library that reads it: an empty file stands
+   !> for the library.
    subroutine test_documents()
       character(*), parameter :: head = '<trajectorys version="1.4.1.1">', foot = '</trajectorys>'
       character(*), parameter :: stations = '<trajectoryStation><md uom="m">0</md><incl uom="dega">0</incl></trajectoryStation>'// &
          '<trajectoryStation><md uom="m">1400</md><incl uom="dega">10</incl><azi uom="dega">10</azi></trajectoryStation>'
       character(*), parameter :: one = '<trajectory><name>Plan</name>'//stations//'</trajectory>'
       character(*), parameter :: other = '<trajectory><name>Actual</name>'//stations//'</trajectory>'
+      type(run_type) :: run
       call follow(head//one//other//foot, 'Name one by survey_well', head//one//other//foot, new_keys=", survey_well = 'Actual'")
       call follow('<wells><well/></wells>', 'Export the survey as CSV', sound)
       call follow('<wells><well/></wells>', 'or as a WITSML trajectory', head//one//foot)
+      run = check_survey(head//one//foot, '')
+      call assertEqual(0, run%status, message='with the library: '//run%diagnostics)
+      call execute_command_line(': > '//scratch//'/libexpat.so.1')
+      run = run_program('--check '//deck_path, 'LD_LIBRARY_PATH='//scratch)
+      call assertEqual(2, run%status, message='without the library')
+      call assertTrue(index(run%diagnostics, 'Install it (package libexpat1), or export the survey as CSV') > 0, &
+                      message=run%diagnostics)
    end subroutine test_documents
 
    !> Positions that the file lists, and the hole that a sidetrack leaves.

@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('parts_that_nothing_uses', test_unused))
       call suite%addTest(TestMethod('sparse_spline', test_spline))
       call suite%addTest(TestMethod('little_memory', test_little_memory))
+      call suite%addTest(TestMethod('more_than_the_machine_has', test_too_large))
    end function odd_decks_suite
 
    subroutine test_units()
@@ -113,6 +114,27 @@ contains
          call assertEqual(0, run%status, message=advice//': '//run%diagnostics)
       end subroutine refused
    end subroutine test_little_memory
+
+   !> 400 strings of 50 km on elements of 1 cm need 2 TB; longer elements are solved.
+   subroutine test_too_large()
+      character(*), parameter :: advice = '; give a larger element_length than 0.01 m'
+      character(:), allocatable :: text
+      type(run_type) :: run
+      integer :: i
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+             '&trajectory md = 0, 50000, inc = 2*0, azi = 2*0 /'//newline//'&hole diameter = 215.9, friction = 0.2 /'//newline// &
+             '&fluid density = 1200 /'//newline//'&component od = 127, id = 108.6 /'//newline
+      do i = 1, 400
+         text = text//"&load_case name = '"//to_text(i)//"', operation = 'up', bit_depth = 50000 /"//newline
+      end do
+      text = text//'&solver element_length = 0.01 /'//newline
+      run = run_deck_text(text)
+      call assertEqual(2, run%status, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'GB of memory, the machine has ') > 0 .and. index(run%diagnostics, advice) > 0, &
+                      message=run%diagnostics)
+      run = run_deck_text(replaced(text, '= 0.01 /', '= 1000 /'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+   end subroutine test_too_large
 
    !> The good deck with `old` changed to `new` passes, with a note that holds `expected`.
    subroutine note(old, new, expected)
