@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
       call suite%addTest(TestMethod('advice_followed', test_followed))
       call suite%addTest(TestMethod('loads_on_the_bit', test_loads))
+      call suite%addTest(TestMethod('case_without_solution', test_unsolved))
    end function legacy_runs_suite
 
    !> Writes a table, lines parted by |, and runs the good deck with a group that names it; the group stands in line 21.
@@ -172,17 +173,18 @@ contains
 
    !> Advice is followed, and the message is gone.
    subroutine test_followed()
+      character(*), parameter :: good = 'md,axial|0,150|900,0'
       call follow("   0 150.0| 900   0.0", ", md = '1:4', axial = 'axial'", "give all as 'first:last'", "   0 150.0| 900   0.0", &
                   ", md = '1:4', axial = '5:10'")
-      call follow("md,axial|0,150|900,0", ", axial = ''", "give a heading, a number, or characters 'first:last'", &
-                  "md,axial|0,150|900,0", ", axial = 'axial'")
-      call follow("md,axial|0,150|900,0", ", axial = ''", "give a heading, a number, or characters 'first:last'", &
-                  "md,axial|0,150|900,0", ", axial = '2'")
+      call follow(good, ", axial = ''", "give a heading, a number, or characters 'first:last'", &
+                  good, ", axial = 'axial'")
+      call follow(good, ", axial = ''", "give a heading, a number, or characters 'first:last'", &
+                  good, ", axial = '2'")
       call follow("   0 150.0| 900   0.0", ", md = '1:4', axial = '5:4'", "as in '11:20'", "   0 150.0| 900   0.0", &
                   ", md = '1:4', axial = '5:10'")
-      call follow("md,axial|0,150|900,0", ", axial = '0'", "the first is 1", "md,axial|0,150|900,0", ", axial = '2'")
+      call follow(good, ", axial = '0'", "the first is 1", good, ", axial = '2'")
       call follow("md,pull|0,150|900,0", "", "name at least one of its columns", "md,pull|0,150|900,0", ", axial = 'pull'")
-      call follow("md,axial|0,150", "", "two or more make a table", "md,axial|0,150|900,0", "")
+      call follow("md,axial|0,150", "", "two or more make a table", good, "")
       call follow("md,axial|0,150|900,0|450,75", "", "depths must increase", "md,axial|0,150|450,75|900,0", "")
       call follow("md,axial,axial|0,150,1|900,0,1", "", "give axial as the number of its column", &
                   "md,axial,axial|0,150,1|900,0,1", ", axial = '2'")
@@ -196,6 +198,11 @@ contains
                   ", units = 'field'")
       call follow("md,axial|0,150000|900,0", "", "check the unit of its column (axial_unit)", "md,axial|0,150000|900,0", &
                   ", axial_unit = 'N'")
+      call follow(good, " / &legacy label = 'a/b', file = '../test_legacy_table.txt', case = 'u'", &
+                  "use 1 to 100 letters, digits and _ - . +", good, &
+                  " / &legacy label = 'a-b', file = '../test_legacy_table.txt', case = 'u'")
+      call follow("md,axial|0,15|900,0", ", axial_unit = 'tons'", "legal: N, daN, kN, kdaN, t,", "md,axial|0,15|900,0", &
+                  ", axial_unit = 't'")
    contains
       subroutine follow(table, keys, expected, new_table, new_keys)
          character(*), intent(in) :: table, keys, expected, new_table, new_keys
@@ -208,6 +215,22 @@ contains
          call assertEqual(0, index(run%output//run%diagnostics, expected), message='followed: '//run%output)
       end subroutine follow
    end subroutine test_followed
+
+   !> A case without solution is not compared, and the output says so; once it has one it is.
+   subroutine test_unsolved()
+      character(*), parameter :: table = 'md,axial|0,150|900,0'
+      character(*), parameter :: told = 'Legacy x is not compared: case u, model mcge, has no solution (not_converged).'
+      type(run_type) :: run
+      character(:), allocatable :: deck
+      deck = replaced(good_deck(), "'soft'", "'mcge'")
+      run = run_with(table, '', replaced(deck, '= 10.0 /', '= 10.0, max_iterations = 1 /'))
+      call assertEqual(3, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, told) > 0, message=run%output)
+      run = run_with(table, '', deck)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, told), message=run%output)
+      call assertTrue(index(run%output, 'Legacy x beside case u, model mcge') > 0, message=run%output)
+   end subroutine test_unsolved
 
    !> A difference at the bit is gone with the load on the bit of the other program.
    subroutine test_loads()

@@ -46,8 +46,9 @@ contains
       allocate (lines(0))
       if (status /= result_converged) then
          call append_text(lines, '')
-         call append_text(lines, 'Case '//case_name//', model '//trim(model_name(model))//', has no solution ('// &
-                          trim(result_status_name(status))//'): do not use the comparison below.')
+         call append_text(lines, 'Legacy '//table%label//' is not compared: case '//case_name//', model '// &
+                          trim(model_name(model))//', has no solution ('//trim(result_status_name(status))//').')
+         return
       end if
       call append_text(lines, '')
       call append_text(lines, 'Legacy '//table%label//' beside case '//case_name//', model '//trim(model_name(model)))

@@ -92,10 +92,11 @@ contains
       associate (results => run%results, case => run%model%cases(table%case_index))
          call begin_table(rows, legacy_row(case%name, run%job%models(1), missing, '', nothing, nothing), run%job%units)
          do i = 1, size(results)
-            if (.not. allocated(comparisons(i)%md)) cycle
+            if (results(i)%case_index /= table%case_index) cycle
             lines = legacy_report(run%job%units, table, case%name, results(i)%model, results(i)%status, comparisons(i), &
                                   results(i)%model == run%job%models(1))
             call print_and_keep(run%printed, lines)
+            if (.not. allocated(comparisons(i)%md)) cycle
             do k = 1, size(comparisons(i)%md)
                call add_row(rows, row_of_depth(case%name, results(i)%model, comparisons(i), k), run%job%units)
             end do
