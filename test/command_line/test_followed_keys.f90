@@ -18,6 +18,7 @@ contains
       call suite%addTest(TestMethod('texts', test_texts))
       call suite%addTest(TestMethod('numbers', test_numbers))
       call suite%addTest(TestMethod('units_and_slips', test_units))
+      call suite%addTest(TestMethod('other_ways', test_other_ways))
    end function followed_keys_suite
 
    !> Keys of tools and of the hole that need another key.
@@ -137,4 +138,53 @@ contains
       call follow("bit_depth = 800.0", "", "key bit_depth is missing; needs a number, 0.001 to 50000 m", "'sliding',", &
                   "'sliding', bit_depth = 800,")
    end subroutine test_units
+
+   !> Messages that name several ways: those that no other test takes.
+   subroutine test_other_ways()
+      call follow("&hole md_top = 0.0, md_bottom = 400.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
+                  "&hole md_top = 400.0,", "&hole md_top = 0.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
+                  "&hole", "give one of them", "0.25 /"//newline//"&hole", "0.25 /"//newline//"&hole md_top = 400,")
+      call follow("md  = 0.0, 500.0, 900.0", "kick_off = 30, md = 50.0, 500.0, 900.0", "give both or none", "kick_off = 30,", &
+                  "kick_off = 30, tie_on = 'vertical',")
+      call follow("diameter = 220.0, friction = 0.25 /", "cased = .true., diameter = 220.0, friction = 0.25 / &sweep "// &
+                  "bit_depth_step = 100, frictions = 0.2, frictions_cased = 0.1, frictions_open = 0.2 /", "keep one way", &
+                  "frictions = 0.2, ", "")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 / &calibrate separate = 'none', 'holes' / "// &
+                  "&load_case name = 'm', operation = 'up', bit_depth = 600, measured_hookload = 200", &
+                  "and something else; keep one", "'none', 'holes'", "'holes'")
+      call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 / &calibrate separate = 'operations', "// &
+                  "apply = .true. / &load_case name = 'm', operation = 'up', bit_depth = 600, measured_hookload = 200", &
+                  "apply needs separate = 'none' or 'holes'", "'operations'", "'holes'")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "element_lengths = 5, 10")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "fidelities = 'fast', 'auto'")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "tolerances = 1e-5, 1e-6")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "wall_stiffnesses = 1e6, 1e8")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "gap_locations = 'extremum', 'nodes'")
+      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                  "models = 'mcge'", "linear_solvers = 'banded', 'sparse'")
+      call follow("+", "&sweep operations = 'up', 'down', bit_depth_to = 900, wob = 1, 2, 3 /", "give one, or one for each", &
+                  "1, 2, 3", "1")
+      call follow("+", "&uncertainty bit_depth_step = 300, friction_deviation = 0.02, friction_correlation = 0.5, "// &
+                  "friction_correlations = 0.5 /", "friction_correlations, not both", ", friction_correlations = 0.5", "")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", "nothing is uncertain; give a", "900 /", &
+                  "900, density_deviation = 10 /")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", "nothing is uncertain; give a", "900 /", &
+                  "900, inclination_deviation = 0.1 /")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", "nothing is uncertain; give a", "900 /", &
+                  "900, azimuth_deviation = 0.1 /")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900 /", "nothing is uncertain; give a", "900 /", &
+                  "900, torque_deviation = 1 /")
+      call follow("id = 108.6", "id = 108.6, friction = 0.1, friction_scale = 0.5", "give one of the two", "friction = 0.1, ", "")
+      call follow("density = 1200.0", "density = 1200.0, md_top = 100, above_bit = 100", &
+                  "all say where the fluid begins; keep one", "md_top = 100, ", "where = 'inside', ")
+      call follow("od = 127.0, id = 108.6"//newline//"  joint_od = 168.3", "connection = 'NC50', od = 165, id = 71.4", &
+                  "or an id and a yield (without) that leave a pin", "= 'NC50'", "= 'NC50', yield = 758")
+      call follow("+", "&uncertainty operations = 'up', bit_depth_to = 900, friction_deviations = 0.02 /", &
+                  "hole sections; give one for each", "friction_deviations = 0.02", "friction_deviation = 0.02")
+   end subroutine test_other_ways
 end module dg_test_followed_keys
