@@ -5,7 +5,7 @@
 module dg_test_fluids
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, push_needed
    use dg_component, only: component_type, tube_area
    use dg_constants, only: degree
    use dg_error, only: error_type
@@ -35,6 +35,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('fluids')
       call suite%addTest(TestMethod('floated_casing', test_floated))
+      call suite%addTest(TestMethod('annulus_pressure', test_annulus_pressure))
       call suite%addTest(TestMethod('partly_filled', test_partly_filled))
       call suite%addTest(TestMethod('two_densities_and_air_gap', test_two_densities))
       call suite%addTest(TestMethod('float_collar', test_collar))
@@ -118,6 +119,26 @@ contains
          call assertEqual(0.0_wp, along%inside_pressure(n))
       end do
    end subroutine test_floated
+
+   !> The same with the annulus closed at surface, from no pressure to one that pushes the string out: hook load = weight in air -
+   !> (column + annulus pressure) A_o at the shoe. Below zero the string must be held down.
+   subroutine test_annulus_pressure()
+      type(model_type) :: model
+      type(case_result_type) :: results(model_count)
+      real(wp), parameter :: pressures(3) = [0.0_wp, 2.0e6_wp, 1.0e7_wp]   ! [Pa]
+      integer :: i, m
+      call build(model, 0.0_wp, 0.3_wp)
+      allocate (model%mud%fluids(1))
+      do i = 1, size(pressures)
+         model%mud%fluids(1) = fluid_type(inside=.false., density=mud, surface_pressure=pressures(i))
+         call solve_all(model, operation_trip_in, 0.0_wp, results)
+         call check(results, steel*tube_area(od, id)*gravity*length - (mud*gravity*length + pressures(i))*tube_area(od, 0.0_wp), &
+                    'annulus pressure')
+         do m = 1, model_count
+            call assertEqual(results(m)%hookload < 0.0_wp, index(results(m)%message, push_needed) > 0, message='held down')
+         end do
+      end do
+   end subroutine test_annulus_pressure
 
    !> Mud inside from a level of 400 m down. The same level in a hole of 60 deg given in both depths: 200 m below surface.
    subroutine test_partly_filled()

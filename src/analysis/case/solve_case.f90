@@ -3,12 +3,12 @@ module dg_solve_case
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_without_load, only: solve_without_load
-   use dg_component, only: tube_area
    use dg_confirm_lock_up, only: confirm_lock_up
    use dg_error, only: error_type, raise, status_failure
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type
    use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
@@ -16,7 +16,6 @@ module dg_solve_case
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_reason, stop_type
    use dg_text, only: to_text
-   use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_force
    implicit none
    private
@@ -80,21 +79,16 @@ contains
       result%model = number
    end subroutine solve_case
 
-   !> Notes the force by which pressure of a closed annulus pushes pipe out at surface. Where the seal there does not hold the pipe
-   !> the hook bears less than the effective tension, which is printed. Tubing in a packer hangs in a hanger that holds it.
+   !> Notes the force by which pressure of a closed annulus pushes pipe out at surface.
    subroutine note_push(model, case_index, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(inout) :: result
-      real(wp) :: pressure
-      if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
-      pressure = maxval(model%mud%fluids%surface_pressure)       ! the uppermost fluid of the annulus alone may have one
-      if (.not. pressure > 0.0_wp) return
-      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
-         call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
-                          trim(in_units(model%units, unit_force, pressure*tube_area(parts(size(parts))%od, 0.0_wp), shown))// &
-                          '. Hook load and answer leave this out. Take it off the hook load where the seal does not hold the pipe')
-      end associate
+      real(wp) :: push
+      push = surface_push(model, case_index)
+      if (push > 0.0_wp) call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
+         trim(in_units(model%units, unit_force, push, shown))//'. Hook load counts this. If the seal at surface holds the '// &
+         'pipe, add it to the hook load')
    end subroutine note_push
 
    !> A result without numbers, marked.

@@ -14,6 +14,7 @@ module dg_find_verdict
    use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, rotates
    use dg_missing, only: given, is_missing, optional_real
@@ -328,6 +329,7 @@ contains
          allocate (axial(parts), torque(parts))
          call soft_string_at(turned, case_index, md(parts:1:-1), axial, torque, totals=totals, &
                              other=other_loads_type(coiled=.true.))
+         axial(1) = axial(1) - surface_push(model, case_index)        ! hook load
          if (totals%runaway .or. .not. axial(1) > 0.0_wp) return
          if (model%rig%max_torque%present) then
             if (abs(torque(1)) > model%rig%max_torque%value) return

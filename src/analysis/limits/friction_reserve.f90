@@ -8,6 +8,7 @@ module dg_friction_reserve
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: block_way, load_case_type, rotates
    use dg_missing, only: given, optional_real
@@ -156,7 +157,7 @@ contains
       other%profile%axial = result%profile%axial - added + soft%axial_ratio*(axial - soft%axial + added)
       added_torque = model%cases(result%case_index)%tob - soft%bit_torque
       other%profile%torque = result%profile%torque + added_torque + soft%torque_ratio*(torque - soft%torque - added_torque)
-      other%hookload = other%profile%axial(1)
+      other%hookload = result%hookload + other%profile%axial(1) - result%profile%axial(1)
       other%torque = other%profile%torque(1)
       other%friction = result%friction - (other%hookload - result%hookload) - added
    end subroutine shift_result
@@ -200,7 +201,8 @@ contains
                           other=other_loads_type(friction_scale=factor, coiled=.true.))
       share = locked
       ! of a string that floats, too
-      if (.not. totals%runaway) share = 1.0_wp - axial(1)/max(totals%weight, abs(axial(1)), tiny(share))
+      if (.not. totals%runaway) share = 1.0_wp - (axial(1) - surface_push(model, result%case_index))/ &
+                                              max(totals%weight, abs(axial(1)), tiny(share))
       if (.not. margin > 1.0_wp - share) return
       margin = 1.0_wp - share
       limit = limit_lock_up
@@ -212,7 +214,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
       real(wp) :: weight
-      weight = result%hookload + end_compression(model, load_case) + result%friction
+      weight = result%hookload + surface_push(model, result%case_index) + end_compression(model, load_case) + result%friction
    end function own_weight
 
    !> Part of the buoyed weight that weight on bit and friction take, so that the hook load is the rest [-]; > 1 where the string

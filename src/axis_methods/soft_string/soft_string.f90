@@ -9,6 +9,7 @@ module dg_soft_string
    use dg_error, only: error_type, raise, status_bad_input
    use dg_finite_result, only: finish_result
    use dg_hole_section, only: hole_section_at
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_soft
    use dg_model, only: model_type, string_index
    use dg_packer, only: end_compression
@@ -117,7 +118,7 @@ contains
          call position_at(model%trajectory, load_case%bit_depth, position, tangent)
          result%case_index = case_index
          result%inclination = inclination_of(tangent)
-         result%hookload = axial(1)
+         result%hookload = axial(1) - surface_push(model, case_index)
          result%friction = totals%weight - end_compression(model, load_case) - axial(1)
          result%torque = torque(1)
          result%normal_force = totals%normal_force

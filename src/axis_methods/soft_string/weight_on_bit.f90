@@ -5,6 +5,7 @@ module dg_weight_on_bit
    use dg_component, only: axial_stiffness
    use dg_load_case, only: block_way
    use dg_missing, only: given, optional_real
+   use dg_fluid_pressure, only: surface_push
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: bearable_strain, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
@@ -183,7 +184,7 @@ contains
       other = other_loads_type(coiled=coiled, wob=given(wob))
       if (present(friction_scale)) other%friction_scale = friction_scale
       call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, other=other)
-      left = axial(1)
+      left = axial(1) - surface_push(model, case_index)
       if (pushed) left = bearable_force(model, case_index)*(1.0_wp - totals%strain/bearable_strain)
       if (totals%runaway) left = min(left, -1.0_wp)
    end function left_of

@@ -52,7 +52,7 @@ contains
       call put(list, 'contacts', quantity_none, 'gaps that touch', steps%contacts)
       call put(list, 'flips', quantity_none, 'gaps that changed state after that step', steps%flips)
       call put(list, 'moves', quantity_none, 'gaps that moved to another x0 after that step', steps%moves)
-      call put(list, 'hookload', quantity_force, 'hook load at this iteration', steps%hookload)
+      call put(list, 'hookload', quantity_force, 'axial force at the top at this iteration', steps%hookload)
    end function history_series
 
    !> The state table.

@@ -56,7 +56,8 @@ contains
       call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
       call put(row, 'inclination', quantity_angle, 'of the hole at the bit', of(result%inclination))
       call put(row, 'wob', quantity_force, 'weight on bit, as in the deck', load_case%wob)
-      call put(row, 'hookload', quantity_force, 'axial force held at the top', of(result%hookload))
+      call put(row, 'hookload', quantity_force, &
+               'axial force held at the top, less the push of annulus pressure there', of(result%hookload))
       call put(row, 'measured', quantity_force, 'measured hook load, as in the deck', load_case%measured_hookload)
       call put(row, 'error', quantity_percent, &
                '100 |hookload - measured| / measured; with &rig: 100 |weight_indicator - measured| / measured', &
@@ -65,8 +66,8 @@ contains
       call put(row, 'reference_error', quantity_percent, &
                '100 |hookload - reference| / reference', error_of(result%hookload, load_case%reference_hookload))
       call put(row, 'friction', quantity_force, &
-               'frictional resistance: buoyed weight along the hole - wob - hookload; negative going up, positive going '// &
-               'down', of(result%friction))
+               'frictional resistance: buoyed weight along the hole - wob - axial force at the top; negative going up, '// &
+               'positive going down', of(result%friction))
       call put(row, 'torque', quantity_moment, 'torque at the top, bit torque included', of(result%torque))
       call put(row, 'normal_force', quantity_force, 'sum of the contact forces over the string', of(result%normal_force))
       call put(row, 'status', quantity_text, &

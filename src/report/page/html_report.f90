@@ -190,8 +190,8 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       call add_line(lines, '<h2>Hook load, friction, torque</h2>')
-      call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; hookload: negative going up, '// &
-                    'positive going down. Axial forces are effective (buoyed), tension positive.</p>')
+      call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; axial force at the top: negative '// &
+                    'going up, positive going down. Axial forces are effective (buoyed), tension positive.</p>')
       if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
          '<p>error: difference of the hook load from the measured one in per cent of that, without sign; reference error: '// &
          'the same from the reference.</p>')

@@ -6,14 +6,15 @@
 !> is lost along the string is left out, so that the bit takes all of it. Below a closed collar the column begins anew.
 module dg_fluid_pressure
    use dg_kinds, only: wp
+   use dg_component, only: tube_area
    use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &
       side_outside
    use dg_load_case, only: load_case_type
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, new_fluid_column, pressure_at
+   public :: fluid_column_type, new_fluid_column, pressure_at, surface_push
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
    type :: fluid_column_type
@@ -105,4 +106,18 @@ contains
       end do
       pressure = max(column%pressure(i) + column%gradient(i)*(tvd - column%tvd(i)), 0.0_wp)
    end function pressure_at
+
+   !> Force by which pressure of a closed annulus pushes pipe out at surface [N]: its area there times that pressure. The hook bears
+   !> the effective tension less this. 0 for tubing in a packer, whose hanger holds it, and where the survey begins below surface.
+   pure function surface_push(model, case_index) result(push)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp) :: push
+      push = 0.0_wp
+      if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
+      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
+         ! the uppermost fluid of the annulus alone may have a pressure
+         push = maxval(model%mud%fluids%surface_pressure)*tube_area(parts(size(parts))%od, 0.0_wp)
+      end associate
+   end function surface_push
 end module dg_fluid_pressure

@@ -159,7 +159,7 @@ module dg_deck_keys
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
          meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit'), &
       key_rule_type('fluid', 'surface_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
-         meaning='pressure of the annulus at surface; of the uppermost fluid outside')]
+         meaning='pressure of the annulus at surface, which pushes pipe up there; of the uppermost fluid outside')]
 
    type(key_rule_type), parameter :: rig_keys(*) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &

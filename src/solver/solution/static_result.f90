@@ -7,6 +7,7 @@ module dg_static_result
    use dg_equations, only: equations_type
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states, gap_table_type
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
    use dg_missing, only: is_missing
@@ -100,9 +101,9 @@ contains
       end select
       call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
       result%inclination = inclination_of(tangent)
-      result%hookload = work%hookload
+      result%hookload = work%hookload - surface_push(model, case_index)
       ! a part of a string may be pushed by what is above it
-      if (outcome == outcome_converged .and. is_pushed(work%hookload, work%axial) .and. &
+      if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
           .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
       if (outcome == outcome_converged .and. equations%gaps_taken_back) &
          call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
@@ -287,9 +288,9 @@ contains
       result%inclination = inclination_of(tangent)
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
-         result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, axial(1), shown))// &
-                          ' at surface would move it and stretch it by '//to_text(100.0_wp*strained, shown)// &
-                          ' %, which no pipe bears'
+         result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, &
+                          axial(1) - surface_push(model, case_index), shown))//' at surface would move it and stretch it by '// &
+                          to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
          return
       end if
       result%message = 'Locked up: with the bit at '//trim(in_units(model%units, unit_length, &
