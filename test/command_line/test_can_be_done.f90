@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('what_string_weight_can_do', test_ways_down))
       call suite%addTest(TestMethod('sweep', test_sweep))
+      call suite%addTest(TestMethod('sweep_as_load_case', test_sweep_as_case))
       call suite%addTest(TestMethod('page', test_page))
       call suite%addTest(TestMethod('head_and_jar', test_head))
    end function can_be_done_suite
@@ -313,6 +314,27 @@ contains
       call assertTrue(no > 0 .and. no < size(rows) - 1, message='rows that cannot be done')
       call assertTrue(index(rows(2)%text, ',yes,') > 0, message=rows(2)%text)
    end subroutine test_sweep
+
+   !> A point of a sweep has the answer and the limit of a load case at its depth: make-up torque, slips, design factors.
+   subroutine test_sweep_as_case()
+      call check('load_case', 'load_case', 'yes', '')
+      call check('yield = 135', 'yield = 135, makeup_torque = 5', 'no', 'make_up_torque')
+      call check('&load_case', "&strength slip_length = 1 /"//newline//'&load_case', 'no', 'slips')
+      call check('&load_case', "&strength tension_factor = 5 /"//newline//'&load_case', 'no', 'tension')
+   contains
+      subroutine check(old, new, answer, limit)
+         character(*), intent(in) :: old, new, answer, limit
+         type(run_type) :: run
+         type(text_type), allocatable :: rows(:)
+         run = run_deck_text(replaced(deck("operation = 'reaming', rpm = 60, trip_speed = 0.1", .false.), old, new)// &
+            "&sweep name = 'c', operations = 'reaming', bit_depth_from = 15000, rpm = 60, trip_speed = 0.1 /"//newline)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         rows = lines_of(results_path//'/summary.csv')
+         call assertTrue(index(rows(3)%text, ','//answer//',') > 0 .and. index(rows(3)%text, ','//limit) > 0, message=rows(3)%text)
+         rows = lines_of(results_path//'/sweep_c.csv')
+         call assertTrue(index(rows(2)%text, ','//answer//','//limit) > 0, message=rows(2)%text)
+      end subroutine check
+   end subroutine test_sweep_as_case
 
    !> The page begins with the answer.
    subroutine test_page()

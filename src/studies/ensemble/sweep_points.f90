@@ -21,11 +21,11 @@ module dg_sweep_points
    use dg_unit_kind, only: in_units, unit_length
    use dg_threads, only: thread_count
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: limit_rig, limit_top_drive, limit_von_mises
+   use dg_utilisation, only: as_much, find_utilisation, has_rating, limit_rig, limit_top_drive, part_limits, utilisation_type
    use dg_verdict, only: limit_lock_up
    implicit none
    private
-   public :: solve_points, solve_totals, point_text, add_indicator, add_margins, add_limits
+   public :: solve_points, solve_totals, point_text, add_indicator, add_limits
 
    !> Most points that a thread solves before it hands over their results.
    integer, parameter :: block_size = 16
@@ -104,81 +104,49 @@ contains
       end do
    end subroutine add_indicator
 
-   !> Add the margins to the limits of rig and string. The pull until something yields is that of the soft string, which has a force
-   !> at every depth in microseconds.
-   subroutine add_margins(job, model, sweep, points)
+   !> Add the margins to the limits of rig and string, and the limit that each point passes: lock-up, string weight, else the most
+   !> used of rig and strengths. Strengths, and the pull until something yields, are by the soft string, which has a force at every
+   !> depth in microseconds. The friction of a buckled string counts for models that leave it out, too.
+   subroutine add_limits(job, model, sweep, points)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(inout) :: points(:)
-      logical :: yields
-      associate (rig => model%rig)
+      logical :: rated
+      integer :: i
+      associate (rig => model%rig, string => model%strings(string_index(model%strings, sweep%string)))
          where (points%status == result_converged)
             points%rig_margin = merge(rig%max_hookload%value - rig%block_weight - points%hookload, missing, &
                                       rig%max_hookload%present)
             points%torque_margin = merge(rig%max_torque%value - points%torque, missing, rig%max_torque%present)
          end where
+         rated = any([(has_rating(string%components, part_limits(i)), i=1, size(part_limits))])
       end associate
-      yields = any(model%strings(string_index(model%strings, sweep%string))%components%yield > 0.0_wp)
-      if (.not. yields) return
-      !$omp parallel num_threads(thread_count(job%threads, size(points)/block_size)) default(shared)
-      call share_pulls()
-      !$omp end parallel
-   contains
-      subroutine share_pulls()
-         type(model_type) :: mine
-         type(case_result_type) :: result
-         type(along_string_type) :: along
-         type(error_type), allocatable :: error
-         integer :: i
-         call copy_without_cases(model, mine)
-         !$omp do schedule(dynamic, block_size)
-         do i = 1, size(points)
-            if (points(i)%status /= result_converged .or. is_interrupted()) cycle
-            call point_case(sweep, point_at(sweep, i), mine%cases(1))
-            call point_holes(sweep, point_at(sweep, i), mine%holes)
-            call solve_case(mine, model_soft, 1, result, error, stop=by_signals())
-            if (result%status /= result_converged) cycle
-            call find_along_string(mine, result, along)
-            if (all(is_missing(along%overpull))) cycle
-            points(i)%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
-         end do
-         !$omp end do
-      end subroutine share_pulls
-   end subroutine add_margins
-
-   !> The limit that each point passes: lock-up, string weight, then those of rig and string by their margins. The friction of a
-   !> buckled string counts for models that leave it out, too.
-   subroutine add_limits(job, model, sweep, points)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(inout) :: points(:)   !< with their margins
-      where (is_below_zero(points%overpull_margin)) points%limit = limit_von_mises
       where (is_below_zero(points%torque_margin)) points%limit = limit_top_drive
       where (is_below_zero(points%rig_margin)) points%limit = limit_rig
       where (points%status == result_locked_up) points%limit = limit_lock_up
       !$omp parallel num_threads(thread_count(job%threads, size(points)/block_size)) default(shared)
-      call share_weights()
+      call share_points()
       !$omp end parallel
    contains
       !> Work of one thread, with a model of its own.
-      subroutine share_weights()
+      subroutine share_points()
          type(model_type) :: mine
          type(point_type) :: place
-         integer :: i, passed
+         integer :: n, passed
          call copy_without_cases(model, mine)
          !$omp do schedule(dynamic, block_size)
-         do i = 1, size(points)
-            if (points(i)%status /= result_converged) cycle
-            place = point_at(sweep, i)
+         do n = 1, size(points)
+            if (points(n)%status /= result_converged) cycle
+            place = point_at(sweep, n)
             call point_case(sweep, place, mine%cases(1))
             call point_holes(sweep, place, mine%holes)
-            passed = passed_weight(mine, sweep%models(place%model), 1, points(i)%hookload, abs(points(i)%hookload))
-            if (passed > 0) points(i)%limit = passed
+            if (rated .and. .not. is_interrupted()) call judge_strengths(job, mine, points(n))
+            passed = passed_weight(mine, sweep%models(place%model), 1, points(n)%hookload, abs(points(n)%hookload))
+            if (passed > 0) points(n)%limit = passed
          end do
          !$omp end do
-      end subroutine share_weights
+      end subroutine share_points
 
       !> True for a margin that is known and passed.
       elemental function is_below_zero(margin)
@@ -187,6 +155,27 @@ contains
          is_below_zero = .not. is_missing(margin) .and. margin < 0.0_wp
       end function is_below_zero
    end subroutine add_limits
+
+   !> Takes the most used of rig and strengths where it is passed, and the pull until something yields.
+   subroutine judge_strengths(job, model, point)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model                !< its first load case is that of the point
+      type(sweep_result_type), intent(inout) :: point
+      type(case_result_type) :: result
+      type(along_string_type) :: along
+      type(utilisation_type) :: utilisation
+      type(error_type), allocatable :: error
+      call solve_case(model, model_soft, 1, result, error, stop=by_signals())
+      if (result%status /= result_converged) return
+      call find_along_string(model, result, along)
+      if (.not. all(is_missing(along%overpull))) &
+         point%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
+      result%hookload = point%hookload
+      result%torque = point%torque
+      call find_utilisation(model, result, along, job%design, job%rig_limit, utilisation)
+      if (utilisation%governing == 0) return
+      if (utilisation%used(utilisation%governing)%value > 1.0_wp + as_much) point%limit = utilisation%governing
+   end subroutine judge_strengths
 
    !> Where blocks of points begin that a thread solves before it hands over the results, and the end of the last + 1. Beams
    !> go one by one; the other models take microseconds, less than the threads would wait for each other.

@@ -60,8 +60,7 @@ contains
                'of the solver: empty for those of the deck; earlier: found before --again', &
                merge('earlier', '       ', result%earlier))
       call put(row, 'can_be_done', quantity_text, &
-               'by string weight, lock-up, rig and yield alone, without design factors: yes, no or unknown. '// &
-               'A load case at that depth checks all limits', &
+               'as in summary.csv, but for fatigue; strengths by forces of the soft string', &
                answer_name(answer_of(result)))
       call put(row, 'limit', quantity_text, 'the one that is passed', limit_code(result%limit))
    end function sweep_row

@@ -18,7 +18,7 @@ module dg_sweep_study
    use dg_sweep_file, only: sweep_row
    use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
-   use dg_sweep_points, only: add_indicator, add_limits, add_margins, point_text, solve_points
+   use dg_sweep_points, only: add_indicator, add_limits, point_text, solve_points
    use dg_sweep_table, only: sweep_sentences, sweep_table
    use dg_text, only: joined, text_type, to_text
    use dg_units, only: unit_system_type
@@ -132,7 +132,6 @@ contains
       integer :: i
       associate (sweep => self%ranges(number), points => self%ensembles(number)%points)
          call add_indicator(run%model, sweep, 1, points)
-         call add_margins(run%job, run%model, sweep, points)
          call add_limits(run%job, run%model, sweep, points)
          call note_sweep(run%printed%outcome, sweep, points, sweep_sentences(run%job%units, sweep, points))
          do i = 1, size(points)
