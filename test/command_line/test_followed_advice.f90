@@ -55,6 +55,12 @@ contains
                   '&solver element_length = 4.6', 0)
       call follow(job//large_hole()//solver, 'An element_length of 1.5 m gives most strings contact points where', &
                   '&solver', '&solver element_length = 1.5', 0)
+      call follow(job//"&trajectory md = 0, 600, inc = 30, 30, azi = 0, 0 /"//newline//"&hole md_bottom = 500, diameter = 224 /"// &
+                  newline//"&hole diameter = 216 /"//newline//"&component od = 127, id = 108.6, joint_od = 168 /"//newline// &
+                  "&load_case name = 'c', operation = 'trip_out', bit_depth = 595.27 /"//newline// &
+                  "&solver tool_joints = 'discrete' /"//newline, &
+                  'A tool joint ends at 500.02 m, where the hole changes its diameter. Moments there depend on which side the '// &
+                  'joint lies. Compare with a bit_depth 0.5 m deeper', '595.27', '595.77', 0)
       call follow(job//rods()//solver, "of the largest. Set fidelity = 'reference'", '&solver', "&solver fidelity = 'reference'", 0)
    end subroutine test_short_elements
 
