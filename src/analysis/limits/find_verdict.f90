@@ -233,6 +233,7 @@ contains
       end if
       associate (load_case => model%cases(result%case_index))
          weight = own_weight(model, load_case, result)
+         verdict%pressure_pushes = surface_push(model, result%case_index) > 0.0_wp
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
          share = weight_share(model, load_case, result)
          takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp

@@ -40,6 +40,7 @@ module dg_verdict
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< what the answer goes by
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
+      logical :: pressure_pushes = .false.          !< pressure of the annulus takes string weight, too
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]

@@ -208,7 +208,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text, takers
+      character(:), allocatable :: text
       if (verdict%limit == 0) then
          text = 'No limit is known'
          return
@@ -216,10 +216,7 @@ contains
       text = trim(merge('Close to its limit:', 'Nearest limit:     ', verdict%used%value > close_to_limit))//' '// &
              shown_title(verdict%limit)//place_text(units, verdict)//', '
       if (verdict%limit == limit_string_weight) then
-         takers = 'WOB takes '
-         if (moves_axially(load_case%operation)) takers = trim(merge('drag and WOB take', 'drag takes       ', &
-                                                                     load_case%wob > 0.0_wp))//' '
-         text = text//takers
+         text = text//takers_text(load_case, verdict)//' '
       end if
       if (verdict%limit == limit_lock_up) text = text//'WOB '
       if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
@@ -230,6 +227,26 @@ contains
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
+
+   !> Names of what takes string weight, and the verb.
+   pure function takers_text(load_case, verdict) result(text)
+      type(load_case_type), intent(in) :: load_case
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = trim(merge('drag', '    ', moves_axially(load_case%operation)))
+      if (load_case%wob > 0.0_wp) call add('WOB')
+      if (verdict%pressure_pushes) call add('annulus pressure')
+      if (text == '') text = 'WOB'                   ! of nothing
+      text = text//trim(merge(' take ', ' takes', index(text, ' and ') > 0))
+
+   contains
+
+      pure subroutine add(name)
+         character(*), intent(in) :: name
+         if (text /= '') text = text//' and '
+         text = text//name
+      end subroutine add
+   end function takers_text
 
    !> Name of a limit with the load that it limits, in the middle of a sentence.
    pure function shown_title(limit) result(title)

@@ -40,26 +40,37 @@ contains
       heading = 'Warnings ('//to_text(size(sentences))//')'
    end function warnings_heading
 
-   !> Notes on the deck, then messages of load cases, those without a solution first.
+   !> Notes on the deck, then messages of load cases, those without a solution first; load cases with the same message have one.
    pure function warning_sentences(job, model, results) result(sentences)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: sentences(:)
-      character(:), allocatable :: head
-      integer, allocatable :: order(:)
+      character(:), allocatable :: head, text
+      integer, allocatable :: order(:), other(:)
       integer :: i
       allocate (sentences, source=deck_warnings(job, model))
       do i = 1, size(sentences)
          sentences(i)%text = 'Deck: '//sentences(i)%text
       end do
       allocate (order, source=warning_order(results))
-      do i = 1, size(order)
-         associate (result => results(order(i)))
-            head = model%cases(result%case_index)%name
-            if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
-            call append_text(sentences, head//': '//warning_text(result)//'.')
-         end associate
+      do while (size(order) > 0)
+         text = warning_text(results(order(1)))
+         head = ''
+         allocate (other(0))
+         do i = 1, size(order)
+            associate (result => results(order(i)))
+               if (warning_text(result) /= text) then
+                  other = [other, order(i)]
+                  cycle
+               end if
+               if (head /= '') head = head//trim(merge(',', ';', size(job%models) == 1))//' '
+               head = head//model%cases(result%case_index)%name
+               if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
+            end associate
+         end do
+         call append_text(sentences, head//': '//text//'.')
+         call move_alloc(other, order)
       end do
    end function warning_sentences
 
