@@ -299,8 +299,8 @@ contains
 
    !> Refuse questions that the data of the straight deck (group in line 10) cannot answer.
    subroutine test_bad_groups()
-      call refuse("separate = 'holes', 'operations'", 'fewer data than unknowns: 3 measured values tell of them, for 4')
-      call refuse("cases = 'b'", 'fewer data than unknowns: 1 measured values')
+      call refuse("separate = 'holes', 'operations'", '3 measured values for 4 unknowns: add measurements, or leave out')
+      call refuse("cases = 'b'", '1 measured values for 2 unknowns')
       call refuse("parameter = 'friction_rotary'", 'nothing measured tells the factor of hole section ''upper''')
       call refuse("cases = 'd'", 'there is no load case ''d''')
       call refuse("holes = 'lowe'", 'there is no hole section ''lowe''; did you mean ''lower''?')

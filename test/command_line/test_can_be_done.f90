@@ -356,7 +356,7 @@ contains
                             'Largest inclination 90 deg at 9200 ft, dogleg 9 deg/100 ft at 9200 ft') > 0, message=run%output)
       call assertTrue(index(run%output, newline//'String, bit at 15000 ft: ') > 0, message=run%output)
       call assertTrue(index(run%output, newline//'Friction factor 0.2 in casing, 0.3 in open'//newline) > 0, message=run%output)
-      call assertTrue(index(run%output, newline//'Least clearance 0.875 in on a side: MWD at 14999 ft'//newline) > 0, &
+      call assertTrue(index(run%output, newline//'Least radial clearance 0.875 in: MWD at 14999 ft'//newline) > 0, &
                       message=run%output)
       run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = 10", .false.), '--check')
       call assertTrue(index(run%output, '. 1 of 2 load cases have their own, 0.25'//newline) > 0, message=run%output)

@@ -121,7 +121,7 @@ contains
       call note("kind = 'collar', length = 100.0"//newline//'  od = 171.45, id = 71.4 /', &
                 "kind = 'motor', bend = 1.5, bend_position = 2, length = 9, od = 171.45, id = 71.4 /"// &
                 " &load_case name = 'r', operation = 'rotary', bit_depth = 900 /", &
-                "rotating cases, as 'r', are solved with a straight housing")
+                'operations that rotate are solved with a straight housing')
       call note('&fluid density = 1200.0 /', "&fluid density = 1, where = 'inside' / &fluid density = 3000, where = 'outside' /", &
                 "'drillpipe' floats at 800 m: with what is in it it weighs less than the fluid outside that it displaces")
    end subroutine test_notes

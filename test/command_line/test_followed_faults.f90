@@ -169,7 +169,7 @@ contains
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
                   "&calibrate cases = 'u', separate = 'none', 'holes'", "keep one", "'none', 'holes'", "'none'")
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
-                  "&calibrate cases = 'u', separate = 'holes'", "add measurements or separate less", "'holes'", "'none'")
+                  "&calibrate cases = 'u', separate = 'holes'", "or leave out separate or offset", "'holes'", "'none'")
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 /"//newline// &
                   "&calibrate cases = 'u', separate = 'none', sticking_depth = 300", "leave it out", ", sticking_depth = 300", &
                   '')

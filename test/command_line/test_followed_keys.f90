@@ -55,7 +55,7 @@ contains
                   "or above_bit where it begins", "= 1100", "= 1100, above_bit = 300")
       call follow("'centred' /", "'centred', bit_lateral = 'free' / &steering /", "needs bit_lateral = 'centred' in &boundary", &
                   "'free'", "'centred'")
-      call follow("'centred' /", "'centred' / &steering cases = 's', measured_dogleg = 1, 2 /", "needs one, or one a case", &
+      call follow("'centred' /", "'centred' / &steering cases = 's', measured_dogleg = 1, 2 /", "needs one, or one per case", &
                   "1, 2", "1")
       call follow("'centred' /", "'centred' / &steering cases = 'u', 's', side_cutting = 0.1 /", &
                   "needs wob > 0 or no side_cutting", "bit_depth = 900.0", "wob = 5, bit_depth = 900.0")

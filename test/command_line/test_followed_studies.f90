@@ -82,7 +82,7 @@ contains
                   "add such a case or leave out", "'friction_rotary'", "'friction_rotary' / &load_case name = 'r', operation "// &
                   "= 'rotate_off_bottom', bit_depth = 900, measured_torque = 3")
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 / &calibrate separate = 'holes'", &
-                  "add measurements or separate less", "'holes'", &
+                  "add measurements, or leave out separate or offset", "'holes'", &
                   "'holes' / &load_case name = 'm', operation = 'up', bit_depth = 600, measured_hookload = 200")
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 / &load_case name = 'w', operation = "// &
                   "'down', bit_depth = 900 / &calibrate cases = 'u', separate = 'operations', predict = 'w'", &

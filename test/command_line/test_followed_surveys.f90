@@ -54,7 +54,7 @@ contains
                   'MD,Inc,Azi;0,0,0;700,5,10;1400,10,10')
       call follow('Well,MD,Inc,Azi;A,0,0,0;B,700,5,10;A,1400,10,10', 'Keep the rows of one well', &
                   'Well,MD,Inc,Azi;A,0,0,0;A,1400,10,10')
-      call follow('MD,Inc,Azi;0,0,0;1400,10,10,7', 'give each a name, and numbers with decimal points', &
+      call follow('MD,Inc,Azi;0,0,0;1400,10,10,7', 'give each column a name, and write decimals with', &
                   'MD,Inc,Azi,DLS;0,0,0;1400,10,10,7')
       call follow('MD Inc Azi;0 0 0;1,400 10 10', 'write numbers without marks between thousands, with decimal points', &
                   'MD Inc Azi;0 0 0;1400 10 10')
@@ -91,8 +91,9 @@ contains
       call follow('Foo,MD a,MD a,Inc,Azi;1,0,0,0,0;1,1400,5,10,10', 'stands twice in the header. Rename one of them', &
                   'Foo,MD a,MD b,Inc,Azi;1,0,0,0,0;1,1400,5,10,10', ", md_column = 'MD a'", ", md_column = 'MD a'")
       call follow(other, "Did you mean 'Tiefe a'?", other, ", md_column = 'Tiefe b'", ", md_column = 'Tiefe a'")
-      call follow('MD (furlong),Inc,Azi;0,0,0;7,10,10', 'convert it: md in m, ft or usft', 'MD (m),Inc,Azi;0,0,0;1408,10,10')
-      call follow('MD,Inc (gon),Azi;0,0,0;1400,11,10', 'angles in deg or rad', 'MD,Inc (deg),Azi;0,0,0;1400,9.9,10')
+      call follow('MD (furlong),Inc,Azi;0,0,0;7,10,10', 'a heading may name m, ft or usft, deg or rad', &
+                  'MD (m),Inc,Azi;0,0,0;1408,10,10')
+      call follow('MD,Inc (gon),Azi;0,0,0;1400,11,10', 'or usft, deg or rad', 'MD,Inc (deg),Azi;0,0,0;1400,9.9,10')
       call follow('', 'it needs a header naming md, inc, azi', sound)
       call follow(blanks//'0 0 0 1;1400 10 80 1', 'no heading of two words: separate them by commas or tabs', &
                   'MD,Inc,Azi,Bit Run;0,0,0,1;1400,10,80,1')

@@ -99,6 +99,7 @@ contains
                   '196.85 in; write 8.5')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8 1/2', '2 given (8, 1/2); write 8.5')
       call refuse(field_deck, 'diameter = 8.5', "diameter = '8-1/2""'", '; write 8.5')
+      call refuse(field_deck, 'diameter = 8.5', 'diameter = 8,5', '; decimals have a point: 8.5')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8.5"', 'a number has no mark of inches behind it')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8.5in', '; write the number alone; its unit is in')
       call refuse(field_deck, 'yield = 135', 'yield = 135 ksi', '; write the number alone; its unit is ksi')
@@ -107,6 +108,7 @@ contains
       call refuse(field_deck, 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 10.52')
       call pass(field_deck, 'density = 10', 'density = 10.52')
       call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 1.26')
+      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 10.4', 'of 10.4 lbm/gal is written 1.246')
    end subroutine test_values
 
    !> A string of tools alone needs pipe; no tool is made longer.
@@ -141,7 +143,8 @@ contains
                       "catalogue = 'DC 6-3/4 2-13/16 NC50', length = 90")
       run = run_deck_text(text, '--check')
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, "are these inches? Write units = 'field' in &job") > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, "are these inches? Write units = 'metric' or 'field' in &job") > 0, &
+                      message=run%diagnostics)
       call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
       call pass(text, "models = 'soft'", "units = 'field'")
       ! Pipe that is typed in passes the hole.

@@ -75,6 +75,8 @@ contains
       call assertTrue(index(run%output, advice) > 0, message=run%output)
       run = run_with('md,axial|0,150|900,0', '')
       call assertEqual(0, index(run%output, advice), message='forces along the string')
+      run = run_with('MD,Axial (kN),Side Force (kN/m)|0,150,0.1|900,0,0.1', '')
+      call assertTrue(index(run%output, 'Difference in side force') > 0, message='a heading of two words: '//run%output)
       run = run_deck_text(replaced(good_deck(), 'bit_depth = 900.0 /', 'bit_depth = 900.0, reference_hookload = 240 /'))
       call assertTrue(index(run%output, '240.0') > 0, message='as the note says: '//run%output)
    end subroutine test_hookloads
@@ -92,7 +94,7 @@ contains
          found = found + 1
       end do
       call assertEqual(12, found, message='three cases, four models')
-      call assertTrue(index(run%output, 'They part above 4200 ft; 100 % of the difference in axial force arises') > 0)
+      call assertTrue(index(run%output, 'They differ from 4200 ft up; 100 % of the net difference in axial force arises') > 0)
       call assertTrue(index(run%output, 'largest +10.658 klbf (3.24 % of our largest)') > 0, message='48 kN up')
    end subroutine test_example
 
@@ -151,8 +153,8 @@ contains
       call refuse('md,axial|0,150|450,75,3|900,0', '', file//'3:', 'the row has 3 columns, the table 2')
       call refuse('md,tension|0,150|900,0', ", axial = 'tensoin'", file//'1:', "did you mean 'tension'?")
       call refuse('depth,axial|0,150|900,0', '', file//'1:', "the header names no 'md' for md")
-      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. Give the heading as md, or '// &
-                  'the lines above the headings as skip')
+      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. Write md = the heading in &legacy, '// &
+                  'or skip = the lines above the headings')
       call refuse('md,pull|0,150|900,0', '', file, 'none of axial, torque, side_force')
       call refuse('md (m),axial (klbf)|0,150|900,0', '', file//'1:', 'the header gives axial in klbf')
       call refuse('md_ft,axial|0,150|900,0', '', file//'1:', 'the header gives md in ft')
@@ -188,7 +190,7 @@ contains
       call follow("md,axial|0,150|900,0|450,75", "", "depths must increase", "md,axial|0,150|450,75|900,0", "")
       call follow("md,axial,axial|0,150,1|900,0,1", "", "give axial as the number of its column", &
                   "md,axial,axial|0,150,1|900,0,1", ", axial = '2'")
-      call follow("report|md,axial|0,150|900,0", "", "or the lines above the headings as skip", "report|md,axial|0,150|900,0", &
+      call follow("report|md,axial|0,150|900,0", "", "or skip = the lines above the headings", "report|md,axial|0,150|900,0", &
                   ", skip = 1")
       call follow("md,axial (furlong)|0,150|900,0", "", "set axial_unit in the deck", "md,axial (furlong)|0,150|900,0", &
                   ", axial_unit = 'kN'")

@@ -392,7 +392,7 @@ contains
                                      '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">up</td>'))
       call assertTrue(index(run%output, to_text(lost)//' of 3 points did not converge; the file says why'//newline) > 0, &
                       message=run%output)
-      call assertFalse(index(run%output, ' of '//to_text(lost)//'; the file has them all') > 0, message=run%output)
+      call assertFalse(index(run%output, ' of '//to_text(lost)//'; the CSV file has all') > 0, message=run%output)
       deck = replaced(deck, 'bit_depth_step = 300, frictions = 0.3', 'bit_depth_step = 20, frictions = 0.2, 0.3')
       run = run_deck_text(deck)
       sweep = lines_of(csv)
@@ -405,7 +405,7 @@ contains
          call assertEqual(lost <= 10, index(run%output, newline//row) > 0, message=row)
       end do
       call assertGreaterThan(lost, 10, message='points lost')
-      call assertTrue(index(run%output, '10 of '//to_text(lost)//'; the file has them all') > 0, message=run%output)
+      call assertTrue(index(run%output, '10 of '//to_text(lost)//'; the CSV file has all') > 0, message=run%output)
    contains
       !> Rows of the page that begin with these cells.
       function rows_of(text, cells) result(number)

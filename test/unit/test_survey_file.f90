@@ -192,12 +192,12 @@ contains
          call accept('below: '//feet_rows(i), head//trim(feet_rows(i))//'|'//feet)
       end do
       do i = 1, size(wrong_rows)
-         call refuse('above: '//wrong_rows(i), trim(wrong_rows(i))//'|'//head//metres, '; convert it')
-         call refuse('below: '//wrong_rows(i), head//trim(wrong_rows(i))//'|'//metres, '; convert it')
+         call refuse('above: '//wrong_rows(i), trim(wrong_rows(i))//'|'//head//metres, '; a heading may name m, ft')
+         call refuse('below: '//wrong_rows(i), head//trim(wrong_rows(i))//'|'//metres, '; a heading may name m, ft')
       end do
       call accept('the mark of feet', "',deg,deg|"//head//feet)
       call accept('marks of feet', "',deg,deg,'|MD,Inc,Azi,TVD|0,0,90,0|1640.419947507,10,90.25,1630|4050.1968504,45.5,100,3600")
-      call refuse('marks of minutes', "',',deg|"//head//metres, '; convert it')
+      call refuse('marks of minutes', "',',deg|"//head//metres, '; a heading may name m, ft')
       call accept('above, with titles', 'Well A, 2024||ft,deg,deg||MD,Inc,Azi|'//feet)
       call accept('above, by blanks', 'ft deg deg|MD Inc Azi|0 0 90|1640.419947507 10 90.25|4050.1968504 45.5 100')
       call accept('a datum alone', 'RKB,deg,deg|'//head//metres)

@@ -485,7 +485,7 @@ contains
       verdict%used = given(170.0_wp/558.0_wp)
       verdict%friction_reserve = given(1.00491_wp)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertEqual('Nearest limit: lock-up, WOB 170 of 558 kN possible, 30.5 % used, 388 kN left. The answer becomes NO '// &
+      call assertEqual('Nearest limit: lock-up, WOB 170 of 558 kN by the soft string, 30.5 % used. The answer becomes NO '// &
                        'already at about 1.004 times the friction given', text)
    end subroutine test_locked_up
 

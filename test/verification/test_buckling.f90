@@ -319,7 +319,7 @@ contains
             ask%numerics%max_iterations = few(j)
             call solve_case(ask, model_mcge, 1, other, error)
             call assertEqual(result_locked_up, other%status, message=other%message)
-            call assertTrue(index(other%message, 'Beams do not confirm it: with a ') > 0, message=other%message)
+            call assertTrue(index(other%message, 'Beams found no equilibrium with a ') > 0, message=other%message)
             call assertEqual(j == 2, index(other%message, 'They found one with a ') > 0, message=other%message)
          end do
          model%cases(1)%wob = other%lock_up_load

@@ -46,12 +46,12 @@ contains
          load = result%lock_up_load - less(i)*abs(result%lock_up_load)
          call try_load(model, case_index, load, most_iterations(i), stop, result, iterations, borne)
          if (i == 1 .and. .not. borne) &
-            call add_sentence(result%message, 'Beams do not confirm it: with '//load_text(model, load)//', which should come '// &
-                              'down, they found no equilibrium in '//to_text(iterations)//' iterations')
+            call add_sentence(result%message, 'These loads are by the soft string. Beams found no equilibrium with '// &
+                              load_text(model, load)//' in '//to_text(iterations)//' iterations')
          if (borne) exit
       end do
       if (.not. borne .or. i == 1) return
-      call add_sentence(result%message, 'They found one with '//load_text(model, load)//'. Go by this load')
+      call add_sentence(result%message, 'They found one with '//load_text(model, load)//': use this load')
       result%lock_up_load = load
    end subroutine confirm_lock_up
 

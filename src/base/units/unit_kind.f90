@@ -13,13 +13,15 @@ module dg_unit_kind
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud
+   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud, lightest_mud
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
 
    !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
    real(wp), parameter :: heaviest_mud = 2700.0_wp
+   !> Lighter than any foam that is pumped: specific gravity, or another unit's number; and one lbm/gal [kg/m3].
+   real(wp), parameter :: lightest_mud = 300.0_wp, pound_per_gallon = 119.8264273_wp
    !> Room for a number and the name of its unit.
    integer, parameter :: told_width = 40
 
@@ -61,7 +63,7 @@ contains
    end function unit_label
 
    !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none. A density that
-   !> no mud has in that unit is one in kg/m3, if a mud has that.
+   !> no mud has in that unit is one in kg/m3 or lbm/gal, if a mud has that.
    pure subroutine smaller_unit(units, quantity, number, name, count)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
@@ -72,7 +74,13 @@ contains
       unit = unit_in(units, quantity)
       name = unit%alike
       count = unit%alike_count
-      if (quantity /= unit_density .or. name == '' .or. number*unit%factor/count <= heaviest_mud) return
+      if (quantity /= unit_density .or. name == '') return
+      if (name == 'kg/m3' .and. number*unit%factor/count < lightest_mud .and. number*pound_per_gallon <= heaviest_mud) then
+         name = 'lbm/gal'
+         count = unit%factor/pound_per_gallon
+         return
+      end if
+      if (number*unit%factor/count <= heaviest_mud) return
       name = ''
       if (number > heaviest_mud) return
       name = 'kg/m3'

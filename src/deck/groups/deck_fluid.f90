@@ -128,7 +128,7 @@ contains
             said = abs(within - around) > no_pressure
             if (said) call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &
                ': without pump pressure the fluid inside presses on the bit with '//pressed(within)//', that outside with '// &
-               pressed(around)//'; a float valve or plug at the end of the string is taken to hold the difference')
+               pressed(around)//'; a float valve or plug at the end of the string must hold the difference')
          end associate
       end subroutine note_bit
 

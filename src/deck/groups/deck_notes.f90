@@ -14,13 +14,11 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
+   use dg_unit_kind, only: in_units, lightest_mud, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
    implicit none
    private
    public :: note_oddities
 
-   !> Mud lighter than any foam that is pumped [kg/m3]: specific gravity, or another unit's number.
-   real(wp), parameter :: lightest_mud = 300.0_wp
    !> Holes wider than so many strings: inches or metres among millimetres.
    real(wp), parameter :: widest_hole = 12.0_wp
    !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53); pounds
@@ -82,7 +80,7 @@ contains
          call append_text(notes, 'more notes on components are left out')
          exit
       end do
-      call note_tools(draft, job, notes)
+      call note_tools(draft, job, uses, notes)
    end subroutine note_oddities
 
    !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
@@ -103,22 +101,28 @@ contains
    end subroutine note_block
 
    !> Bent housings and pads that a model, or a string that turns, leaves out.
-   subroutine note_tools(draft, job, notes)
+   subroutine note_tools(draft, job, uses, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
+      type(string_use_type), intent(in) :: uses(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i, k
+      logical :: turns
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (has_bend(item%component)) call note_model(item%line, 'the bent housing')
             if (has_pad(item%component)) call note_model(item%line, 'the force of the pads')
             if (.not. has_bend(item%component)) cycle
+            turns = .false.
             do k = 1, size(draft%cases)
-               if (draft%cases(k)%load_case%string /= item%string .or. .not. rotates(draft%cases(k)%load_case%operation)) cycle
-               call append_text(notes, 'group &component in line '//to_text(item%line)//': rotating cases, as '// &
-                  quoted(draft%cases(k)%load_case%name)//', are solved with a straight housing')
-               exit
+               turns = turns .or. draft%cases(k)%load_case%string == item%string .and. &
+                       rotates(draft%cases(k)%load_case%operation)
             end do
+            do k = 1, size(uses)
+               turns = turns .or. uses(k)%string == item%string .and. uses(k)%turns
+            end do
+            if (turns) call append_text(notes, 'group &component in line '//to_text(item%line)// &
+                                        ': operations that rotate are solved with a straight housing')
          end associate
       end do
    contains

@@ -43,7 +43,7 @@ module dg_unusual_input
    !> Deeper than any hole of a laboratory [m].
    real(wp), parameter :: deepest_model = 100.0_wp
    !> Advice on a deck with such holes.
-   character(*), parameter :: inches_meant = "are these inches? Write units = 'field' in &job"
+   character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
    !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
    !> 16 to 20 deg/30 m, short radius in 6 in: 60.
    real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp

@@ -185,7 +185,7 @@ contains
       if (.not. known) then
          if (column > column_azi) layout%place(column) = 0
          if (column <= column_azi .and. layout%foreign == '') layout%foreign = trim(column_name(column))//' in '//quoted(name)// &
-            '; convert it: md in m, ft or usft, angles in deg or rad'
+            '; a heading may name m, ft or usft, deg or rad: convert other units'
       else if (value > 0.0_wp) then
          if (layout%told(column) .and. abs(value - layout%factor(column)) > 0.0_wp) then
             if (column > column_azi) then

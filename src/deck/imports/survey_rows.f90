@@ -189,7 +189,7 @@ contains
       do i = layout%width + 1, size(row)
          if (.not. is_number(row(i)%text)) cycle
          message = 'the row has a number in column '//to_text(i)//', the header names '//to_text(layout%width)// &
-                   ' columns; give each a name, and numbers with decimal points'
+                   ' columns; give each column a name, and write decimals with a point'
          return
       end do
       if (size(row) < layout%width .and. layout%separator == ' ' .and. all(layout%place(:3) <= size(row)) .and. &

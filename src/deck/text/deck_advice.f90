@@ -128,7 +128,7 @@ contains
          advice = ''
       end if
       advice = advice//'legal: '//joined([(operation_name(i), i=1, operation_count)], ', ')// &
-         ' and the aliases of input/README.md'
+         '; also pick_up, slack_off, pooh, rih, drilling, slide'
    end function operation_advice
 
    !> Operations that have the nearest of all names. Of short names one slip counts, of long ones two; else a name that goes on
@@ -172,8 +172,13 @@ contains
          advice = '; write '//to_text(number, digits_told)
          return
       end if
-      ! a number with its unit behind
+      ! '1 25' of 1,25; a number with its unit behind
       length = verify(text, digits//'.+-') - 1
+      if (length > 0 .and. verify(trim(text), digits//' ') == 0 .and. len_trim(text) > length) then
+         advice = '; decimals have a point: '//text(:length)//'.'//trim(adjustl(text(length + 1:)))
+         if (verify(trim(advice(index(advice, '.', back=.true.) + 1:)), digits) == 0) return
+         advice = ''
+      end if
       if (length < 1) return
       call read_real(text(:length), number, legal)
       if (.not. legal .or. verify(text(length + 1:length + 1), ' ''"#%') > 0 .and. &

@@ -92,7 +92,7 @@ contains
          text = nearest_text(units, load_case, verdict)
          if (any(verdict%not_checked) .and. verdict%limit /= 0) text = 'As far as checked. '//text
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
-             .and. verdict%limit /= limit_lock_up) text = text//'. Slack-off brings at most '// &
+             .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
@@ -168,13 +168,13 @@ contains
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
-                   trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))
+                   trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))//' by the soft string'
          else
             text = text//'. No shallower bit depth is possible either'
          end if
       end if
       if (verdict%turning_hookload%present) &
-         text = text//'. Rotate the string: its weight is enough then, hook load about '// &
+         text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
                 trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
@@ -220,10 +220,10 @@ contains
       end if
       if (verdict%limit == limit_lock_up) text = text//'WOB '
       if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
-         load_text(units, verdict%limit, verdict%allowed%value)//trim(merge(' possible', '         ', &
+         load_text(units, verdict%limit, verdict%allowed%value)//trim(merge(' by the soft string', repeat(' ', 19), &
                                                                             verdict%limit == limit_lock_up))//', '
       text = text//to_text(verdict%used%value/percent, shown_factor)//' % used'
-      if (verdict%allowed%present) text = text//', '// &
+      if (verdict%allowed%present .and. verdict%limit /= limit_lock_up) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
@@ -348,10 +348,10 @@ contains
          if (.not. lacks_rating(components(i), limit)) cycle
          if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
          names = names + 1
-         if (names > most_names) exit
+         if (names > most_names) cycle
          text = text//trim(merge(' of', ',  ', names == 1))//' '//components(i)%name
       end do
-      if (names > most_names) text = text//' and others'
+      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
    end function unrated_names
 
    !> Names of the limits that were not checked as files have them, blanks between them.

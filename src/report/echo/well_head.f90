@@ -48,11 +48,11 @@ contains
          call weigh(model, model%strings(i), deepest, air, mud, collars)
          line = 'String'//name_of(i, ' ')//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
             trim(in_units(units, unit_force, air, few))//' in air, '//trim(in_units(units, unit_force, mud, few))//' in mud'
-         if (collars > 0.0_wp .and. collars < mud) line = line//', below the drill pipe '// &
-            trim(in_units(units, unit_force, collars, few))
+         if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
+            trim(in_units(units, unit_force, collars, few))//' of it below the drill pipe'
          call append_text(lines, line)
          line = clearance_line(units, model, model%strings(i), deepest)
-         if (line /= '') call append_text(lines, 'Least clearance'//name_of(i, ' of ')//' '//line)
+         if (line /= '') call append_text(lines, 'Least radial clearance'//name_of(i, ' of ')//' '//line)
       end do
    contains
       !> Name of a string where there are several.
@@ -82,7 +82,7 @@ contains
       if (.not. any(clearances%present)) return
       part = minloc(clearances%value, mask=clearances%present, dim=1)
       text = trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
-             ' on a side: '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
+             ': '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
    end function clearance_line
 
    !> The least clearance of each component with the bit at a depth, absent of those above surface.

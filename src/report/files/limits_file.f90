@@ -105,7 +105,7 @@ contains
                'least make-up torque of a connection - torque there; empty where none is given', whole%makeup_margin)
       call put(row, 'makeup_margin_md', quantity_length, 'where', whole%makeup_margin_md)
       call put(row, 'wob_lockup', quantity_force, &
-               'as wob_no_hookload, with the friction of a helically buckled string: about the largest WOB without a push', &
+               'as wob_no_hookload, with the friction of a helically buckled string; beams may lock up at less WOB', &
                whole%wob_lockup)
    end subroutine put_margins
 
@@ -119,7 +119,7 @@ contains
       call put(row, 'coiled_length', quantity_length, 'helically buckled length', whole%coiled_length)
       call put(row, 'coil_turns', quantity_none, 'turns of the helix', whole%coil_turns)
       call put(row, 'stability_margin', quantity_none, &
-               'part by which compression may grow before the shape changes; 1: or more; 0: a buckled shape that can be '// &
+               'part by which compression may grow before the shape changes; 1 means 1 or more; 0: a buckled shape that can be '// &
                'shifted; empty: too little compression', whole%stability_margin)
       call put(row, 'bit_side_force', quantity_force, &
                'across the hole, of the bit on the formation; mcge, or mixed with elements at the bit, where the bit is '// &
@@ -138,7 +138,7 @@ contains
                'weight on bit at which a compressed part of the string yields, bending and coils included; empty where it '// &
                'is locked up before', whole%wob_yield)
       call put(row, 'least_standoff', quantity_percent, &
-               'of the body, along the string; mcge alone', in_percent(whole%least_standoff))
+               'of the body, along the string; mcge only', in_percent(whole%least_standoff))
       call put(row, 'least_standoff_md', quantity_length, 'where', whole%least_standoff_md)
    end subroutine put_shape
 

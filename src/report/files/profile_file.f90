@@ -78,7 +78,7 @@ contains
                'of the joint that stands here, 0 between; empty without joints', along%joint_side_force)
       call put(list, 'standoff', quantity_percent, &
                'least distance of the body from the wall, over that of a centred one: 100 where it is centred, 0 where it '// &
-               'touches; of mcge alone', percent_of(along%standoff))
+               'touches; mcge only', percent_of(along%standoff))
       call put(list, 'inside_pressure', quantity_pressure, 'of the fluid inside, pump pressure included', along%inside_pressure)
       call put(list, 'side', quantity_text, &
                'above or below where a component, hole section or fluid changes: that depth has a row for each side; else '// &

@@ -75,7 +75,7 @@ contains
       call put(row, 'iterations', quantity_none, &
                'Newton iterations of all attempts and meshes of a case together; 0 for the other models', result%iterations)
       call put(row, 'elements', quantity_none, 'beam elements, or steps of integration of the others', result%elements)
-      call put(row, 'seconds', quantity_time, 'wall time of this case''s solution alone', result%seconds)
+      call put(row, 'seconds', quantity_time, 'wall time of the solution of this case', result%seconds)
       call put(row, 'measured_torque', quantity_moment, 'measured torque, as in the deck', load_case%measured_torque)
       call put(row, 'torque_error', quantity_percent, &
                '100 |torque - measured| / measured', error_of(result%torque, load_case%measured_torque))

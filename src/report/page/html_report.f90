@@ -193,8 +193,8 @@ contains
       call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; axial force at the top: negative '// &
                     'going up, positive going down. Axial forces are effective (buoyed), tension positive.</p>')
       if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
-         '<p>error: difference of the hook load from the measured one in per cent of that, without sign; reference error: '// &
-         'the same from the reference.</p>')
+         '<p>error: difference of the '//trim(merge('weight indicator', 'hook load       ', model%rig%given))//' from the '// &
+         'measured one in per cent of that, without sign; reference error: that of the hook load from the reference.</p>')
       call append_summary(lines, job, model, results, wholes, page_columns)
    end subroutine append_results
 
@@ -245,7 +245,7 @@ contains
                     'limit. The smaller one counts. wob buckling: WOB where buckling '// &
                     'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with the friction of a buckled '// &
                     'string.</p>')
-      call add_line(lines, '<p>governing strength limit: of pipe, connections, slips and rig the one that is used most, how '// &
+      call add_line(lines, '<p>governing limit: of pipe, connections, slips and rig the one that is used most, how '// &
                     'much of it, where. String weight, lock-up and buckling are apart. '// &
                     factors_text(job%design)//' bit side force: of the bit on the formation. bit tilt: between bit and hole '// &
                     'axis. Clock angles count from the high side. shape, snaking length, coiled length, coil turns: sinusoidal '// &

@@ -24,7 +24,7 @@ module dg_html_text
    !> Columns with another heading than their name in files.
    character(*), parameter :: renamed_columns(4) = [character(21) :: 'governing_limit', 'governing_utilisation', &
       'largest_bending', 'largest_bending_md']
-   character(*), parameter :: headings(4) = [character(25) :: 'governing strength limit', 'of it used', 'largest bending moment', &
+   character(*), parameter :: headings(4) = [character(23) :: 'governing limit', 'of it used', 'largest bending moment', &
       'depth of largest moment']
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp

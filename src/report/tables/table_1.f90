@@ -165,11 +165,20 @@ contains
          if (.not. layout%shown(c)) cycle
          associate (field => values%fields(c))
             value = optional_real(field%kind == field_real .and. says(numbers(c)%rows, load_case, result), field%real_value)
-            call add_cell(table, trim(numbers(c)%head)//'|'//unit_label(units, field%column%quantity), numbers(c)%width, &
+            call add_cell(table, head_of(c, layout)//'|'//unit_label(units, field%column%quantity), numbers(c)%width, &
                           value, unit_factor(units, field%column%quantity), numbers(c)%decimals)
          end associate
       end do
    end subroutine add_case
+
+   !> Head of a column. With &rig measured is what the indicator shows.
+   pure function head_of(column, layout) result(head)
+      integer, intent(in) :: column
+      type(layout_type), intent(in) :: layout
+      character(:), allocatable :: head
+      head = trim(numbers(column)%head)
+      if (numbers(column)%name == 'measured' .and. any(layout%shown .and. numbers%rows == for_rigs)) head = 'Measured|indicator|'
+   end function head_of
 
    !> True where a column says something of a case. As in the paper, friction belongs to axial motion and torque to rotation.
    !> Torque on bit belongs to a sliding string, too: a motor turns its bit.

@@ -132,7 +132,7 @@ module dg_deck_keys
       key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='friction along the hole; default friction'), &
       key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='friction around the hole; default friction'), &
       key_rule_type('hole', 'friction_running_in', low=0.0_wp, high=roughest, &
-         meaning='along the hole, trip_in alone; default friction_axial'), &
+         meaning='along the hole, for trip_in only; default friction_axial'), &
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
          meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
@@ -322,7 +322,7 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_bore', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer'), &
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
-         meaning='how the packer holds the lower end in cases with length_reference: it slides; may move up alone; cannot move')]
+         meaning='how the packer holds the lower end in cases with length_reference: slides; may only move up; cannot move')]
 
    type(key_rule_type), parameter :: load_case_keys(*) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &

@@ -15,7 +15,7 @@ module dg_study_keys
    type(key_rule_type), parameter :: study_keys(*) = [ &
       key_rule_type('study', 'cases', kind_text, array=.true., meaning='names of load cases; default all'), &
       key_rule_type('study', 'models', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='default the models of the job; all but mcge heed element_lengths alone'), &
+         meaning='default the models of the job; soft, rigid and mixed vary with element_lengths only'), &
       key_rule_type('study', 'element_lengths', unit=unit_length, array=.true., low=0.01_wp, high=1.0e3_wp, &
          meaning='longest elements; default that of the solver'), &
       key_rule_type('study', 'tolerances', array=.true., low=round_off, high=0.1_wp, meaning='default that of the solver'), &

@@ -83,7 +83,7 @@ contains
                   remark = 'no spare data'
                   if (result%statistics%freedom > 0) remark = 'no scatter'
                else if (half >= abs(value)) then
-                  remark = 'could be none'
+                  remark = 'may be zero'
                end if
             case default
             end select
@@ -131,7 +131,7 @@ contains
             call add_cell(table, 'Error %', cell_width, errors(1), one, 2)
             call add_cell(table, 'After', cell_width, result%fit%values(d), unit, decimals)
             call add_cell(table, 'Error %', cell_width, errors(2), one, 2)
-            call add_cell(table, 'Diff.', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
+            call add_cell(table, 'After-M.', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
             call end_row(table, '')
          end associate
       end do
@@ -287,7 +287,7 @@ contains
       do i = 1, sections
          text = text//', '//fixed_text(deviations(i), 5)
       end do
-      call append_text(lines, 'In &uncertainty of another deck: friction_deviations = '//text(3:)// &
+      call append_text(lines, 'For &uncertainty of another deck, from the 95 % interval: friction_deviations = '//text(3:)// &
                        ", friction_parameter = '"//trim(parameter_name(calibration%parameter))//"'")
       if (sections == 1) return
       text = ''

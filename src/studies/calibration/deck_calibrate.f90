@@ -189,9 +189,8 @@ contains
             'add such a case or leave out those that ask for it', faults)
       end do
       if (count(any(telling, dim=2)) < size(calibration%unknowns)) &
-         call group_fault(group, 'cases', 'fewer data than unknowns: '//to_text(count(any(telling, dim=2)))// &
-            ' measured values tell of them, for '//to_text(size(calibration%unknowns))// &
-            ' unknowns; add measurements or separate less', faults)
+         call group_fault(group, 'cases', to_text(count(any(telling, dim=2)))//' measured values for '// &
+            to_text(size(calibration%unknowns))//' unknowns: add measurements, or leave out separate or offset', faults)
    contains
       !> True if a number is above its bound; then adds a message.
       function too_many(number, most, what) result(yes)

@@ -216,8 +216,8 @@ contains
          end do
          if (columns(k)%number > 0 .or. .not. columns(k)%required) cycle
          advice = suggestion(columns(k)%place, names)
-         if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. Give the heading as '// &
-            trim(column_name(k))//', or the lines above the headings as skip'
+         if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. Write '//trim(column_name(k))// &
+            ' = the heading in &legacy, or skip = the lines above the headings'
          call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
                     '; '//advice, faults)
       end do
@@ -232,7 +232,7 @@ contains
       logical :: is
       character(:), allocatable :: wanted, in_brackets
       call split_unit(squeezed(place, ''), wanted, in_brackets)
-      is = squeezed(name, '') == wanted
+      is = squeezed(name, '_') == squeezed(wanted, '_')
       if (is .or. len(name) < len(wanted) + 2) return
       if (name(:len(wanted) + 1) /= wanted//'_') return
       is = unit_value(k, name(len(wanted) + 2:)) > 0.0_wp

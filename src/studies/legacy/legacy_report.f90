@@ -138,7 +138,8 @@ contains
       if (abs(parting%at_bottom) > agreement*parting%scale) &
          call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
                           ' already.')
-      call append_text(lines, 'It changes, from the bit up:')
+      call append_text(lines, trim(merge('Summed along the hole, from the bit up:', 'It changes, from the bit up:           ', &
+                                         k == quantity_side_force)))
       do i = size(comparison%intervals), 1, -1
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
@@ -152,8 +153,8 @@ contains
          return
       end if
       associate (worst => comparison%intervals(parting%worst))
-         call append_text(lines, 'They part above '//depth(parting%parting_md)//'; '// &
-                          to_text(per_cent*parting%share, 3)//' % of the difference in '//what//' arises in the '// &
+         call append_text(lines, 'They differ from '//depth(parting%parting_md)//' up; '// &
+                          to_text(per_cent*parting%share, 3)//' % of the net difference in '//what//' arises in the '// &
                           trim(interval_name(worst%kind))//' section, '//depth(worst%md_top)//' to '//depth(worst%md_bottom)//'.')
       end associate
 

@@ -30,7 +30,7 @@ contains
          allocate (steering%measured, source=reals_of(groups(i), 'measured_dogleg'))
          if (all(size(steering%measured) /= [0, 1, size(steering%cases)])) call group_fault(groups(i), 'measured_dogleg', &
             to_text(size(steering%measured))//' values of measured_dogleg for '//to_text(size(steering%cases))// &
-            ' cases; needs one, or one a case', faults)
+            ' cases; needs one, or one per case', faults)
          steering%side_cutting = optional_of(groups(i), 'side_cutting')
          if (.not. draft%boundary%bit_centred) call group_fault(groups(i), '', &
             'the bit is free; its side force needs bit_lateral = ''centred'' in &boundary', faults)

@@ -22,5 +22,5 @@ module dg_steering_keys
       key_rule_type('steering', 'hole_enlargement', unit=unit_diameter, low=0.0_wp, high=200.0_wp, default='0', &
          meaning='of the diameter of the hole above the bit'), &
       key_rule_type('steering', 'measured_dogleg', unit=unit_curvature, array=.true., low=-60.0_wp, high=60.0_wp, &
-         meaning='measured in a slide, towards the toolface, one or one a case: finds the side_cutting that gives it')]
+         meaning='measured in a slide, towards the toolface, one, or one per case: finds the side_cutting that gives it')]
 end module dg_steering_keys

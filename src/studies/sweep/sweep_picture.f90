@@ -151,7 +151,9 @@ contains
       integer, intent(in) :: number      !< of the friction factor
       character(:), allocatable :: text
       text = 'friction of the hole'
-      if (sweep%frictions(number)%present) text = 'friction '//to_text(sweep%frictions(number)%value, digits)
-      if (allocated(sweep%frictions_cased)) text = text//', cased '//to_text(sweep%frictions_cased(number), digits)
+      if (.not. sweep%frictions(number)%present) return
+      text = 'friction '
+      if (allocated(sweep%frictions_cased)) text = text//to_text(sweep%frictions_cased(number), digits)//' cased, open '
+      text = text//to_text(sweep%frictions(number)%value, digits)
    end function friction_label
 end module dg_sweep_picture

@@ -61,7 +61,9 @@ contains
       call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
       call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step'))
       do i = 1, size(self%ranges)
-         if (allocated(self%ranges(i)%depths)) call note_use(deck, self%ranges(i)%string, maxval(self%ranges(i)%depths))
+         associate (range => self%ranges(i))
+            if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths), range%operations)
+         end associate
       end do
    end subroutine read_sweeps
 

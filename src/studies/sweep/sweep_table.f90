@@ -92,7 +92,7 @@ contains
          call end_row(table, '')
       end do
       call append_table(lines, table)
-      if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the file has them all')
+      if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the CSV file has all')
    end subroutine append_lost
 
    !> The curves that have something to show: torque where the string turns or the bit has some; hook loads of a string that turns
@@ -180,7 +180,7 @@ contains
       end do
       call append_table(lines, table)
       if (size(depths) < size(sweep%depths)) call append_text(lines, to_text(size(depths))//' of '//to_text(size(sweep%depths))// &
-                                                              ' depths; the file has them all')
+                                                              ' depths; the CSV file has all')
    end subroutine append_curves
 
    !> Heads of curves: a part of the name of the operation, which stands over all its curves, above the friction factor.
@@ -195,7 +195,7 @@ contains
          if (len(names) < k*cell_width) names = names// &
             operation_head(trim(operation_label(sweep%operations(curves(k)%point%operation))), &
                            count(curves%point%operation == curves(k)%point%operation))
-         factor = 'any'
+         factor = 'all'
          if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
          heads(k)%text = names((k - 1)*cell_width + 1:k*cell_width)//'|'//factor//' '
       end do
@@ -292,7 +292,7 @@ contains
       logical, intent(in) :: indicated     !< as the rig shows it
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
-      if (indicated) text = 'hook load as the rig shows it, block included, '//trim(units%force_label)
+      if (indicated) text = 'weight indicator, block and sheaves counted, '//trim(units%force_label)
       if (quantity == quantity_torque) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_text
 end module dg_sweep_table

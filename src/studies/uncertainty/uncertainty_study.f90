@@ -85,7 +85,8 @@ contains
       do i = 1, size(self%uncertainties)
          self%ranges(i) = self%uncertainties(i)%range
          associate (range => self%ranges(i))
-            if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths))
+            if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths), &
+                                                             range%operations)
          end associate
       end do
       call name_ranges(self, range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', &

@@ -121,7 +121,7 @@ contains
       end do
       call append_table(lines, table)
       n = size(uncertainty%range%depths)
-      if (size(depths) < n) call append_text(lines, to_text(size(depths))//' of '//to_text(n)//' depths; the file has them all')
+      if (size(depths) < n) call append_text(lines, to_text(size(depths))//' of '//to_text(n)//' depths; the CSV file has all')
       point%depth = 1
       first = point_number(uncertainty%range, point)
       point%depth = n
@@ -171,7 +171,7 @@ contains
          if (varies(uncertainty, largest)) text = text//', '//spaced(trim(input_name(largest)))//' '// &
             to_text(100.0_wp*shares(largest), share_digits)//' %'
       end do
-      text = 'Share of the variance of '//what//' at the deepest: '//text(len(', ') + 1:)
+      text = 'Share of the variance of '//what//' at the deepest bit depth: '//text(len(', ') + 1:)
    end function shares_text
 
    pure subroutine add_quantiles(table, distribution, unit, decimals)
