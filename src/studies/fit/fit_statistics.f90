@@ -183,25 +183,23 @@ contains
       end do
    end function descending
 
-   !> Quantile of Student's distribution at a probability from 0.5 to below 1, by halving the interval of its distribution
-   !> function (Abramowitz & Stegun 1964, 26.7.3 and 26.7.4).
+   !> Quantile of Student's distribution at a probability from 0.5 to below 1, by Newton's method on its distribution function
+   !> (Abramowitz & Stegun 1964, 26.7.3 and 26.7.4). That is concave in the angle, so that steps from 0 never pass the quantile.
    pure function student_quantile(probability, freedom) result(quantile)
       real(wp), intent(in) :: probability
       integer, intent(in) :: freedom              !< >= 1
       real(wp) :: quantile
-      real(wp) :: low, high, angle
+      real(wp) :: angle, step, density, half
       integer :: i
-      low = 0.0_wp
-      high = 0.5_wp*pi
-      do i = 1, digits(low)
-         angle = 0.5_wp*(low + high)
-         if (0.5_wp + 0.5_wp*student_middle(angle, freedom) < probability) then
-            low = angle
-         else
-            high = angle
-         end if
+      half = 0.5_wp*real(freedom, wp)
+      density = 2.0_wp*exp(log_gamma(half + 0.5_wp) - log_gamma(half))/sqrt(pi)        ! at the angle 0
+      angle = 0.0_wp
+      do i = 1, digits(angle)
+         step = (2.0_wp*probability - 1.0_wp - student_middle(angle, freedom))/(density*cos(angle)**(freedom - 1))
+         if (.not. step > 0.0_wp) exit
+         angle = angle + step
       end do
-      quantile = tan(low)*sqrt(real(freedom, wp))
+      quantile = tan(angle)*sqrt(real(freedom, wp))
    end function student_quantile
 
    !> Probability that |t| < sqrt(freedom) tan(angle).
