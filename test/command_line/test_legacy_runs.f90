@@ -19,6 +19,7 @@ contains
    function legacy_runs_suite() result(suite)
       type(TestSuite) :: suite
       suite = TestSuite('legacy_runs')
+      call suite%addTest(TestMethod('noisy_survey', test_noisy_survey))
       call suite%addTest(TestMethod('shipped_example_locates_the_error', test_example))
       call suite%addTest(TestMethod('every_form_of_table', test_forms))
       call suite%addTest(TestMethod('rows_that_are_skipped', test_skipped))
@@ -65,6 +66,25 @@ contains
       run = run_with('0     300|#  200280|900     0', ", md = '1:6', axial = '7:9'")
       call assertTrue(index(unwrapped(run%output), 'rows skipped: 1 that begin with # (first in line 2)') > 0, message=run%output)
    end subroutine test_skipped
+
+   !> A survey that scatters has dozens of intervals: those with the largest changes are listed, the others in one line.
+   subroutine test_noisy_survey()
+      type(run_type) :: run
+      character(:), allocatable :: stations, deck
+      character(3) :: number
+      integer :: i
+      deck = replaced(good_deck(), '0.0, 500.0, 900.0', '0.0')
+      stations = '0.0'
+      do i = 1, 30
+         write (number, '(i0)') 30*i
+         deck = replaced(deck, newline//'  inc = 0.0', ', '//trim(number)//newline//'  inc = 0.0')
+         stations = stations//merge(', 20.0', ', 21.0', modulo(i, 2) == 0)
+      end do
+      deck = replaced(replaced(deck, '0.0, 0.0, 30.0', stations), '3*10.0', '31*10.0')
+      run = run_with('md,axial|0,200|450,90|900,0', '', deck)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, newline//'  21 other intervals together: ') > 0, message=run%output)
+   end subroutine test_noisy_survey
 
    !> Hook loads at several bit depths are no forces along one string: a note says so, and what to give in their place.
    subroutine test_hookloads()

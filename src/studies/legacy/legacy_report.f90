@@ -21,6 +21,8 @@ module dg_legacy_report
    integer, parameter :: hole_width = 10
    !> Rows of a printed table; the file has all.
    integer, parameter :: most_rows = 16
+   !> Intervals of a hole that are listed; a noisy survey has dozens.
+   integer, parameter :: most_intervals = 10
    !> Digits of forces and depths in words.
    integer, parameter :: shown = 5
    character(*), parameter :: quantity_words(quantity_count) = [character(11) :: 'axial force', 'torque', 'side force']
@@ -121,6 +123,7 @@ contains
       character(:), allocatable :: what
       real(wp) :: factor
       integer :: i, n
+      logical :: told(size(comparison%intervals))
       n = size(comparison%md)
       factor = unit_factor(units, quantity_of(k))
       unit = unit_label(units, quantity_of(k))
@@ -140,13 +143,17 @@ contains
                           ' already.')
       call append_text(lines, trim(merge('Summed along the hole, from the bit up:', 'It changes, from the bit up:           ', &
                                          k == quantity_side_force)))
+      told = most_told(parting%growth)
       do i = size(comparison%intervals), 1, -1
+         if (.not. told(i)) cycle
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
                              depth(interval%md_bottom)//' up to '//depth(interval%md_top)//': '// &
                              growth_text(parting%growth(i))//remark(interval))
          end associate
       end do
+      if (.not. all(told)) call append_text(lines, '  '//to_text(count(.not. told))//' other intervals together: '// &
+                                            growth_text(sum(parting%growth, mask=.not. told)))
       if (parting%worst == 0) then
          call append_text(lines, to_text(per_cent*parting%share, 3)//' % of the difference in '//what// &
                           ' is there at the lowest depth: compare the loads on the bit.')
@@ -188,6 +195,18 @@ contains
             text = ' (interpolated)'
       end function remark
    end subroutine append_words
+
+   !> Intervals that are listed: all, or of many those with the largest changes.
+   pure function most_told(growth) result(told)
+      real(wp), intent(in) :: growth(:)
+      logical :: told(size(growth))
+      integer :: i
+      told = size(growth) <= most_intervals
+      if (all(told)) return
+      do i = 1, most_intervals - 1
+         told(maxloc(abs(growth), mask=.not. told, dim=1)) = .true.
+      end do
+   end function most_told
 
    !> With its sign, also where that is plus.
    pure function signed(value) result(text)
