@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
       call suite%addTest(TestMethod('what_string_weight_can_do', test_ways_down))
+      call suite%addTest(TestMethod('several_limits', test_several))
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('sweep_as_load_case', test_sweep_as_case))
       call suite%addTest(TestMethod('page', test_page))
@@ -124,7 +125,7 @@ contains
    end subroutine test_advice
 
    !> Overpull is left out. After 'Possible without overpull': yes. After 'Not possible without overpull either': NO, by as much
-   !> as it says. After 'Possible with at least': yes with that overpull.
+   !> as it says. After 'At least': yes with that overpull.
    subroutine test_overpull()
       character(*), parameter :: excess = 'Not possible without overpull either: hook load with block (rig) '
       type(run_type) :: run
@@ -138,7 +139,7 @@ contains
       run = run_deck_text(deck_of('0', '205'))
       call assertTrue(index(unwrapped(run%output), ', '//told//' klbf too much') > 0, message=told//' told; '//run%output)
       run = run_deck_text(deck_of('-90', '300'))
-      run = run_deck_text(deck_of('-'//number_after(unwrapped(run%output), '. Possible with at least '), '300'))
+      run = run_deck_text(deck_of('-'//number_after(unwrapped(run%output), '. At least '), '300'))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
    contains
       !> Pulling with weight on bit and rig limit [klbf].
@@ -314,6 +315,59 @@ contains
       call assertTrue(no > 0 .and. no < size(rows) - 1, message='rows that cannot be done')
       call assertTrue(index(rows(2)%text, ',yes,') > 0, message=rows(2)%text)
    end subroutine test_sweep
+
+   !> Casing with air above mud is too light and collapses: both are told, and nothing that would make it heavy enough alone. Slips
+   !> hold the liner that is at surface. Less overpull must keep all limits. Running forces of bows do not grow with friction.
+   subroutine test_several()
+      character(*), parameter :: head = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline
+      type(run_type) :: run
+      character(:), allocatable :: text
+      run = run_deck_text(head//'&trajectory md = 0, 2500, 3400, 6500, inc = 0, 0, 88, 88, azi = 4*0 /'//newline// &
+         '&hole diameter = 311, friction = 0.6 /'//newline//"&fluid density = 1500, where = 'outside' /"//newline// &
+         "&fluid density = 300, where = 'inside' /"//newline// &
+         '&component od = 244.5, id = 220.5, mass = 70, yield = 552 /'//newline// &
+         "&load_case name = 'c', operation = 'down', bit_depth = 6500 /"//newline)
+      text = unwrapped(run%output)
+      call assertTrue(index(text, 'of push needed at surface. Also too much: collapse, 114 % used') > 0, message=text)
+      call assertEqual(0, index(text, 'Deepest bit depth') + index(text, 'Rotate the string') + index(text, 'becomes yes'), &
+                       message='advice by weight: '//text)
+      run = run_deck_text(head//'&trajectory md = 0, 2000, inc = 0, 0 /'//newline//'&hole diameter = 311, friction = 0.2 /'// &
+         newline//'&fluid density = 1200 /'//newline//'&strength slip_length = 150 /'//newline// &
+         "&component name = 'liner', length = 1500, od = 244.5, id = 220.5, mass = 70, yield = 379 /"//newline// &
+         '&component od = 127, id = 108.6, mass = 31.9, yield = 931 /'//newline// &
+         "&load_case name = 'c', operation = 'down', bit_depth = 1495 /"//newline)
+      ! Reinhold and Spiri: 3322 kN/3.859
+      call assertTrue(index(unwrapped(run%output), 'Slips: 869 kN, 861 kN allowed') > 0, message=run%output)
+      text = head//'&trajectory md = 0, 3440, inc = 0, 0 /'//newline//'&hole diameter = 155, friction = 0.3 /'//newline// &
+         '&fluid density = 1200 /'//newline//'&rig block_weight = 300, max_hookload = 740 /'//newline// &
+         '&component od = 88.9, id = 76, mass = 14, yield = 300 /'//newline// &
+         "&load_case name = 'c', operation = 'up', bit_depth = 3440, wob = -250 /"//newline
+      run = run_deck_text(text)
+      call assertTrue(index(unwrapped(run%output), 'At least 39.9 kN of overpull is possible') > 0, message=run%output)
+      run = run_deck_text(replaced(text, '-250', '-39.9'))
+      call assertTrue(index(run%output, newline//'c  yes') > 0, message=run%output)
+      text = head//'&trajectory md = 0, 1000, 1300, 3000, inc = 0, 0, 60, 60, azi = 4*0 /'//newline// &
+         '&hole diameter = 311, friction = 0.3 /'//newline//'&fluid density = 1200 /'//newline// &
+         "&component name = 'csg', od = 244.5, id = 220.5, yield = 552 /"//newline//"&centralizer component = 'csg', "// &
+         "kind = 'bow', od = 330, spacing = 24, restoring_force = 8, rated_hole = 311, running_force = 5 /"//newline// &
+         "&load_case name = 'c', operation = 'down', bit_depth = 3000 /"//newline
+      run = run_deck_text(text)
+      call check_reserve(0.99_wp, 'yes')
+      call check_reserve(1.02_wp, 'NO ')
+   contains
+      !> The answer at a part of the largest friction that was told.
+      subroutine check_reserve(part, answer)
+         real(wp), intent(in) :: part
+         character(*), intent(in) :: answer
+         type(run_type) :: other
+         character(:), allocatable :: number
+         real(wp) :: factor
+         number = number_after(unwrapped(run%output), 'The answer becomes NO at about ')
+         read (number, *) factor
+         other = run_deck_text(replaced(text, 'friction = 0.3', 'friction = '//to_text(0.3_wp*factor*part)))
+         call assertTrue(index(other%output, newline//'c  '//answer) > 0, message=other%output)
+      end subroutine check_reserve
+   end subroutine test_several
 
    !> A point of a sweep has the answer and the limit of a load case at its depth: make-up torque, slips, design factors.
    subroutine test_sweep_as_case()

@@ -10,7 +10,7 @@ module dg_find_verdict
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
-   use dg_drillstring, only: component_tops
+   use dg_drillstring, only: component_tops, topmost
    use dg_fatigue, only: fatigue_type
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
@@ -23,8 +23,9 @@ module dg_find_verdict
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    use dg_upper_friction, only: raise_friction
-   use dg_utilisation, only: as_much, find_utilisation, has_rating, joint_ratings, lacks_rating, limit_joint_torsion, &
-                             limit_makeup, limit_rig, limit_slips, limit_top_drive, limit_torsion, part_limits, utilisation_type
+   use dg_utilisation, only: as_much, find_utilisation, has_rating, joint_ratings, lacks_rating, limit_count, limit_joint_torsion, &
+                             limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
+                             limit_von_mises, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit
@@ -32,6 +33,9 @@ module dg_find_verdict
    implicit none
    private
    public :: find_verdict, passed_weight
+
+   !> Hook load over the weight or contact force of a string from which on it is more than round-off [-].
+   real(wp), parameter :: least_hookload = 1.0e-6_wp
 
 contains
 
@@ -48,6 +52,7 @@ contains
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
+            verdict%weight_alone = .true.
             if (block_way(load_case%operation) <= 0) then
                verdict%most_wob = given(weight_that_arrives(model, result))
             end if
@@ -58,6 +63,7 @@ contains
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(whole%utilisation, verdict)
+            call find_pull_excess(whole, design, verdict%pull_excess)
             call judge_weight(model, result, whole%wob_lockup, verdict)
             call judge_fatigue(whole%fatigue, limit_fatigue, verdict)
             call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
@@ -73,8 +79,9 @@ contains
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)
          if (lacks_weight(load_case, verdict)) then
-            call find_turning_loads(model, result%case_index, verdict)
-            if (verdict%friction /= friction_upper_end_alone) call find_ways_down(model, result, verdict)
+            if (verdict%also == 0) call find_turning_loads(model, result%case_index, verdict)
+            if (verdict%friction /= friction_upper_end_alone .and. block_way(load_case%operation) <= 0) &
+               call find_ways_down(model, result, verdict)
          end if
       end associate
    end subroutine find_verdict
@@ -117,6 +124,7 @@ contains
             if (.not. scale > 0.0_wp) scale = 1.0_wp
          end if
          if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
+         if (verdict%also > 0) return       ! weight is not all that lacks
          call find_reach(model, i, verdict%reach, scale)
          part = matching_friction(model, i, wob, 0.0_wp)/scale
          verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
@@ -217,6 +225,25 @@ contains
       if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
    end subroutine judge_strengths
 
+   !> Pull beyond the limits that are passed. Absent where less pull does not bring all of them back, or it is not known how much.
+   pure subroutine find_pull_excess(whole, design, excess)
+      type(whole_string_type), intent(in) :: whole
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(out) :: excess   !< [N]
+      logical :: passed(limit_count), by_force(limit_count)
+      associate (use => whole%utilisation)
+         passed = use%used%present .and. use%used%value > 1.0_wp + as_much
+         if (.not. any(passed)) return
+         by_force = .false.
+         by_force([limit_rig, limit_slips, limit_tension]) = .true.
+         excess = given(max(0.0_wp, maxval(use%load*(1.0_wp - 1.0_wp/max(use%used%value, 1.0_wp)), mask=passed .and. by_force)))
+      end associate
+      by_force(limit_von_mises) = whole%overpull_margin%present .and. .not. design%von_mises > 1.0_wp
+      if (passed(limit_von_mises) .and. by_force(limit_von_mises)) &
+         excess%value = max(excess%value, -whole%overpull_margin%value)
+      excess%present = .not. any(passed .and. .not. by_force)
+   end subroutine find_pull_excess
+
    !> Takes string weight or lock-up, where one of them is passed or used more than the strengths. They are not known where the
    !> survey begins below surface.
    pure subroutine judge_weight(model, result, wob_lockup, verdict)
@@ -227,6 +254,8 @@ contains
       real(wp) :: share, weight
       integer :: passed
       logical :: takes_weight
+      type(verdict_type) :: strengths
+      strengths = verdict
       if (top_md(model%trajectory) > 0.0_wp) then
          verdict%not_checked(limit_string_weight) = .true.
          return
@@ -243,6 +272,10 @@ contains
             verdict%load = given(weight - result%hookload)
             verdict%allowed = given(weight)
             verdict%md%present = .false.
+         end if
+         if (passed > 0 .and. strengths%answer == answer_no) then
+            verdict%also = strengths%limit
+            verdict%also_used = strengths%used%value
          end if
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
@@ -331,7 +364,7 @@ contains
          call soft_string_at(turned, case_index, md(parts:1:-1), axial, torque, totals=totals, &
                              other=other_loads_type(coiled=.true.))
          axial(1) = axial(1) - surface_push(model, case_index)        ! hook load
-         if (totals%runaway .or. .not. axial(1) > 0.0_wp) return
+         if (totals%runaway .or. .not. axial(1) > least_hookload*max(abs(totals%weight), totals%normal_force)) return
          if (model%rig%max_torque%present) then
             if (abs(torque(1)) > model%rig%max_torque%value) return
          end if
@@ -355,7 +388,7 @@ contains
       type(design_factors_type), intent(in) :: design
       logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
       logical :: turns
-      integer :: i, string
+      integer :: i, string, top
       turns = rotates(model%cases(case_index)%operation)
       string = string_index(model%strings, model%cases(case_index)%string)
       associate (parts => model%strings(string)%components)
@@ -366,7 +399,8 @@ contains
          end do
          if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
          if (.not. any(is_rated(parts%rating))) unrated(joint_ratings) = .false.
-         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(size(parts))%yield > 0.0_wp)
+         top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
+         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp)
       end associate
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present

@@ -13,7 +13,7 @@ module dg_utilisation
    use dg_component, only: component_type, is_bit, is_pipe, tube_area, worn_od
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
-   use dg_drillstring, only: component_at, component_tops
+   use dg_drillstring, only: component_at, component_tops, topmost
    use dg_load_case, only: rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
@@ -89,7 +89,7 @@ contains
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
                factors%von_mises/along%safety_factor(i), along%von_mises(i), profile%md(i))
          end do
-         associate (uppermost => string%components(component_at(tops, tops(size(tops)))))
+         associate (uppermost => string%components(topmost(tops)))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
                factors%tension*max(result%hookload, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
                slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload, profile%md(1))

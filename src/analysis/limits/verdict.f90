@@ -44,6 +44,10 @@ module dg_verdict
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
+      integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is passed, too
+      real(wp) :: also_used = 0.0_wp                !< how much of it [-]
+      logical :: weight_alone = .false.             !< no by lock-up without a solution: other limits are not known
+      type(optional_real) :: pull_excess            !< no by limits that less pull brings back: pull beyond them [N]
       integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none
       real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, but for lock-up [N, N.m or Pa]
       !> Hook load and torque at surface if the string were turned, where that would help [N, N.m].

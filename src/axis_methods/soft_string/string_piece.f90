@@ -107,7 +107,7 @@ contains
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
          if (part%centralizer%present) then
-            piece%drag = friction_scale*running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing
+            piece%drag = running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing
             piece%spans = spans_of(part, model%holes(hole)%diameter, max(piece%clearance, 0.0_wp))
             piece%rubbing(1) = rubbing_type(piece%axial, piece%rotary, piece%radius)
             associate (body => piece%rubbing(2))

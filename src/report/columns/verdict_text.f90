@@ -2,6 +2,7 @@
 module dg_verdict_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
+   use dg_fatigue_curve, only: fatigue_none
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
@@ -164,7 +165,10 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
-      text = without_load_text(units, load_case, verdict)
+      text = ''
+      if (verdict%also > 0) text = '. Also too much: '//shown_title(verdict%also)//', '// &
+                                   to_text(verdict%also_used/percent, shown_factor)//' % used'
+      text = text//without_load_text(units, load_case, verdict)
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
@@ -179,12 +183,14 @@ contains
                 trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
                 trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
-      if (.not. verdict%possible_friction%present) return
-      if (verdict%friction == friction_upper_end_alone) then
-         text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
-      else
-         text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
+      if (verdict%possible_friction%present) then
+         if (verdict%friction == friction_upper_end_alone) then
+            text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
+         else
+            text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
+         end if
       end if
+      if (verdict%weight_alone) text = text//'. Without a solution no other limit can be judged'
    end function help_text
 
    !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.
@@ -197,10 +203,10 @@ contains
       text = ''
       if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue, limit_lock_up])) return
       text = '. Possible without overpull'
-      if (all(verdict%limit /= [limit_rig, limit_tension])) return
+      if (.not. verdict%pull_excess%present) return
       ! Less overpull takes as much off the load at least: drag falls with it.
-      left = -load_case%wob - (verdict%load%value - verdict%allowed%value)
-      if (left > 0.0_wp) text = '. Possible with at least '//force_text(units, left)//' of overpull'
+      left = -load_case%wob - verdict%pull_excess%value
+      if (left > 0.0_wp) text = '. At least '//force_text(units, left)//' of overpull is possible'
    end function overpull_text
 
    !> The limit used most and what is left of it.
@@ -331,6 +337,7 @@ contains
          if (.not. not_checked(i) .or. any(by_yield == i)) cycle
          if (text /= '') text = text//', '
          text = text//trim(limit_title(i))//unrated_names(components, i)
+         if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) text = text//' (no fatigue_exponent)'
       end do
    end function unchecked_text
 

@@ -5,7 +5,7 @@ module dg_drillstring
    use dg_component, only: component_type, effective_joint_length, has_bend, has_joints, has_pad
    implicit none
    private
-   public :: drillstring_type, component_at, component_tops, joint_ends, all_centralizer_ends, tool_ends, pad_within, &
+   public :: drillstring_type, component_at, component_tops, topmost, joint_ends, all_centralizer_ends, tool_ends, pad_within, &
              bend_within, at_joint
 
    type :: drillstring_type
@@ -51,6 +51,13 @@ contains
          end if
       end do
    end function component_at
+
+   !> Index of the component at the top of what is in the hole.
+   pure function topmost(tops) result(index)
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      integer :: index
+      index = findloc(tops >= tops(size(tops)), .true., dim=1)
+   end function topmost
 
    !> Ends of all tool joints, as distances above the bit [m]; components with centralizers have none. Joints stand every
    !> joint_spacing from a component's lower end, half a joint at its ends.
