@@ -77,12 +77,23 @@ contains
                    "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
                    "&component name = 'bit', kind = 'bit', length = 1,", &
                    'bit ''bit'' stands above ''low''. List components from the bit upwards')
+      call mistake("&component name = 'MWD'", "&component name = 'low', length = 9000, od = 5, id = 4.276, joint_od = 6.625 /"// &
+                   newline//"&component name = 'MWD'", &
+                   'drill pipe ''low'' stands at the bit, collars ''MWD'' above it. List components from the bit upwards')
+      call mistake('mass = 20.87', 'mass = 13', 'mass = 13, but a tube of its od, id and density has 17.95')
+      call mistake('yield = 135', 'yield = 135, joint_torsion = 20, makeup_torque = 30', &
+                   '''DP'': makeup_torque is above joint_torsion, 20 kft.lbf: its joints would yield in make-up')
+      call mistake('yield = 135', 'yield = 135, joint_torsion = 52000, makeup_torque = 30000', 'makeup_torque = 30000 kft.lbf is')
    end subroutine test_string
 
    !> Left out: fluid, friction.
    subroutine test_fluid_and_friction()
       call mistake('&fluid density = 9.6 /'//newline, '', 'There is no &fluid')
       call mistake('diameter = 8.5, friction = 0.30', 'diameter = 8.5', '''open'' has no friction')
+      call mistake('friction = 0.30', 'friction = 0.025', '''open'': friction = 0.025 is unusual. Usual is at least 0.03')
+      call mistake('friction = 0.30', 'friction_axial = 0.3', '''open'' has no friction_rotary, so that torque there is zero')
+      call mistake('&fluid density = 9.6 /', '&fluid density = 9.6 / &fluid density = 10, md_top = 16000 /', &
+                   'md_top = 16000 ft is below the hole, so that this fluid is nowhere')
       call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.53')
    end subroutine test_fluid_and_friction
 
@@ -91,6 +102,13 @@ contains
       call mistake('&fluid', '&rig block_weight = 600 /'//newline//'&fluid', &
                    'block_weight = 600 klbf is unusual. Usual is at most 337.2')
       call mistake('&fluid', '&rig max_torque = 1000 /'//newline//'&fluid', 'max_torque = 1000 kft.lbf is unusual')
+      call mistake('&fluid', '&rig max_hookload = 20000 /'//newline//'&fluid', 'max_hookload = 20000 klbf is unusual')
+      call mistake("'up', bit_depth", "'up', wob = 60, bit_depth", &
+                   'wob = 60 klbf pushes the bit in trip_out. An overpull is a wob below 0')
+      call mistake('tob = 5 ', 'tob = 5, rpm = 1200 ', 'rpm = 1200 rpm is unusual')
+      call mistake("operation = 'up',", "operation = 'backream', rpm = 60, trip_speed = 30,", 'trip_speed = 30 ft/s is unusual')
+      call mistake('&fluid', "&sweep operations = 'sliding', bit_depth_from = 15000, wob = 20000, tob = 5000 /"//newline// &
+                   '&fluid', 'group &sweep: wob = 20000 klbf is unusual')
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
       call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')

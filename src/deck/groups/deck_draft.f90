@@ -9,7 +9,7 @@ module dg_deck_draft
    use dg_fluid, only: fluid_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: load_case_type, rotates
+   use dg_load_case, only: load_case_type
    use dg_merge_sort, only: first_equal
    use dg_model, only: boundary_type
    use dg_numerics, only: numerics_type
@@ -88,7 +88,9 @@ module dg_deck_draft
    type :: string_use_type
       character(:), allocatable :: string
       real(wp) :: depth = 0.0_wp               !< the greatest, measured [m]
-      logical :: turns = .false.                 !< in one of its operations
+      logical :: turns = .false.               !< in one of its operations
+      character(:), allocatable :: group       !< of the deck, by name
+      real(wp), allocatable :: wob(:), tob(:)  !< by operation, or one for all [N, N.m]
    end type string_use_type
 
    !> A deck as it is read: its parts, its groups for whoever has some of its own, and what these leave for each other.
@@ -102,20 +104,16 @@ module dg_deck_draft
 
 contains
 
-   !> Notes that a string is used down to a depth [m], by operations.
-   subroutine note_use(deck, string, depth, operations)
+   !> Notes the use of a string by a study.
+   subroutine note_use(deck, use)
       type(deck_type), intent(inout) :: deck
-      character(*), intent(in) :: string
-      real(wp), intent(in) :: depth
-      integer, intent(in) :: operations(:)
+      type(string_use_type), intent(in) :: use
       type(string_use_type), allocatable :: longer(:)
       integer :: n
       n = size(deck%uses)
       allocate (longer(n + 1))
       longer(:n) = deck%uses
-      longer(n + 1)%string = string
-      longer(n + 1)%depth = depth
-      longer(n + 1)%turns = any(rotates(operations))
+      longer(n + 1) = use
       call move_alloc(longer, deck%uses)
    end subroutine note_use
 

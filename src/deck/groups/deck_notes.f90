@@ -2,7 +2,7 @@
 !> notes and continues. Ranges that reject a value are in the table of keys (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: closed_diameter, has_bend, has_blades, has_pad, is_open, opens, tube_area
+   use dg_component, only: closed_diameter, has_bend, has_blades, has_joints, has_pad, is_open, opens, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
@@ -21,9 +21,9 @@ module dg_deck_notes
 
    !> Holes wider than so many strings: inches or metres among millimetres.
    real(wp), parameter :: widest_hole = 12.0_wp
-   !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53); pounds
-   !> a foot are 0.67 of kilogrammes a metre, these 1.49 of those.
-   real(wp), parameter :: least_mass = 0.75_wp, most_mass = 1.6_wp
+   !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53). Pounds a
+   !> foot are 0.67 of kilogrammes a metre, 0.8 of the tube for jointed pipe. Tools have hollows.
+   real(wp), parameter :: least_mass = 0.75_wp, least_pipe_mass = 0.92_wp, most_mass = 1.6_wp
    !> Young's moduli of what strings are made of [Pa]: glass fibre has 45, steel 206.
    real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
    !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
@@ -206,7 +206,8 @@ contains
             trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
-         if (part%mass > 0.0_wp .and. (part%mass < least_mass*tube .or. part%mass > most_mass*tube)) then
+         if (part%mass > 0.0_wp .and. (part%mass < merge(least_pipe_mass, least_mass, has_joints(part))*tube .or. &
+                                       part%mass > most_mass*tube)) then
             if (part%id > 0.0_wp) then
                call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
                   'density has '//to_text(tube/units%mass_per_length, few_digits)// &

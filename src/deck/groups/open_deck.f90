@@ -93,7 +93,7 @@ contains
       if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
       fitted = .false.
       if (allocated(deck%estimates)) fitted = size(deck%estimates) > 0
-      call note_unusual(deck%draft, fitted, notes)
+      call note_unusual(deck%draft, deck%uses, fitted, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
       job%notes = notes

@@ -2,40 +2,24 @@
 !> is unusual, where, what is usual.
 module dg_unusual_input
    use dg_kinds, only: wp
-   use dg_component, only: is_bit, opens
+   use dg_component, only: component_type, has_joints, is_bit, is_pipe, opens
    use dg_constants, only: degree, pi
    use dg_contact_friction, only: axial_friction
-   use dg_deck_draft, only: draft_type, lowest_of
-   use dg_load_case, only: operation_static
+   use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
+   use dg_load_case, only: block_way, operation_name, operation_rotate_off_bottom, operation_static, rotates
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
-   use dg_unit_kind, only: heaviest_mud, in_units, unit_curvature, unit_diameter, unit_force, unit_label, unit_length, unit_mass, &
-                           unit_moment, unit_pressure, unit_stress
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_label, unit_length, unit_mass, unit_moment
+   use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_hookload, usual_joint_torsion, &
+                             usual_makeup, usual_pump, usual_rpm, usual_tob, usual_top_drive, usual_trip_speed, usual_wob, &
+                             usual_yield
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant
 
-   !> Usual range of a key.
-   type :: usual_type
-      character(13) :: key
-      integer :: unit
-      real(wp) :: low, high        !< [SI]
-      character(72) :: source
-   end type usual_type
-
-   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5, &
-                         usual_block = 6, usual_top_drive = 7
-   type(usual_type), parameter :: usual(7) = [ &
-      usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
-      usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
-      usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
-      usual_type('density', 0, 0.0_wp, heaviest_mud, 'heaviest kill mud 22.5 lbm/gal'), &
-      usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
-                 'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi'), &
-      usual_type('block_weight', unit_force, 0.0_wp, 1.5e6_wp, 'block, compensator and top drive of 1,250 t rigs: 120 t'), &
-      usual_type('max_torque', unit_moment, 0.0_wp, 200.0e3_wp, 'strongest top drives 130 kN.m')]
-
+   !> Longest pipe that stands at a bit below collars [m].
+   real(wp), parameter :: longest_bha_pipe = 100.0_wp
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
    !> Widest hole that is drilled, 36, as a number of inches that is read as one of millimetres [m].
@@ -61,11 +45,12 @@ module dg_unusual_input
 contains
 
    !> Adds a note for each matter.
-   subroutine note_unusual(draft, fitted, notes)
+   subroutine note_unusual(draft, uses, fitted, notes)
       type(draft_type), intent(in) :: draft
+      type(string_use_type), intent(in) :: uses(:)     !< of strings, beside those of load cases
       logical, intent(in) :: fitted       !< a study of the deck finds the friction
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i, before
+      integer :: i, k, before
       call note_inclinations(draft, notes)
       before = size(notes)
       call note_doglegs(draft, notes)
@@ -73,22 +58,49 @@ contains
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
-         call note_range('group &fluid', usual_density, draft%fluids(i)%fluid%density)
+         associate (fluid => draft%fluids(i)%fluid)
+            call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
+            if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
+               trim(in_units(draft%units, unit_length, fluid%md_top, depth_digits))//' is below the hole, so that this fluid '// &
+               'is nowhere. Give the depth where it begins')
+         end associate
       end do
       if (.not. fitted) call note_friction(draft, notes)
+      do i = 1, size(draft%holes)
+         call note_hole_friction(draft, draft%holes(i), notes)
+      end do
+      do i = 1, size(uses)
+         do k = 1, size(uses(i)%wob)
+            call note_range(draft%units, 'group &'//uses(i)%group, usual_wob, uses(i)%wob(k), notes)
+         end do
+         do k = 1, size(uses(i)%tob)
+            call note_range(draft%units, 'group &'//uses(i)%group, usual_tob, uses(i)%tob(k), notes)
+         end do
+      end do
       do i = 1, size(draft%components)
          call note_component(i)
       end do
       call note_order(draft, notes)
       call note_length(draft, notes)
-      call note_range('group &rig', usual_block, draft%rig%block_weight)
-      if (draft%rig%max_torque%present) call note_range('group &rig', usual_top_drive, draft%rig%max_torque%value)
+      call note_range(draft%units, 'group &rig', usual_block, draft%rig%block_weight, notes)
+      if (draft%rig%max_hookload%present) call note_range(draft%units, 'group &rig', usual_hookload, draft%rig%max_hookload%value, &
+                                                          notes)
+      if (draft%rig%max_torque%present) &
+         call note_range(draft%units, 'group &rig', usual_top_drive, draft%rig%max_torque%value, notes)
       do i = 1, size(draft%cases)
          associate (load_case => draft%cases(i)%load_case, what => trim(draft%cases(i)%what)//' ')
-            call note_range(what//quoted(load_case%name), usual_wob, load_case%wob)
-            call note_range(what//quoted(load_case%name), usual_tob, load_case%tob)
+            call note_range(draft%units, what//quoted(load_case%name), usual_wob, load_case%wob, notes)
+            call note_range(draft%units, what//quoted(load_case%name), usual_tob, load_case%tob, notes)
+            if (load_case%angular_speed > 0.0_wp) &
+               call note_range(draft%units, what//quoted(load_case%name), usual_rpm, load_case%angular_speed, notes)
+            call note_range(draft%units, what//quoted(load_case%name), usual_trip_speed, load_case%trip_speed, notes)
+            if (load_case%wob > 0.0_wp .and. (block_way(load_case%operation) > 0 .or. &
+                                              load_case%operation == operation_rotate_off_bottom)) &
+               call append_text(notes, what//quoted(load_case%name)//': wob = '// &
+               trim(in_units(draft%units, unit_force, load_case%wob, digits))//' pushes the bit in '// &
+               trim(operation_name(load_case%operation))//'. An overpull is a wob below 0')
             if (load_case%pump_pressure > 0.0_wp) &
-               call note_range(what//quoted(load_case%name), usual_pump, load_case%pump_pressure)
+               call note_range(draft%units, what//quoted(load_case%name), usual_pump, load_case%pump_pressure, notes)
          end associate
       end do
 
@@ -99,38 +111,26 @@ contains
          integer, intent(in) :: number
          associate (item => draft%components(number), part => draft%components(number)%component, units => draft%units)
             if (part%yield > 0.0_wp) &
-               call note_range('group &component in line '//to_text(item%line)//': '//quoted(part%name), usual_yield, part%yield)
+               call note_range(draft%units, part_text(number), usual_yield, part%yield, notes)
+            call note_range(units, part_text(number), usual_makeup, part%makeup_torque, notes)
+            call note_range(units, part_text(number), usual_joint_torsion, part%joint_torsion, notes)
+            if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, &
+               part_text(number)//': makeup_torque is above joint_torsion, '// &
+               trim(in_units(units, unit_moment, part%joint_torsion, digits))//': its joints would yield in make-up')
             if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
             if (index(lower_case(part%kind), 'rod') > 0) return
-            call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
-                             ' is a solid bar of '//trim(in_units(units, unit_mass, part%mass, digits))// &
+            call append_text(notes, part_text(number)//' is a solid bar of '// &
+                             trim(in_units(units, unit_mass, part%mass, digits))// &
                              ', as it has no id and no mass. Give the inside diameter')
          end associate
       end subroutine note_component
 
-      !> A value out of its usual range.
-      subroutine note_range(what, number, value)
-         character(*), intent(in) :: what
-         integer, intent(in) :: number       !< of the range
-         real(wp), intent(in) :: value       !< [SI]
-         character(:), allocatable :: range
-         associate (low => usual(number)%low, high => usual(number)%high)
-            if (value >= low .and. value <= high) return
-            range = 'at least '//value_text(number, low)
-            if (value > high) range = 'at most '//value_text(number, high)
-         end associate
-         call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(number, value)//' is unusual. Usual is '// &
-                          range//'. Check the unit')
-      end subroutine note_range
-
-      !> A value in the units of the deck, with its unit where the range has one.
-      function value_text(number, value) result(text)
-         integer, intent(in) :: number       !< of the range
-         real(wp), intent(in) :: value       !< [SI]
+      function part_text(number) result(text)
+         integer, intent(in) :: number
          character(:), allocatable :: text
-         text = to_text(value/draft%units%density, digits)
-         if (number /= usual_density) text = trim(in_units(draft%units, usual(number)%unit, value, digits))
-      end function value_text
+         text = 'group &component in line '//to_text(draft%components(number)%line)//': '// &
+                quoted(draft%components(number)%component%name)
+      end function part_text
    end subroutine note_unusual
 
    !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
@@ -274,12 +274,27 @@ contains
       end do
    end subroutine note_friction
 
-   !> A bit above other components of its string: the string is listed from the top.
+   !> Friction that is far from what was measured anywhere, and a section that lets a string turn without any.
+   subroutine note_hole_friction(draft, hole, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_hole_type), intent(in) :: hole
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: what
+      what = 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)
+      associate (axial => hole%section%friction_axial, rotary => hole%section%friction_rotary)
+         if (axial > 0.0_wp) call note_range(draft%units, what, usual_friction, axial, notes)
+         if (rotary > 0.0_wp .and. abs(rotary - axial) > 0.0_wp) call note_range(draft%units, what, usual_friction, rotary, notes)
+         if (axial > 0.0_wp .and. .not. rotary > 0.0_wp .and. any(rotates(draft%cases%load_case%operation))) &
+            call append_text(notes, what//' has no friction_rotary, so that torque there is zero. Give it, or friction for both')
+      end associate
+   end subroutine note_hole_friction
+
+   !> A bit above other components of its string, or drill pipe at the bit below collars: the string is listed from the top.
    subroutine note_order(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: lowest(size(draft%components))
-      integer :: i
+      integer :: i, k
       lowest = lowest_of(draft)
       do i = 2, size(draft%components)
          associate (item => draft%components(i))
@@ -289,6 +304,25 @@ contains
                              '. List components from the bit upwards')
          end associate
       end do
+      do i = 1, size(draft%components)
+         if (.not. is_long_pipe(draft%components(i)%component)) cycle
+         if (any(lowest(:i - 1) == lowest(i) .and. .not. is_bit(draft%components(:i - 1)%component))) cycle
+         do k = i + 1, size(draft%components)
+            if (lowest(k) /= lowest(i) .or. index(lower_case(draft%components(k)%component%kind), 'collar') == 0) cycle
+            call append_text(notes, 'group &component in line '//to_text(draft%components(i)%line)//': drill pipe '// &
+                             quoted(draft%components(i)%component%name)//' stands at the bit, collars '// &
+                             quoted(draft%components(k)%component%name)//' above it. List components from the bit upwards')
+            exit
+         end do
+      end do
+
+   contains
+
+      elemental function is_long_pipe(part) result(is)
+         type(component_type), intent(in) :: part
+         logical :: is
+         is = has_joints(part) .and. is_pipe(part) .and. part%length > longest_bha_pipe
+      end function is_long_pipe
    end subroutine note_order
 
    !> A string longer than the hole, whose last component has a length.

@@ -4,7 +4,7 @@ module dg_deck_range
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, places_of, real_of, reals_of, &
       text_of, texts_of
    use dg_deck_check, only: check_case
-   use dg_deck_draft, only: draft_case_type, draft_type
+   use dg_deck_draft, only: deck_type, draft_case_type, draft_type, note_use, string_use_type
    use dg_error, only: error_list_type
    use dg_job, only: model_name
    use dg_load_case, only: moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
@@ -15,7 +15,7 @@ module dg_deck_range
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: take_range
+   public :: take_range, note_range_use
 
    !> Distance of depths where a deck says nothing [m].
    real(wp), parameter :: usual_step = 30.0_wp
@@ -25,6 +25,23 @@ module dg_deck_range
    integer, parameter :: depth_digits = 7
 
 contains
+
+   !> Notes the use of a string by a range without fault.
+   subroutine note_range_use(deck, range, group)
+      type(deck_type), intent(inout) :: deck
+      type(sweep_type), intent(in) :: range
+      character(*), intent(in) :: group      !< of the deck, by name
+      type(string_use_type) :: use
+      if (.not. allocated(range%depths)) return
+      use%string = range%string
+      use%depth = maxval(range%depths)
+      use%turns = any(rotates(range%operations))
+      use%group = group
+      allocate (use%wob(0), use%tob(0))
+      if (allocated(range%wob)) use%wob = range%wob
+      if (allocated(range%tob)) use%tob = range%tob
+      call note_use(deck, use)
+   end subroutine note_range_use
 
    !> String, operations and depths of a group: a &sweep, or another that has its keys. Its depths are not allocated where there
    !> is a fault.

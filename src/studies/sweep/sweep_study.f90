@@ -1,7 +1,8 @@
 !> &sweep: hook load and torque over bit depth.
 module dg_sweep_study
    use dg_column, only: fields_of
-   use dg_deck_draft, only: deck_type, note_use
+   use dg_deck_draft, only: deck_type
+   use dg_deck_range, only: note_range_use
    use dg_deck_sweep, only: take_sweeps
    use dg_ensemble_study, only: ensemble_study_type, name_ranges, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
@@ -61,9 +62,7 @@ contains
       call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
       call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step'))
       do i = 1, size(self%ranges)
-         associate (range => self%ranges(i))
-            if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths), range%operations)
-         end associate
+         call note_range_use(deck, self%ranges(i), 'sweep')
       end do
    end subroutine read_sweeps
 

@@ -1,7 +1,8 @@
 !> &uncertainty: quantiles of hook load and torque over bit depth, where well, mud, friction and gauges are not known for sure.
 module dg_uncertainty_study
    use dg_column, only: fields_of, row_type
-   use dg_deck_draft, only: deck_type, note_use
+   use dg_deck_draft, only: deck_type
+   use dg_deck_range, only: note_range_use
    use dg_deck_uncertainty, only: take_uncertainties
    use dg_ensemble_study, only: ensemble_study_type, name_ranges, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
@@ -84,10 +85,7 @@ contains
       allocate (self%ranges(size(self%uncertainties)))
       do i = 1, size(self%uncertainties)
          self%ranges(i) = self%uncertainties(i)%range
-         associate (range => self%ranges(i))
-            if (allocated(range%depths)) call note_use(deck, range%string, maxval(range%depths), &
-                                                             range%operations)
-         end associate
+         call note_range_use(deck, self%ranges(i), 'uncertainty')
       end do
       call name_ranges(self, range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', &
                                              'fewer samples'))

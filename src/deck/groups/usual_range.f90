@@ -1,0 +1,72 @@
+!> Usual ranges of numbers in a deck. A number outside is mostly in another unit: it gets a note.
+module dg_usual_range
+   use dg_kinds, only: wp
+   use dg_constants, only: pi
+   use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: heaviest_mud, in_units, unit_force, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, &
+                           unit_stress
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: note_range, usual_yield, usual_wob, usual_tob, usual_density, usual_pump, usual_block, usual_top_drive, &
+             usual_makeup, usual_joint_torsion, usual_friction, usual_trip_speed, usual_rpm, usual_hookload
+
+   !> Usual range of a key.
+   type :: usual_type
+      character(13) :: key
+      integer :: unit              !< unit_none for densities and plain numbers
+      real(wp) :: low, high        !< [SI]
+      character(72) :: source
+   end type usual_type
+
+   integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5, &
+                         usual_block = 6, usual_top_drive = 7, usual_makeup = 8, usual_joint_torsion = 9, usual_friction = 10, &
+                         usual_trip_speed = 11, usual_rpm = 12, usual_hookload = 13
+   real(wp), parameter :: per_minute = pi/30.0_wp
+   type(usual_type), parameter :: usual(13) = [ &
+      usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
+      usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
+      usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
+      usual_type('density', unit_none, 0.0_wp, heaviest_mud, 'heaviest kill mud 22.5 lbm/gal'), &
+      usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
+                 'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi'), &
+      usual_type('block_weight', unit_force, 0.0_wp, 1.5e6_wp, 'block, compensator and top drive of 1,250 t rigs: 120 t'), &
+      usual_type('max_torque', unit_moment, 0.0_wp, 200.0e3_wp, 'strongest top drives 130 kN.m'), &
+      usual_type('makeup_torque', unit_moment, 0.0_wp, 250.0e3_wp, 'collars of 11 in: 150 kN.m'), &
+      usual_type('joint_torsion', unit_moment, 0.0_wp, 500.0e3_wp, 'tool joints of 8 1/2 in: 200 kN.m'), &
+      usual_type('friction', unit_none, 0.03_wp, 1.0_wp, 'roller tools 0.05; brine on casing 0.6'), &
+      usual_type('trip_speed', unit_speed, 0.0_wp, 3.0_wp, 'a stand of 28 m in 20 s: 1.4 m/s'), &
+      usual_type('rpm', unit_rotation, 5.0_wp*per_minute, 350.0_wp*per_minute, 'top drives 250 turns a minute'), &
+      usual_type('max_hookload', unit_force, 0.0_wp, 18.0e6_wp, 'largest rigs 1,500 t')]
+   integer, parameter :: digits = 4
+
+contains
+
+   !> Adds a note on a value outside of its usual range.
+   subroutine note_range(units, what, number, value, notes)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: what
+      integer, intent(in) :: number       !< of the range
+      real(wp), intent(in) :: value       !< [SI]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: range
+      associate (low => usual(number)%low, high => usual(number)%high)
+         if (value >= low .and. value <= high) return
+         range = 'at least '//value_text(low)
+         if (value > high) range = 'at most '//value_text(high)
+      end associate
+      call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value)//' is unusual. Usual is '//range// &
+                       trim(merge('. Check the unit', '                ', number /= usual_friction)))
+
+   contains
+
+      !> A value in the units of the deck, with its unit where the range has one.
+      function value_text(number_in_si) result(text)
+         real(wp), intent(in) :: number_in_si
+         character(:), allocatable :: text
+         text = to_text(number_in_si, digits)
+         if (number == usual_density) text = to_text(number_in_si/units%density, digits)
+         if (usual(number)%unit /= unit_none) text = trim(in_units(units, usual(number)%unit, number_in_si, digits))
+      end function value_text
+   end subroutine note_range
+end module dg_usual_range
