@@ -31,7 +31,7 @@ contains
 
    pure function tube() result(section)
       type(beam_section_type) :: section
-      section = beam_section_type(length=length, membrane_length=length, axial_stiffness=ea, bending_stiffness=ei)
+      section = beam_section_type(length=length, membrane_length=length, ea=ea, ei=ei)
    end function tube
 
    !> Rotation by `angle` about a skew axis, after Rodrigues.

@@ -205,7 +205,7 @@ contains
       pure function sag(length) result(over_clearance)
          real(wp), intent(in) :: length
          real(wp) :: over_clearance
-         over_clearance = mesh%weight(1)/(384.0_wp*mesh%ei(1)/length**4 + 8.0_wp*pull(i)/length**2)/mesh%clearance(1)
+         over_clearance = mesh%weight(1)/(384.0_wp*mesh%section(1)%ei/length**4 + 8.0_wp*pull(i)/length**2)/mesh%clearance(1)
       end function sag
    end subroutine test_sag
 
@@ -308,7 +308,7 @@ contains
          ! where it changes sides it comes off the wall, within 1.5 sqrt(EI/T) and an element; elsewhere it is bent along the wall
          if (any([(dot_product(contact(:, i), contact(:, i + 1)) < 0.0_wp .and. &
                    abs(0.5_wp*(mesh%md(i) + mesh%md(i + 1)) - mesh%md(n)) < &
-                   1.5_wp*sqrt(mesh%ei(e)/abs(axial(n))) + 15.0_wp, i=1, mesh%elements)])) then
+                   1.5_wp*sqrt(mesh%section(e)%ei/abs(axial(n))) + 15.0_wp, i=1, mesh%elements)])) then
             bending = bending + 1
             call assertTrue(norm2(state(2:3, n)) < 1.1_wp*mesh%clearance(e), message='within the wall')
             cycle

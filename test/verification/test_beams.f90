@@ -61,7 +61,7 @@ contains
       real(wp) :: length
       length = 1.0_wp/elements
       chain%elements = elements
-      chain%section = beam_section_type(length=length, membrane_length=length, axial_stiffness=axial, bending_stiffness=1.0_wp)
+      chain%section = beam_section_type(length=length, membrane_length=length, ea=axial, ei=1.0_wp)
       allocate (chain%held(6, elements + 1), source=.false.)
       chain%held(4, :) = .true.
       allocate (chain%load(3, elements + 1), chain%state(6, elements + 1), chain%residual(6, elements + 1), source=0.0_wp)

@@ -64,8 +64,7 @@ contains
       chord = t*length*sin(0.5_wp*angle)/(0.5_wp*angle)
       d_i = cos(0.5_wp*angle)*t - sin(0.5_wp*angle)*q
       d_j = cos(0.5_wp*angle)*t + sin(0.5_wp*angle)*q
-      section = beam_section_type(length=length, membrane_length=membrane_length(chord, d_i, d_j), &
-                                  axial_stiffness=5.0e9_wp, bending_stiffness=ei)
+      section = beam_section_type(length=length, membrane_length=membrane_length(chord, d_i, d_j), ea=5.0e9_wp, ei=ei)
       call beam_force(section, chord, d_i, d_j, force, axial)
       call assertRelativelyEqual(ei*angle/length, norm2(cross(d_i, force(4:6))), 1.0e-3_wp, message='a straight one is bent')
       call add_bend(bend_moment(ei, length, angle), q + 0.3_wp*t, chord, d_i, d_j, .false., force, unused)

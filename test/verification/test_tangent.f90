@@ -5,7 +5,7 @@ module dg_test_tangent
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_assembly, only: add_unsymmetric_part, assemble, load_type
-   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force
+   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid
@@ -48,7 +48,7 @@ contains
       real(wp) :: total(12, 12), k0(12, 12), kn(12, 12), ksigma(12, 12), differences(12, 12), straight(3)
       integer :: i
       straight = [0.0_wp, 0.0_wp, 1.0_wp]
-      section = beam_section_type(length=5.0_wp, membrane_length=5.0_wp, axial_stiffness=7.0e8_wp, bending_stiffness=1.2e6_wp)
+      section = beam_section_type(length=5.0_wp, membrane_length=5.0_wp, ea=7.0e8_wp, ei=1.2e6_wp)
       y = [0.01_wp, -0.02_wp, 0.03_wp, 0.02_wp, -0.01_wp, 1.0_wp, 0.05_wp, 0.02_wp, 5.031_wp, -0.015_wp, 0.03_wp, 0.99_wp]
       chord = y(7:9) - y(1:3)
       d_i = y(4:6)
@@ -107,9 +107,9 @@ contains
          mesh%chord(:, e) = end_point - mesh%base(:, e)
       end do
       mesh%length = spread(5.0_wp, 1, elements)
-      mesh%ea = spread(7.0e8_wp, 1, elements)
-      mesh%ei = spread(1.2e6_wp, 1, elements)
-      mesh%gj = spread(0.9e6_wp, 1, elements)
+      mesh%section = [(beam_section_type(length=5.0_wp, ea=7.0e8_wp, ei=1.2e6_wp, gj=0.9e6_wp, &
+                                         membrane_length=membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), &
+                                                                         mesh%frame(:, 1, e + 1))), e=1, elements)]
       mesh%weight = spread(260.0_wp, 1, elements)
       mesh%radius = spread(0.08_wp, 1, elements)
       mesh%friction_along = [0.2_wp, -0.2_wp, 0.1_wp, 0.3_wp, 0.2_wp, 0.2_wp]

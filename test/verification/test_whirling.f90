@@ -162,7 +162,7 @@ contains
          residual(4, n) = torque
       end do
       do n = 2, mesh%nodes
-         state(4, n) = state(4, n - 1) + residual(4, n)*mesh%length(n - 1)/mesh%gj(n - 1)
+         state(4, n) = state(4, n - 1) + residual(4, n)*mesh%length(n - 1)/mesh%section(n - 1)%gj
       end do
       call assemble(model%trajectory, mesh, loads, gaps, state, .false., work, residual, matrix, forces_only=.true.)
       call assertLessThan(maxval(abs(residual(4, :))), balanced*loads%tob, message='twist balances torque')

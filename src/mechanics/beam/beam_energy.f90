@@ -12,8 +12,9 @@ module dg_beam_energy
    type :: beam_section_type
       real(wp) :: length = 0.0_wp              !< L, along the hole [m]
       real(wp) :: membrane_length = 0.0_wp     !< L_m [m]
-      real(wp) :: axial_stiffness = 0.0_wp     !< EA [N]
-      real(wp) :: bending_stiffness = 0.0_wp   !< EI [N.m2]
+      real(wp) :: ea = 0.0_wp                  !< EA, axial stiffness [N]
+      real(wp) :: ei = 0.0_wp                  !< EI, bending stiffness [N.m2]
+      real(wp) :: gj = 0.0_wp                  !< GJ, torsional stiffness [N.m2]; the energy has none of it
    end type beam_section_type
 
    !> The measures of a configuration and the derivatives of A, B and U by them. In arrays of two the upper node comes first.
@@ -53,7 +54,7 @@ contains
       type(beam_section_type), intent(in) :: section
       type(measure_type), intent(in) :: m
       real(wp) :: axial
-      axial = section%axial_stiffness/section%membrane_length*(m%length*(1.0_wp + m%bowing) - section%membrane_length)
+      axial = section%ea/section%membrane_length*(m%length*(1.0_wp + m%bowing) - section%membrane_length)
    end function axial_force
 
    !> First derivatives of U by (l, c_i, c_j, p) [N, N.m].
@@ -64,7 +65,7 @@ contains
       real(wp) :: first(4)
       real(wp) :: carried, bending, weight_a, weight_b
       ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m: weights of A and B are dU/dA and dU/dB
-      bending = 2.0_wp*section%bending_stiffness/section%length
+      bending = 2.0_wp*section%ei/section%length
       carried = thirtieth*axial*m%length
       weight_a = -2.0_wp*(bending + 2.0_wp*carried)
       weight_b = bending - carried
@@ -93,7 +94,7 @@ contains
       real(wp) :: c(4, 4)
       real(wp) :: by_bowing(4), by_strain(4), bending, carried, weight_a, weight_b, g_ij, mixed(2)
       integer :: i, j
-      bending = 2.0_wp*section%bending_stiffness/section%length
+      bending = 2.0_wp*section%ei/section%length
       carried = thirtieth*axial*m%length
       weight_a = 2.0_wp*(bending + 2.0_wp*carried)
       weight_b = bending - carried
@@ -106,7 +107,7 @@ contains
       by_strain = m%length*by_bowing
       by_strain(1) = 1.0_wp + m%bowing
       do j = 1, 4
-         c(:, j) = section%axial_stiffness/section%membrane_length*by_strain*by_strain(j)
+         c(:, j) = section%ea/section%membrane_length*by_strain*by_strain(j)
       end do
       c(2:4, 1) = c(2:4, 1) + axial*by_bowing(2:4)
       do i = 1, 2

@@ -6,7 +6,7 @@
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
-   use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, torque_force, torque_tangent
+   use dg_beam_element, only: beam_force, beam_tangent, torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
    use dg_director, only: director_curvature, director_gradient
    use dg_end_supports, only: end_action
@@ -118,18 +118,15 @@ contains
       type(workspace_type), intent(inout) :: work
       type(element_type), intent(inout) :: element      !< with part and tangent set
       type(contact_type) :: contact
-      type(beam_section_type) :: section
       real(wp) :: chord(3), drag, line(4)
       integer :: i
       call clear_element(element)
       chord = mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))
-      section = beam_section_type(length=mesh%length(e), membrane_length=work%membrane_length(e), axial_stiffness=mesh%ea(e), &
-                                  bending_stiffness=mesh%ei(e))
       if (element%tangent) then
-         call beam_tangent(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e), element%k)
-         element%twist_stiffness = mesh%gj(e)/mesh%length(e)
+         call beam_tangent(mesh%section(e), chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e), element%k)
+         element%twist_stiffness = mesh%section(e)%gj/mesh%length(e)
       else
-         call beam_force(section, chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e))
+         call beam_force(mesh%section(e), chord, work%d(:, e), work%d(:, e + 1), element%force, work%axial(e))
       end if
       work%torque(e) = torque_of(mesh, e, state)
       call add_torque(mesh, e, work, element)
@@ -142,7 +139,7 @@ contains
       end if
       if (allocated(mesh%bend)) then
          if (any(abs(mesh%bend(:, e)) > 0.0_wp)) &
-            call add_bend(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
+            call add_bend(bend_moment(mesh%section(e)%ei, mesh%length(e), norm2(mesh%bend(:, e))), mesh%bend(:, e), chord, &
                           work%d(:, e), work%d(:, e + 1), element%tangent, element%force, element%k)
       end if
       if (allocated(mesh%push)) then
@@ -170,7 +167,7 @@ contains
       integer, intent(in) :: e
       real(wp), intent(in) :: state(:, :)
       real(wp) :: torque
-      torque = mesh%gj(e)/mesh%length(e)*(state(dof_twist, e + 1) - state(dof_twist, e))
+      torque = mesh%section(e)%gj/mesh%length(e)*(state(dof_twist, e + 1) - state(dof_twist, e))
    end function torque_of
 
    !> Adds the torque of an element: on both nodes, and its end moments on both directors. Its tangent leaves twist by twist out.
@@ -200,7 +197,7 @@ contains
             end do
          end do
          if (element%part == part_energy) return
-         by_torque = mesh%gj(e)/mesh%length(e)*by_torque
+         by_torque = mesh%section(e)%gj/mesh%length(e)*by_torque
          element%twist_column(4:6) = element%twist_column(4:6) + by_torque
          element%twist_column(10:12) = element%twist_column(10:12) + by_torque
       end associate

@@ -52,9 +52,9 @@ contains
       real(wp) :: tolerance(2)
       real(wp) :: walls, places, slide
       walls = maxval(gaps%law%maximum)/force_scale
-      slide = max(1.0_wp, force_scale*sum(mesh%length/mesh%ea))
+      slide = max(1.0_wp, force_scale*sum(mesh%length/mesh%section%ea))
       tolerance = max(min(numerics%tolerance, loosest), &
-                      slide*round_off_of_shapes*maxval(12.0_wp*mesh%ei/mesh%length**3)/force_scale)
+                      slide*round_off_of_shapes*maxval(12.0_wp*mesh%section%ei/mesh%length**3)/force_scale)
       places = max(1.0_wp, maxval(norm2(mesh%base, dim=1))/far)*round_off_of_places
       tolerance = max(tolerance, places*max(loads%top_support, loads%bit_support)/force_scale)
       tolerance(1) = max(tolerance(1), places*walls)

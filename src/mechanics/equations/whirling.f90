@@ -74,7 +74,7 @@ contains
       do e = 1, mesh%elements
          if (.not. (mesh%friction_around(e) > 0.0_wp .or. abs(mesh%friction_along(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%ei(e), side, mesh%weight(e), mesh%clearance(e))
+         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%section(e)%ei, side, mesh%weight(e), mesh%clearance(e))
          climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
          if (straight_down .and. ratio > 0.0_wp) climb(e) = 0.0_wp
       end do
@@ -170,7 +170,7 @@ contains
       if (part == part_energy .or. node > 1) return
       turn = matmul(by_torque, gradient)
       row = matrix%upper(dof_twist, :, 1)
-      stiffness = mesh%gj(1)/mesh%length(1)
+      stiffness = mesh%section(1)%gj/mesh%length(1)
       if (part == part_rest) row(dof_twist) = row(dof_twist) - stiffness     ! which stands in the energy's part
       do i = 1, 2
          matrix%diagonal(slopes(i), :, 1) = matrix%diagonal(slopes(i), :, 1) + turn(i)*matrix%diagonal(dof_twist, :, 1)

@@ -1,7 +1,6 @@
 !> Arrays of one solution, allocated once: nothing is allocated within an iteration.
 module dg_workspace
    use dg_kinds, only: wp
-   use dg_beam_element, only: membrane_length
    use dg_mesh, only: mesh_type
    implicit none
    private
@@ -13,7 +12,6 @@ module dg_workspace
    integer, parameter :: dof_twist = 4, dof_slope_1 = 5, dof_slope_2 = 6
 
    type :: workspace_type
-      real(wp), allocatable :: membrane_length(:)   !< unstressed (e) [m]
       ! where the nodes are: place_nodes
       real(wp), allocatable :: shift(:, :)       !< displacement in space axes (3,nodes) [m]
       real(wp), allocatable :: d(:, :)           !< directors (3,nodes)
@@ -54,21 +52,17 @@ contains
       allocate (work%normal(mesh%elements), source=0.0_wp)
    end subroutine new_start_room
 
-   !> Room and element sections for a mesh; what a start has put there stays.
+   !> Room for a mesh; what a start has put there stays.
    pure subroutine new_workspace(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work
-      integer :: e, n, m
+      integer :: n, m
       n = mesh%nodes
       m = mesh%elements
       if (.not. allocated(work%climb)) call new_start_room(mesh, work)
-      allocate (work%membrane_length(m))
       allocate (work%shift(3, n), work%d(3, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%displacement(m), source=0.0_wp)
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
-      do e = 1, m
-         work%membrane_length(e) = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
-      end do
    end subroutine new_workspace
 
    !> Room for the forces that only the result tells of: the next assembly fills it.
@@ -85,7 +79,7 @@ contains
    !> Gives back all but what the moments along the string ask for once its forces have been told.
    pure subroutine keep_for_moments(work)
       type(workspace_type), intent(inout) :: work
-      deallocate (work%membrane_length, work%gap, work%axis_tangent, work%axis_curvature, work%displacement, work%axial)
+      deallocate (work%gap, work%axis_tangent, work%axis_curvature, work%displacement, work%axial)
       deallocate (work%node_force, work%contact_force, work%contact_moment, work%end_force, work%node_torque)
    end subroutine keep_for_moments
 

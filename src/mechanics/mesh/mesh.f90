@@ -5,6 +5,7 @@
 !> hole where the string rests on it unstretched.
 module dg_mesh
    use dg_kinds, only: wp
+   use dg_beam_element, only: beam_section_type, membrane_length
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, component_type, &
                            contact_diameter, effective_joint_length, has_bend, has_joints, has_pad, room_of, room_of_held_bit, &
@@ -35,9 +36,7 @@ module dg_mesh
       ! elements
       real(wp), allocatable :: length(:)         !< along the hole [m]
       real(wp), allocatable :: chord(:, :)       !< between nodes on the axis (3,elements) [m]
-      real(wp), allocatable :: ea(:)             !< [N]
-      real(wp), allocatable :: ei(:)             !< [N.m2]
-      real(wp), allocatable :: gj(:)             !< [N.m2]
+      type(beam_section_type), allocatable :: section(:)   !< lengths and stiffnesses, as the beam elements take them
       real(wp), allocatable :: weight(:)         !< buoyed, per length [N/m]
       real(wp), allocatable :: clearance(:)      !< (D - d)/2 [m]
       real(wp), allocatable :: opening(:)        !< offset at which contact begins: the clearance, less for a bow spring [m]
@@ -110,7 +109,7 @@ contains
          end associate
       end do
       n = mesh%elements
-      allocate (mesh%length(n), mesh%chord(3, n), mesh%ea(n), mesh%ei(n), mesh%gj(n), mesh%weight(n), mesh%clearance(n), &
+      allocate (mesh%length(n), mesh%chord(3, n), mesh%section(n), mesh%weight(n), mesh%clearance(n), &
                 mesh%radius(n), mesh%friction_along(n), mesh%friction_around(n), mesh%wall(n), mesh%rigid(n), mesh%eps_nmax(n), &
                 mesh%lying(n), mesh%load_factor(n), mesh%spacing(n), mesh%opening(n), mesh%drag(n), mesh%centralizer(n))
       top = mesh%md(1)
@@ -127,9 +126,8 @@ contains
          part = component_at(tops, load_case%bit_depth - middle)
          upper_end = load_case%bit_depth - tops(part)
          associate (component => model%strings(index)%components(part))
-            mesh%ea(e) = axial_stiffness(component)
-            mesh%ei(e) = bending_stiffness(component)
-            mesh%gj(e) = torsional_stiffness(component)
+            mesh%section(e) = section_of(component, mesh%length(e), &
+                                         membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1)))
             mesh%weight(e) = buoyed_weight(component, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
                                            density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
             distance = load_case%bit_depth - middle
@@ -158,6 +156,19 @@ contains
          call bend_mesh(model, load_case, tops, mesh)
       if (any(has_pad(model%strings(index)%components))) call push_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
+
+   !> What an element of a component is as a beam.
+   pure function section_of(component, length, unstressed) result(section)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: length       !< along the hole [m]
+      real(wp), intent(in) :: unstressed   !< membrane length on the hole axis [m]
+      type(beam_section_type) :: section
+      section%length = length
+      section%membrane_length = unstressed
+      section%ea = axial_stiffness(component)
+      section%ei = bending_stiffness(component)
+      section%gj = torsional_stiffness(component)
+   end function section_of
 
    !> Forces of pads on the elements. A tool that steers while it turns presses to one side of the hole: they do not turn.
    pure subroutine push_mesh(model, load_case, tops, mesh)

@@ -34,7 +34,7 @@ contains
       integer :: e
       lump = 0.0_wp
       do e = 1, mesh%elements
-         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%ei(e)), tuning%of_soft_wall*soft)
+         force = max(min(work%axial(e), 0.0_wp)**2/(4.0_wp*mesh%section(e)%ei), tuning%of_soft_wall*soft)
          lateral = 0.5_wp*force*mesh%length(e)
          slope = slope_lump*force*mesh%length(e)**3
          lump(dof_axial, e:e + 1) = lump(dof_axial, e:e + 1) + tuning%along_hole*lateral

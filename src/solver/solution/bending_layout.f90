@@ -106,7 +106,7 @@ contains
          n = mesh%nodes + size(arcs) + mesh%elements
          allocate (breaks(n), longest(n))
          do e = 1, mesh%elements
-            largest = max(largest, mesh%ei(e)*arcs(mesh%arc(e))%curvature)
+            largest = max(largest, mesh%section(e)%ei*arcs(mesh%arc(e))%curvature)
          end do
          count = 0
          arc = 1
@@ -117,12 +117,12 @@ contains
             e = min(n, mesh%elements)
             k = max(n - 1, 1)
             if (n == 1 .or. n == mesh%nodes) then
-               longest(count) = layer_share*bending_length(mesh%ei(e), lying%axial(n), mesh%clearance(e), &
+               longest(count) = layer_share*bending_length(mesh%section(e)%ei, lying%axial(n), mesh%clearance(e), &
                                                            max(lying%load(e), mesh%weight(e)))
-            else if (differ(mesh%ei(e), mesh%ei(k)) .or. differ(mesh%clearance(e), mesh%clearance(k))) then
+            else if (differ(mesh%section(e)%ei, mesh%section(k)%ei) .or. differ(mesh%clearance(e), mesh%clearance(k))) then
                longest(count) = layer_share*min( &
-                  bending_length(mesh%ei(e), lying%axial(n), mesh%clearance(e), max(lying%load(e), mesh%weight(e))), &
-                  bending_length(mesh%ei(k), lying%axial(n), mesh%clearance(k), max(lying%load(k), mesh%weight(k))))
+                  bending_length(mesh%section(e)%ei, lying%axial(n), mesh%clearance(e), max(lying%load(e), mesh%weight(e))), &
+                  bending_length(mesh%section(k)%ei, lying%axial(n), mesh%clearance(k), max(lying%load(k), mesh%weight(k))))
             end if
             if (is_edge(mesh, n)) longest(count) = min(longest(count), edge_length)
             if (n == mesh%nodes) exit
@@ -139,13 +139,13 @@ contains
                if (place > mesh%md(n + 1) + lying%slide(n + 1)) exit
                arc = arc + 1
                if (place < mesh%md(n) + lying%slide(n)) cycle
-               jump = mesh%ei(n)*norm2(bends(:, arc) - bends(:, arc - 1))
+               jump = mesh%section(n)%ei*norm2(bends(:, arc) - bends(:, arc - 1))
                share = (place - mesh%md(n) - lying%slide(n))/(mesh%length(n) + lying%slide(n + 1) - lying%slide(n))
                place = mesh%md(n) + share*mesh%length(n)
                scale = huge(1.0_wp)
                if (jump > jump_share*largest) scale = layer_share*min( &
-                  sqrt(mesh%ei(n)/max(abs(lying%axial(n)), abs(lying%axial(n + 1)), least_force)), &
-                  sqrt(mesh%clearance(n)*mesh%ei(n)/jump))
+                  sqrt(mesh%section(n)%ei/max(abs(lying%axial(n)), abs(lying%axial(n + 1)), least_force)), &
+                  sqrt(mesh%clearance(n)*mesh%section(n)%ei/jump))
                if (place - breaks(count) < sliver) then
                   longest(count) = min(longest(count), scale)
                else if (mesh%md(n + 1) - place < sliver) then      ! the next node stands for it
@@ -272,9 +272,9 @@ contains
          beam%owner(e) = o
          beam%torque(e) = -work%torque(o)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
-            + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(o))*0.5_wp*(nodes(e + 1) - nodes(e))
+            + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%section(o)%ei)*0.5_wp*(nodes(e + 1) - nodes(e))
          beam%weight(e) = mesh%weight(o)
-         beam%ei(e) = mesh%ei(o)
+         beam%ei(e) = mesh%section(o)%ei
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
          if (allocated(mesh%push)) beam%push(:, e) = [dot_product(mesh%push(:, o), n_1), dot_product(mesh%push(:, o), n_2)]

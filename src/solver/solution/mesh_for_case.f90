@@ -95,13 +95,13 @@ contains
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
             across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing
-            pressing = max(pressing, max(across, side_load, helical_contact(mesh%ei(e), compression, mesh%clearance(e))) &
+            pressing = max(pressing, max(across, side_load, helical_contact(mesh%section(e)%ei, compression, mesh%clearance(e))) &
                                      *mesh%load_factor(e)/mesh%clearance(e))
-            scales = local_scales(mesh%ei(e), mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
-            if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = min(body_share*mesh%spacing(e), &
-                                                                    sqrt(mesh%ei(e)/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
+            scales = local_scales(mesh%section(e)%ei, mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
+            if (mesh%spacing(e) > 0.0_wp) scales(scale_joint) = &
+               min(body_share*mesh%spacing(e), sqrt(mesh%section(e)%ei/max(abs(axial(e)), abs(axial(e + 1)), 1.0_wp)))
             if ((e == 1 .and. .not. model%boundary%top_centred) .or. (e == mesh%elements .and. .not. model%boundary%bit_centred)) &
-               scales(scale_end) = free_end(mesh%ei(e), mesh%weight(e), mesh%clearance(e))
+               scales(scale_end) = free_end(mesh%section(e)%ei, mesh%weight(e), mesh%clearance(e))
             beside_bend = any(abs(mesh%md(e) - bends) < reach_of_bend)
             if (beside_bend) scales(scale_bend) = min(scales(scale_bend), longest_beside_bend)
             longest(e) = max(minval(scales), merge(longest_beside_bend, shortest, beside_bend))
@@ -111,9 +111,9 @@ contains
             end if
             longest(e) = min(longest(e), mesh%length(e))
             side_load = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            strained = max(strained, abs(axial(e))/mesh%ea(e), abs(axial(e + 1))/mesh%ea(e))
+            strained = max(strained, abs(axial(e))/mesh%section(e)%ea, abs(axial(e + 1))/mesh%section(e)%ea)
             if (.not. compression > 0.0_wp) cycle
-            share = compression/helical_load(mesh%ei(e), side_load, mesh%weight(e), mesh%clearance(e))
+            share = compression/helical_load(mesh%section(e)%ei, side_load, mesh%weight(e), mesh%clearance(e))
             compressed = max(compressed, share)
          end do
          depths = subdivided(mesh%md, longest)

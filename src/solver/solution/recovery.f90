@@ -143,7 +143,7 @@ contains
          if (allocated(mesh%bend)) then
             if (any(abs(mesh%bend(:, e)) > 0.0_wp)) then
                chord = lower - lever
-               moments = moments + holding_moment(bend_moment(mesh%ei(e), mesh%length(e), norm2(mesh%bend(:, e))), &
+               moments = moments + holding_moment(bend_moment(mesh%section(e)%ei, mesh%length(e), norm2(mesh%bend(:, e))), &
                                                   mesh%bend(:, e), chord, work%d(:, e), work%d(:, e + 1))
             end if
          end if

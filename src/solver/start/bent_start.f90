@@ -52,17 +52,17 @@ contains
       allocate (beam%point(0), beam%point_owner(0), beam%point_law(0), beam%point_press(0), beam%point_moved(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
       beam%weight = mesh%weight
-      beam%ei = mesh%ei
+      beam%ei = mesh%section%ei
       beam%element%lever = mesh%radius*along
       beam%element%around = around
       do e = 1, n - 1
-         beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e))
+         beam%place(e + 1) = beam%place(e) + mesh%length(e)*(1.0_wp + 0.5_wp*(axial(e) + axial(e + 1))/mesh%section(e)%ea)
          beam%owner(e) = e
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
-                                 + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%ei(e))*0.5_wp*mesh%length(e)
+                                 + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%section(e)%ei)*0.5_wp*mesh%length(e)
       end do
       if (allocated(mesh%bend) .or. allocated(mesh%push)) &
-         beam%viscous = beam%viscous + loose*mesh%ei(n - 1)/(mesh%md(n) - mesh%md(1))**3
+         beam%viscous = beam%viscous + loose*mesh%section(n - 1)%ei/(mesh%md(n) - mesh%md(1))**3
       arc = 1
       do e = 1, n
          arc = arc_at(model%trajectory, beam%place(e), near=arc)

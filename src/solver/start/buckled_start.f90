@@ -130,20 +130,20 @@ contains
          rate(i) = 0.0_wp
          if (.not. axial(i) < 0.0_wp) cycle
          regime(i) = on_low_side
-         rate(i) = sqrt(-axial(i)/(2.0_wp*mesh%ei(e)))
-         if (-axial(i) > helical_load(mesh%ei(e), load(i), mesh%weight(e), mesh%clearance(e))) then
+         rate(i) = sqrt(-axial(i)/(2.0_wp*mesh%section(e)%ei))
+         if (-axial(i) > helical_load(mesh%section(e)%ei, load(i), mesh%weight(e), mesh%clearance(e))) then
             regime(i) = helical
          else
             swing = sinusoidal_swing(ratio_to_onset(mesh, e, -axial(i), load(i)))
             if (.not. swing > 0.0_wp) cycle
             regime(i) = sinusoidal
-            rate(i) = (load(i)/(mesh%ei(e)*mesh%clearance(e)))**0.25_wp*sinusoidal_wave(swing)
+            rate(i) = (load(i)/(mesh%section(e)%ei*mesh%clearance(e)))**0.25_wp*sinusoidal_wave(swing)
          end if
       end do
       do i = 2, mesh%elements
          e = 0
-         if (mesh%ei(i) > much_stiffer*mesh%ei(i - 1)) e = i - 1
-         if (mesh%ei(i - 1) > much_stiffer*mesh%ei(i)) e = i + 1
+         if (mesh%section(i)%ei > much_stiffer*mesh%section(i - 1)%ei) e = i - 1
+         if (mesh%section(i - 1)%ei > much_stiffer*mesh%section(i)%ei) e = i + 1
          if (e == 0) cycle
          regime(i) = regime(e)
          rate(i) = rate(e)
@@ -190,7 +190,7 @@ contains
       real(wp), intent(in) :: compression, load   !< [N, N/m]
       real(wp) :: ratio
       ratio = 0.0_wp
-      if (load > 0.0_wp) ratio = compression/sinusoidal_limit(mesh%ei(e), load, mesh%clearance(e))
+      if (load > 0.0_wp) ratio = compression/sinusoidal_limit(mesh%section(e)%ei, load, mesh%clearance(e))
    end function ratio_to_onset
 
    !> The element next to a node that bends more easily.
@@ -201,7 +201,7 @@ contains
       integer :: above
       above = max(node - 1, 1)
       e = min(node, mesh%elements)
-      if (mesh%ei(above) < mesh%ei(e)) e = above
+      if (mesh%section(above)%ei < mesh%section(e)%ei) e = above
    end function weaker
 
    !> Distance of a node from the axis [m], and its change along the hole [-]; for a node on the axis, the clearance.
@@ -234,7 +234,7 @@ contains
       else
          beyond = min(max(merge(node + side, node, side < 0), 1), mesh%elements)
          inside = min(max(merge(node, node - 1, side < 0), 1), mesh%elements)
-         stiffness = mesh%ei(beyond)/mesh%ei(inside)
+         stiffness = mesh%section(beyond)%ei/mesh%section(inside)%ei
          if (stiffness > much_stiffer) &
             ends = end_type(stiff_part, zero_at_clamp - zero_by_stiffness/stiffness, 0.0_wp)
       end if
@@ -256,7 +256,7 @@ contains
       if (norm2(side) > 0.0_wp) stretch = stretched_by(turns, atan2(side(2), side(1)) + lag(zone%below) - start, 2.0_wp*pi)
       do i = zone%first, zone%last
          e = weaker(mesh, i)
-         force = helical_contact(mesh%ei(e), -axial(i), mesh%clearance(e))
+         force = helical_contact(mesh%section(e)%ei, -axial(i), mesh%clearance(e))
          call radius_of(mesh%clearance(e), offset(:, i), slope(:, i), radius, growth)
          radius = radius + max(force - load(i), 0.0_wp)/wall(e)
          away = phase(i) - phase(zone%first)

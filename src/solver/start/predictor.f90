@@ -90,7 +90,7 @@ contains
       call lay_between(mesh, knot(:knots), offset, slope)
       wound = axial
       do i = 1, mesh%nodes
-         if (axial(i) < 0.0_wp) wound(i) = -wound_compression(mesh%ei(min(i, mesh%elements)), -axial(i), torque(i))
+         if (axial(i) < 0.0_wp) wound(i) = -wound_compression(mesh%section(min(i, mesh%elements))%ei, -axial(i), torque(i))
       end do
       left_handed = coils_left(axial, torque, offset)
       if (left_handed) call mirror(offset, slope)
@@ -117,7 +117,7 @@ contains
       end if
       call slide_into_place(model%trajectory, mesh, axial, y(1:2, :), y(3:4, :), state)
       do e = 1, mesh%elements
-         state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%gj(e)
+         state(dof_twist, e + 1) = state(dof_twist, e) - 0.5_wp*(torque(e) + torque(e + 1))*mesh%length(e)/mesh%section(e)%gj
          pressed(e) = 0.5_wp*mesh%load_factor(e)*(load(e) + load(e + 1))*mesh%length(e)
          if (found) pressed(e) = sum(forces(:, e))
          gaps%state(e) = merge(state_elastic, state_free, pressed(e) > 0.0_wp)
@@ -244,8 +244,8 @@ contains
       call place(trajectory, mesh, 1, slide, offset(:, 1), slope(:, 1), tangent, previous, previous_d)
       call find_unknowns(mesh%frame(:, :, 1), previous, previous_d, state(:, 1))
       do e = 1, mesh%elements
-         reference = membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1))
-         strain = 0.5_wp*(axial(e) + axial(e + 1))/mesh%ea(e)
+         reference = mesh%section(e)%membrane_length
+         strain = 0.5_wp*(axial(e) + axial(e + 1))/mesh%section(e)%ea
          more = reference*strain
          do step = 1, slide_steps
             slide = slide + more
