@@ -26,14 +26,13 @@
 module dg_beam_element
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratio_alone, angle_ratio_once
-   use dg_beam_energy, only: axial_force, beam_section_type, energy_hessian, energy_slopes, gradients, measure, measure_type
+   use dg_beam_energy, only: axial_force, beam_section_type, bowing_of, energy_hessian, energy_slopes, gradients, measure, &
+                             measure_type, thirtieth
    use dg_vector, only: cross, outer, skew
    implicit none
    private
    public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_step
    public :: torque_force, torque_tangent
-
-   real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
 contains
 
@@ -42,12 +41,11 @@ contains
       real(wp), intent(in) :: chord(3)  !< x_j - x_i [m]
       real(wp), intent(in) :: d_i(3), d_j(3)
       real(wp) :: length
-      real(wp) :: l, e(3), a(3, 2), c(2), s, g_i, g_j
+      real(wp) :: l, e(3), a(3, 2), c(2), s, g(2)
       call measure_chord(chord, d_i, d_j, l, e, a, c, s)
-      g_i = angle_ratio_alone(c(1))
-      g_j = angle_ratio_alone(c(2))
-      length = l*(1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c(1))*(1.0_wp + c(1)) + g_j*g_j*(1.0_wp - c(2))*(1.0_wp + c(2))) &
-                            - g_i*g_j*s)*thirtieth)
+      g(1) = angle_ratio_alone(c(1))
+      g(2) = angle_ratio_alone(c(2))
+      length = l*(1.0_wp + bowing_of(c, g, s))
    end function membrane_length
 
    !> Measures of a configuration: chord length and direction, tangents less their part along it, cosines, and s = p - c_i c_j.
@@ -70,21 +68,20 @@ contains
       real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
       real(wp), intent(in) :: turn_i(3), turn_j(3)   !< changes of the tangents
       real(wp), intent(out) :: length, longer
-      real(wp) :: l, reciprocal, e(3), a(3, 2), c(2), g_i, g_j, s, dg_i, dg_j, product, by_i, by_j, by_p
+      real(wp) :: l, reciprocal, e(3), a(3, 2), c(2), g(2), s, dg(2), product, by_i, by_j, by_p
       call measure_chord(chord, d_i, d_j, l, e, a, c, s)
       reciprocal = 1.0_wp/l
-      call angle_ratio_once(c(1), g_i, dg_i)
-      call angle_ratio_once(c(2), g_j, dg_j)
-      product = g_i*g_j
+      call angle_ratio_once(c(1), g(1), dg(1))
+      call angle_ratio_once(c(2), g(2), dg(2))
+      product = g(1)*g(2)
       ! changes of the cosines and of d_i.d_j
       by_i = turn_i(1)*e(1) + turn_i(2)*e(2) + turn_i(3)*e(3) + (a(1, 1)*move(1) + a(2, 1)*move(2) + a(3, 1)*move(3))*reciprocal
       by_j = turn_j(1)*e(1) + turn_j(2)*e(2) + turn_j(3)*e(3) + (a(1, 2)*move(1) + a(2, 2)*move(2) + a(3, 2)*move(3))*reciprocal
       by_p = turn_i(1)*d_j(1) + turn_i(2)*d_j(2) + turn_i(3)*d_j(3) + d_i(1)*turn_j(1) + d_i(2)*turn_j(2) + d_i(3)*turn_j(3)
-      length = 1.0_wp + (2.0_wp*(g_i*g_i*(1.0_wp - c(1))*(1.0_wp + c(1)) + g_j*g_j*(1.0_wp - c(2))*(1.0_wp + c(2))) &
-                         - product*s)*thirtieth
+      length = 1.0_wp + bowing_of(c, g, s)
       longer = length*(e(1)*move(1) + e(2)*move(2) + e(3)*move(3)) &
-               - l*thirtieth*((4.0_wp*g_i + dg_i*g_j*s - product*c(2))*by_i &
-                                     + (4.0_wp*g_j + g_i*dg_j*s - product*c(1))*by_j + product*by_p)
+               - l*thirtieth*((4.0_wp*g(1) + dg(1)*g(2)*s - product*c(2))*by_i &
+                              + (4.0_wp*g(2) + g(1)*dg(2)*s - product*c(1))*by_j + product*by_p)
       length = l*length
    end subroutine membrane_step
 

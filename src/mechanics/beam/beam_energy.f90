@@ -4,7 +4,7 @@ module dg_beam_energy
    use dg_beam_angle, only: angle_ratios
    implicit none
    private
-   public :: beam_section_type, measure_type, measure, axial_force, energy_slopes, gradients, energy_hessian
+   public :: beam_section_type, measure_type, measure, bowing_of, axial_force, energy_slopes, gradients, energy_hessian, thirtieth
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
@@ -34,7 +34,7 @@ contains
    pure subroutine measure(chord, d_i, d_j, m)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       type(measure_type), intent(out) :: m
-      real(wp) :: squares, product
+      real(wp) :: product
       m%length = sqrt(dot_product(chord, chord))
       m%e = chord/m%length
       m%c = [dot_product(d_i, m%e), dot_product(d_j, m%e)]
@@ -42,12 +42,19 @@ contains
       m%a(:, 2) = d_j - m%c(2)*m%e
       call angle_ratios(2, m%c, m%g, m%dg, m%ddg)
       m%s = dot_product(m%a(:, 1), m%a(:, 2))     ! p - c_i c_j without its cancellation
-      squares = sum(m%g**2*(1.0_wp - m%c)*(1.0_wp + m%c))
+      m%bowing = bowing_of(m%c, m%g, m%s)
       product = m%g(1)*m%g(2)
-      m%bowing = (2.0_wp*squares - product*m%s)*thirtieth
       m%by_c(1) = m%dg(1)*m%g(2)*m%s - product*m%c(2)
       m%by_c(2) = m%g(1)*m%dg(2)*m%s - product*m%c(1)
    end subroutine measure
+
+   !> b = (2 A - B)/30 from the cosines, g of them, and s = p - c_i c_j: (alpha_i)**2 = g_i**2 (1 - c_i**2), B = g_i g_j s.
+   pure function bowing_of(c, g, s) result(bowing)
+      real(wp), intent(in) :: c(2), g(2), s
+      real(wp) :: bowing
+      bowing = (2.0_wp*(g(1)*g(1)*(1.0_wp - c(1))*(1.0_wp + c(1)) + g(2)*g(2)*(1.0_wp - c(2))*(1.0_wp + c(2))) &
+                - g(1)*g(2)*s)*thirtieth
+   end function bowing_of
 
    !> Axial force N, tension > 0 [N].
    pure function axial_force(section, m) result(axial)
@@ -57,21 +64,29 @@ contains
       axial = section%ea/section%membrane_length*(m%length*(1.0_wp + m%bowing) - section%membrane_length)
    end function axial_force
 
-   !> First derivatives of U by (l, c_i, c_j, p) [N, N.m].
+   !> dU/dA and dU/dB at fixed l [N.m]: dU = N d(l (1 + b)) + (2 EI/L)(dA + dB), with db = (2 dA - dB)/30.
+   pure function weights_of(section, axial, m) result(weights)
+      type(beam_section_type), intent(in) :: section
+      real(wp), intent(in) :: axial          !< N [N]
+      type(measure_type), intent(in) :: m
+      real(wp) :: weights(2)
+      real(wp) :: bending, carried
+      bending = 2.0_wp*section%ei/section%length
+      carried = thirtieth*axial*m%length
+      weights = [bending + 2.0_wp*carried, bending - carried]
+   end function weights_of
+
+   !> First derivatives of U by (l, c_i, c_j, p) [N, N.m]. That of A by c_i is -2 g_i.
    pure function energy_slopes(m, section, axial) result(first)
       type(measure_type), intent(in) :: m
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: axial          !< N [N]
       real(wp) :: first(4)
-      real(wp) :: carried, bending, weight_a, weight_b
-      ! dU = EA L_m eps deps + ..., with deps = (1 + b) dl/L_m + l db/L_m: weights of A and B are dU/dA and dU/dB
-      bending = 2.0_wp*section%ei/section%length
-      carried = thirtieth*axial*m%length
-      weight_a = -2.0_wp*(bending + 2.0_wp*carried)
-      weight_b = bending - carried
+      real(wp) :: weights(2)
+      weights = weights_of(section, axial, m)
       first(1) = axial*(1.0_wp + m%bowing)
-      first(2:3) = weight_a*m%g + weight_b*m%by_c
-      first(4) = weight_b*m%g(1)*m%g(2)
+      first(2:3) = -2.0_wp*weights(1)*m%g + weights(2)*m%by_c
+      first(4) = weights(2)*m%g(1)*m%g(2)
    end function energy_slopes
 
    !> dU/dy(12) from the first derivatives by the scalar measures.
@@ -92,12 +107,9 @@ contains
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: axial          !< N, tension > 0 [N]
       real(wp) :: c(4, 4)
-      real(wp) :: by_bowing(4), by_strain(4), bending, carried, weight_a, weight_b, g_ij, mixed(2)
+      real(wp) :: by_bowing(4), by_strain(4), weights(2), g_ij, mixed(2)
       integer :: i, j
-      bending = 2.0_wp*section%ei/section%length
-      carried = thirtieth*axial*m%length
-      weight_a = 2.0_wp*(bending + 2.0_wp*carried)
-      weight_b = bending - carried
+      weights = weights_of(section, axial, m)
       g_ij = m%g(1)*m%g(2)
       mixed = [m%dg(1)*m%g(2), m%g(1)*m%dg(2)]
       ! derivatives of the bowing, and of the strain times L_m
@@ -111,11 +123,11 @@ contains
       end do
       c(2:4, 1) = c(2:4, 1) + axial*by_bowing(2:4)
       do i = 1, 2
-         c(1 + i, 1 + i) = c(1 + i, 1 + i) - weight_a*m%dg(i) - 2.0_wp*weight_b*mixed(i)*m%c(3 - i) &
-                           + weight_b*m%ddg(i)*m%g(3 - i)*m%s
-         c(4, 1 + i) = c(4, 1 + i) + weight_b*mixed(i)
+         c(1 + i, 1 + i) = c(1 + i, 1 + i) - 2.0_wp*weights(1)*m%dg(i) - 2.0_wp*weights(2)*mixed(i)*m%c(3 - i) &
+                           + weights(2)*m%ddg(i)*m%g(3 - i)*m%s
+         c(4, 1 + i) = c(4, 1 + i) + weights(2)*mixed(i)
       end do
-      c(3, 2) = c(3, 2) + weight_b*(m%dg(1)*m%dg(2)*m%s - mixed(1)*m%c(1) - mixed(2)*m%c(2) - g_ij)
+      c(3, 2) = c(3, 2) + weights(2)*(m%dg(1)*m%dg(2)*m%s - mixed(1)*m%c(1) - mixed(2)*m%c(2) - g_ij)
       c(1, 2:4) = c(2:4, 1)
       c(2, 3:4) = c(3:4, 2)
       c(3, 4) = c(4, 3)
