@@ -16,13 +16,13 @@ module dg_bending_element
    real(wp), parameter :: third = 1.0_wp/sqrt(3.0_wp)
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]
    !> There, of an element of unit length: shape functions of y and y' at its upper, then at its lower node, and their slopes.
-   real(wp), parameter :: rest(contact_places) = 1.0_wp - contact_xi
+   real(wp), parameter :: one_minus_xi(contact_places) = 1.0_wp - contact_xi
    real(wp), parameter :: contact_value(4, contact_places) = transpose(reshape( &
-      [rest**2*(1.0_wp + 2.0_wp*contact_xi), contact_xi*rest**2, contact_xi**2*(1.0_wp + 2.0_wp*rest), -rest*contact_xi**2], &
-      [contact_places, 4]))
+      [one_minus_xi**2*(1.0_wp + 2.0_wp*contact_xi), contact_xi*one_minus_xi**2, &
+       contact_xi**2*(1.0_wp + 2.0_wp*one_minus_xi), -one_minus_xi*contact_xi**2], [contact_places, 4]))
    real(wp), parameter :: contact_slope(4, contact_places) = transpose(reshape( &
-      [-6.0_wp*contact_xi*rest, rest*(1.0_wp - 3.0_wp*contact_xi), 6.0_wp*contact_xi*rest, -contact_xi*(3.0_wp*rest - 1.0_wp)], &
-      [contact_places, 4]))
+      [-6.0_wp*contact_xi*one_minus_xi, one_minus_xi*(1.0_wp - 3.0_wp*contact_xi), &
+       6.0_wp*contact_xi*one_minus_xi, -contact_xi*(3.0_wp*one_minus_xi - 1.0_wp)], [contact_places, 4]))
 
    type :: beam_element_type
       ! set by who makes the beam
@@ -37,9 +37,10 @@ module dg_bending_element
       real(wp) :: ei = 0.0_wp            !< [N.m2]
       real(wp) :: bent(2) = 0.0_wp       !< k - b [1/m]
       real(wp) :: torque(2) = 0.0_wp     !< M_t/2 [N.m], M_t over the length [N]
-      real(wp) :: shear = 0.0_wp         !< force by the offset of the upper node from that of the lower one [N/m]
-      real(wp) :: turn(2) = 0.0_wp       !< couple at the upper and at the lower node by the same [N]
-      real(wp) :: couple(3) = 0.0_wp     !< at the upper node by its slope, by the slope of the lower node, and there [N.m]
+      ! stiffness coefficients, each with the axial force's part: 12 EI/L^3, 6 EI/L^2, and 4, 2, 4 EI/L
+      real(wp) :: k_offset = 0.0_wp           !< force by the offset of the upper node from that of the lower one [N/m]
+      real(wp) :: k_offset_slope(2) = 0.0_wp  !< couple at the upper and at the lower node by the same [N]
+      real(wp) :: k_slope(3) = 0.0_wp         !< at the upper node by its slope and by the lower one's; there by its own [N.m]
       real(wp) :: load(8) = 0.0_wp       !< of weight and bends, (y_1, y_2, y_1', y_2') at the upper, then the lower node [N, N.m]
    end type beam_element_type
 
@@ -73,12 +74,12 @@ contains
       element%bent = curvature - bend
       element%torque(1) = 0.5_wp*torque
       element%torque(2) = torque/length
-      element%shear = (12.0_wp*stiffness/length + 0.6_wp*(axial(1) + axial(2)))/length
-      element%turn(1) = 6.0_wp*stiffness/length + 0.1_wp*axial(2)
-      element%turn(2) = 6.0_wp*stiffness/length + 0.1_wp*axial(1)
-      element%couple(1) = 4.0_wp*stiffness + 3.0_wp*tight(1) + tight(2)
-      element%couple(2) = 2.0_wp*stiffness - 0.5_wp*(tight(1) + tight(2))
-      element%couple(3) = 4.0_wp*stiffness + tight(1) + 3.0_wp*tight(2)
+      element%k_offset = (12.0_wp*stiffness/length + 0.6_wp*(axial(1) + axial(2)))/length
+      element%k_offset_slope(1) = 6.0_wp*stiffness/length + 0.1_wp*axial(2)
+      element%k_offset_slope(2) = 6.0_wp*stiffness/length + 0.1_wp*axial(1)
+      element%k_slope(1) = 4.0_wp*stiffness + 3.0_wp*tight(1) + tight(2)
+      element%k_slope(2) = 2.0_wp*stiffness - 0.5_wp*(tight(1) + tight(2))
+      element%k_slope(3) = 4.0_wp*stiffness + tight(1) + 3.0_wp*tight(2)
       upper = (weight*down(:, 1) + axial(1)*curvature)*length
       lower = (weight*down(:, 2) + axial(2)*curvature)*length
       bending = ei*element%bent
@@ -110,13 +111,13 @@ contains
       real(wp) :: value(4), slope(4), force(2), couple(2), twisted(2)
       integer :: p
       associate (d => upper(1:2) - lower(1:2), u => upper(3:4), v => lower(3:4), torque => element%torque)
-         force = element%shear*d + element%turn(1)*u + element%turn(2)*v - turned(torque(2)*(u - v))
+         force = element%k_offset*d + element%k_offset_slope(1)*u + element%k_offset_slope(2)*v - turned(torque(2)*(u - v))
          twisted = turned(torque(2)*d + torque(1)*(u + v))
          at_upper(1:2) = at_upper(1:2) + (force - element%load(1:2))
          at_upper(3:4) = at_upper(3:4) &
-                         + (element%turn(1)*d + element%couple(1)*u + element%couple(2)*v + twisted - element%load(3:4))
+                         + (element%k_offset_slope(1)*d + element%k_slope(1)*u + element%k_slope(2)*v + twisted - element%load(3:4))
          at_lower(1:2) = -force - element%load(5:6)
-         at_lower(3:4) = element%turn(2)*d + element%couple(2)*u + element%couple(3)*v - twisted - element%load(7:8)
+         at_lower(3:4) = element%k_offset_slope(2)*d + element%k_slope(2)*u + element%k_slope(3)*v - twisted - element%load(7:8)
       end associate
       do p = 1, contact_places
          call shapes_at(element, p, value, slope)
@@ -140,7 +141,7 @@ contains
       real(wp), intent(out) :: k(2, 4, 2, 4)       !< (direction, unknown) of row, then of column [N/m, N, N.m]
       real(wp) :: straight(4, 4), across(4, 4), stiffness(2, 2), sideways(2, 2), pushed(2, 4, 2), value(4), slope(4)
       integer :: i, j, p
-      associate (s => element%shear, t => element%turn, c => element%couple)
+      associate (s => element%k_offset, t => element%k_offset_slope, c => element%k_slope)
          straight(:, 1) = [s, t(1), -s, t(2)]
          straight(:, 2) = [t(1), c(1), -t(1), c(2)]
          straight(:, 3) = -straight(:, 1)
