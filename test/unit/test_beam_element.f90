@@ -1,7 +1,8 @@
 !> The beam element: nothing from rigid motion, balance of every element, the exact arc, stretch, torque.
 module dg_test_beam_element
    use funit, only: assertEqual, assertLessThan, TestMethod, TestSuite
-   use dg_beam_element, only: beam_force, beam_section_type, beam_tangent, membrane_length, torque_force, torque_tangent
+   use dg_beam_element, only: beam_force, beam_tangent, membrane_length, torque_force, torque_tangent
+   use dg_beam_section, only: beam_section_type
    use dg_kinds, only: wp
    use dg_vector, only: cross
    implicit none

@@ -4,7 +4,8 @@ module dg_test_beams
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_assembly, only: assemble, load_type
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
-   use dg_beam_element, only: beam_section_type, beam_tangent
+   use dg_beam_element, only: beam_tangent
+   use dg_beam_section, only: beam_section_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_component, only: axial_stiffness, torsional_stiffness
    use dg_constants, only: pi

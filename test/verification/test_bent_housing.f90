@@ -4,7 +4,8 @@
 module dg_test_bent_housing
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_beam_bend, only: add_bend, bend_moment, holding_moment
-   use dg_beam_element, only: beam_force, beam_section_type, membrane_length
+   use dg_beam_element, only: beam_force, membrane_length
+   use dg_beam_section, only: beam_section_type
    use dg_case_result, only: case_result_type
    use dg_component, only: closed_diameter, component_type
    use dg_constants, only: degree, pi

@@ -5,7 +5,8 @@ module dg_test_tangent
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_assembly, only: add_unsymmetric_part, assemble, load_type
-   use dg_beam_element, only: beam_section_type, beam_tangent, beam_tangent_parts, beam_force, membrane_length
+   use dg_beam_element, only: beam_tangent, beam_tangent_parts, beam_force, membrane_length
+   use dg_beam_section, only: beam_section_type
    use dg_block_matrix, only: block_matrix_type, new_block_matrix
    use dg_error, only: error_type
    use dg_gap_state, only: gap_law_type, state_elastic, state_free, state_rigid

@@ -26,12 +26,12 @@
 module dg_beam_element
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratio_alone, angle_ratio_once
-   use dg_beam_energy, only: axial_force, beam_section_type, bowing_of, energy_hessian, energy_slopes, gradients, measure, &
-                             measure_type, thirtieth
+   use dg_beam_energy, only: axial_force, bowing_of, energy_hessian, energy_slopes, gradients, measure, measure_type, thirtieth
+   use dg_beam_section, only: beam_section_type
    use dg_vector, only: cross, outer, skew
    implicit none
    private
-   public :: beam_section_type, beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_step
+   public :: beam_force, beam_tangent, beam_tangent_parts, beam_stress_tangent, membrane_length, membrane_step
    public :: torque_force, torque_tangent
 
 contains

@@ -2,20 +2,12 @@
 module dg_beam_energy
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratios
+   use dg_beam_section, only: beam_section_type, end_stiffness
    implicit none
    private
-   public :: beam_section_type, measure_type, measure, bowing_of, axial_force, energy_slopes, gradients, energy_hessian, thirtieth
+   public :: measure_type, measure, bowing_of, axial_force, energy_slopes, gradients, energy_hessian, thirtieth
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
-
-   !> Lengths and stiffnesses of an element.
-   type :: beam_section_type
-      real(wp) :: length = 0.0_wp              !< L, along the hole [m]
-      real(wp) :: membrane_length = 0.0_wp     !< L_m [m]
-      real(wp) :: ea = 0.0_wp                  !< EA, axial stiffness [N]
-      real(wp) :: ei = 0.0_wp                  !< EI, bending stiffness [N.m2]
-      real(wp) :: gj = 0.0_wp                  !< GJ, torsional stiffness [N.m2]; the energy has none of it
-   end type beam_section_type
 
    !> The measures of a configuration and the derivatives of A, B and U by them. In arrays of two the upper node comes first.
    type :: measure_type
@@ -70,10 +62,10 @@ contains
       real(wp), intent(in) :: axial          !< N [N]
       type(measure_type), intent(in) :: m
       real(wp) :: weights(2)
-      real(wp) :: bending, carried
-      bending = 2.0_wp*section%ei/section%length
+      real(wp) :: ends(2), carried
+      ends = end_stiffness(section)
       carried = thirtieth*axial*m%length
-      weights = [bending + 2.0_wp*carried, bending - carried]
+      weights = [0.5_wp*ends(1) + 2.0_wp*carried, ends(2) - carried]
    end function weights_of
 
    !> First derivatives of U by (l, c_i, c_j, p) [N, N.m]. That of A by c_i is -2 g_i.

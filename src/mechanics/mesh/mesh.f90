@@ -5,11 +5,11 @@
 !> hole where the string rests on it unstretched.
 module dg_mesh
    use dg_kinds, only: wp
-   use dg_beam_element, only: beam_section_type, membrane_length
+   use dg_beam_element, only: membrane_length
+   use dg_beam_section, only: beam_section_type, section_of
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, component_type, &
-                           contact_diameter, effective_joint_length, has_bend, has_joints, has_pad, room_of, room_of_held_bit, &
-                           torsional_stiffness
+   use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, effective_joint_length, &
+                           has_bend, has_joints, has_pad, room_of, room_of_held_bit
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: all_centralizer_ends, at_joint, bend_within, component_at, component_tops, joint_ends, &
                              pad_within, tool_ends
@@ -156,19 +156,6 @@ contains
          call bend_mesh(model, load_case, tops, mesh)
       if (any(has_pad(model%strings(index)%components))) call push_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
-
-   !> What an element of a component is as a beam.
-   pure function section_of(component, length, unstressed) result(section)
-      type(component_type), intent(in) :: component
-      real(wp), intent(in) :: length       !< along the hole [m]
-      real(wp), intent(in) :: unstressed   !< membrane length on the hole axis [m]
-      type(beam_section_type) :: section
-      section%length = length
-      section%membrane_length = unstressed
-      section%ea = axial_stiffness(component)
-      section%ei = bending_stiffness(component)
-      section%gj = torsional_stiffness(component)
-   end function section_of
 
    !> Forces of pads on the elements. A tool that steers while it turns presses to one side of the hole: they do not turn.
    pure subroutine push_mesh(model, load_case, tops, mesh)

@@ -48,8 +48,7 @@ module dg_bending_beam
       real(wp), allocatable :: push(:, :)       !< q of pads, by element (2,e) [N/m]; not allocated where there are none
       real(wp), allocatable :: torque(:)        !< M_t by element [N.m]
       real(wp), allocatable :: weight(:)        !< buoyed weight per length, by element [N/m]
-      real(wp), allocatable :: ei(:)            !< by element [N.m2]
-      type(beam_element_type), allocatable :: element(:)  !< their laws and friction, and by set_elements all that follows
+      type(beam_element_type), allocatable :: element(:)  !< their sections, laws and friction, and by set_elements all that follows
       integer, allocatable :: point(:)             !< nodes at which tool joints touch, from the top down
       integer, allocatable :: point_owner(:)       !< element of the analysis in which it lies
       type(gap_law_type), allocatable :: point_law(:)  !< of the whole contact (stiffnesses in N/m)
@@ -77,8 +76,8 @@ contains
    pure subroutine set_elements(beam)
       type(bending_beam_type), intent(inout) :: beam
       integer :: e
-      do e = 1, size(beam%ei)
-         call set_element(beam%md(e + 1) - beam%md(e), beam%ei(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
+      do e = 1, size(beam%element)
+         call set_element(beam%md(e + 1) - beam%md(e), beam%axial(e:e + 1), beam%torque(e), beam%curvature(:, e), &
                           beam%bend(:, e), beam%weight(e), beam%down(:, e:e + 1), beam%element(e))
          if (allocated(beam%push)) call push_element(beam%push(:, e), beam%element(e))
       end do

@@ -3,6 +3,7 @@
 !> axial force and weight change linearly; the wall's is taken at `contact_places` places.
 module dg_bending_element
    use dg_kinds, only: wp
+   use dg_beam_section, only: beam_section_type, end_stiffness
    use dg_gap_state, only: contact_force, gap_law_type, state_elastic, state_rigid
    use dg_hermite, only: hermite_line_load
    implicit none
@@ -28,13 +29,13 @@ module dg_bending_element
       ! set by who makes the beam
       type(gap_law_type) :: law          !< of a metre of wall (stiffnesses in N/m2)
       type(gap_law_type) :: press        !< the same law, no stiffer than Newton's steps bear
+      type(beam_section_type) :: section !< its length is set by set_element
       real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards the wall then stands at the places of contact [m]
       real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
       real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
       ! set by set_element
       real(wp) :: length = 0.0_wp        !< [m]
       real(wp) :: per_length = 0.0_wp    !< one over it [1/m]
-      real(wp) :: ei = 0.0_wp            !< [N.m2]
       real(wp) :: bent(2) = 0.0_wp       !< k - b [1/m]
       real(wp) :: torque(2) = 0.0_wp     !< M_t/2 [N.m], M_t over the length [N]
       ! stiffness coefficients, each with the axial force's part: 12 EI/L^3, 6 EI/L^2, and 4, 2, 4 EI/L
@@ -54,10 +55,9 @@ module dg_bending_element
 
 contains
 
-   !> Sets what an element needs but law and friction. Axial force and weight change linearly along it.
-   pure subroutine set_element(length, ei, axial, torque, curvature, bend, weight, down, element)
+   !> Sets what an element needs but section, law and friction. Axial force and weight change linearly along it.
+   pure subroutine set_element(length, axial, torque, curvature, bend, weight, down, element)
       real(wp), intent(in) :: length           !< [m]
-      real(wp), intent(in) :: ei               !< [N.m2]
       real(wp), intent(in) :: axial(2)         !< T at its nodes [N]
       real(wp), intent(in) :: torque           !< M_t [N.m]
       real(wp), intent(in) :: curvature(2)     !< k [1/m]
@@ -65,24 +65,24 @@ contains
       real(wp), intent(in) :: weight           !< buoyed, per length [N/m]
       real(wp), intent(in) :: down(2, 2)       !< part of the unit vector downwards across the hole, at its nodes (2,2) [-]
       type(beam_element_type), intent(inout) :: element
-      real(wp) :: stiffness, tight(2), upper(2), lower(2), bending(2), turning(2)
-      stiffness = ei/length
+      real(wp) :: ends(2), tight(2), upper(2), lower(2), bending(2), turning(2)
+      element%section%length = length
+      ends = end_stiffness(element%section)
       tight = (length/30.0_wp)*axial
       element%length = length
       element%per_length = 1.0_wp/length
-      element%ei = ei
       element%bent = curvature - bend
       element%torque(1) = 0.5_wp*torque
       element%torque(2) = torque/length
-      element%k_offset = (12.0_wp*stiffness/length + 0.6_wp*(axial(1) + axial(2)))/length
-      element%k_offset_slope(1) = 6.0_wp*stiffness/length + 0.1_wp*axial(2)
-      element%k_offset_slope(2) = 6.0_wp*stiffness/length + 0.1_wp*axial(1)
-      element%k_slope(1) = 4.0_wp*stiffness + 3.0_wp*tight(1) + tight(2)
-      element%k_slope(2) = 2.0_wp*stiffness - 0.5_wp*(tight(1) + tight(2))
-      element%k_slope(3) = 4.0_wp*stiffness + tight(1) + 3.0_wp*tight(2)
+      element%k_offset = (2.0_wp*sum(ends)/length + 0.6_wp*(axial(1) + axial(2)))/length
+      element%k_offset_slope(1) = sum(ends)/length + 0.1_wp*axial(2)
+      element%k_offset_slope(2) = sum(ends)/length + 0.1_wp*axial(1)
+      element%k_slope(1) = ends(1) + 3.0_wp*tight(1) + tight(2)
+      element%k_slope(2) = ends(2) - 0.5_wp*(tight(1) + tight(2))
+      element%k_slope(3) = ends(1) + tight(1) + 3.0_wp*tight(2)
       upper = (weight*down(:, 1) + axial(1)*curvature)*length
       lower = (weight*down(:, 2) + axial(2)*curvature)*length
-      bending = ei*element%bent
+      bending = element%section%ei*element%bent
       turning(1) = torque*curvature(2)
       turning(2) = -torque*curvature(1)
       element%load(1:2) = 0.35_wp*upper + 0.15_wp*lower + turning
@@ -262,10 +262,11 @@ contains
       type(beam_element_type), intent(in) :: element
       real(wp), intent(in) :: upper(4), lower(4)   !< offsets and slopes of its nodes [m, -]
       real(wp), intent(out) :: moments(2, 2)
-      real(wp) :: chord(2), stiffness
-      stiffness = 2.0_wp*element%ei*element%per_length
-      chord = (3.0_wp*element%per_length)*(lower(1:2) - upper(1:2))
-      moments(:, 1) = stiffness*(chord - 2.0_wp*upper(3:4) - lower(3:4)) + element%ei*element%bent
-      moments(:, 2) = stiffness*(2.0_wp*lower(3:4) + upper(3:4) - chord) + element%ei*element%bent
+      real(wp) :: ends(2), chord(2), bending(2)
+      ends = end_stiffness(element%section)
+      bending = element%section%ei*element%bent
+      chord = (sum(ends)*element%per_length)*(lower(1:2) - upper(1:2))
+      moments(:, 1) = chord - ends(1)*upper(3:4) - ends(2)*lower(3:4) + bending
+      moments(:, 2) = ends(1)*lower(3:4) + ends(2)*upper(3:4) - chord + bending
    end subroutine moments_of_shape
 end module dg_bending_element

@@ -145,7 +145,7 @@ contains
       integer :: e
       load = tiny(1.0_wp)
       above = 0.0_wp
-      do e = 1, size(beam%ei)
+      do e = 1, size(beam%element)
          load = max(load, maxval(abs(above + beam%element(e)%load(1:2))))
          above = beam%element(e)%load(5:6)
       end do

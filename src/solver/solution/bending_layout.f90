@@ -247,7 +247,7 @@ contains
       n = size(nodes)
       beam%md = nodes
       allocate (beam%place(n), beam%axial(n), beam%down(2, n), beam%owner(n - 1), beam%curvature(2, n - 1), beam%torque(n - 1), &
-                beam%weight(n - 1), beam%ei(n - 1), beam%element(n - 1))
+                beam%weight(n - 1), beam%element(n - 1))
       allocate (beam%held(n), beam%centred(n), source=.false.)
       allocate (beam%bend(2, n - 1), source=0.0_wp)
       if (allocated(mesh%push)) allocate (beam%push(2, n - 1))
@@ -274,7 +274,7 @@ contains
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
             + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%section(o)%ei)*0.5_wp*(nodes(e + 1) - nodes(e))
          beam%weight(e) = mesh%weight(o)
-         beam%ei(e) = mesh%section(o)%ei
+         beam%element(e)%section = mesh%section(o)
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
          if (allocated(mesh%push)) beam%push(:, e) = [dot_product(mesh%push(:, o), n_1), dot_product(mesh%push(:, o), n_2)]
@@ -317,7 +317,7 @@ contains
       type(bending_beam_type), intent(inout) :: beam
       real(wp) :: reach
       if (beam%centred(n) .or. beam%axial(n) > -least_force) return
-      reach = end_reach*sqrt(beam%ei(min(n, size(beam%ei)))/(-beam%axial(n)))
+      reach = end_reach*sqrt(beam%element(min(n, size(beam%element)))%section%ei/(-beam%axial(n)))
       where (abs(beam%md - beam%md(n)) < reach) beam%viscous = 4.0_wp*beam%viscous
    end subroutine hold_free_end
 end module dg_bending_layout

@@ -346,7 +346,7 @@ contains
          end if
          above = bend(:, 2)
       end do
-      differences = max(differences, moments_of_misplacing(beam%md(2:) - beam%md(:size(beam%ei)), bent%pressed))
+      differences = max(differences, moments_of_misplacing(beam%md(2:) - beam%md(:size(beam%element)), bent%pressed))
       call add_peaks(beam, bent, moments, differences)
    end subroutine recover_moments
 

@@ -150,7 +150,7 @@ contains
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       real(wp) :: above(size(beam%md))
-      real(wp) :: contact(size(beam%ei)), total(mesh%elements)
+      real(wp) :: contact(size(beam%element)), total(mesh%elements)
       integer :: e, p
       contact = sum(bent%pressed, dim=1)
       do p = 1, size(bent%points)      ! between the two elements that meet there
@@ -186,7 +186,7 @@ contains
       integer :: e, o, p
       forces = 0.0_wp
       p = 1
-      do e = 1, size(beam%ei)
+      do e = 1, size(beam%element)
          o = beam%owner(e)
          associate (share => 0.5_wp*(beam%md(e + 1) - beam%md(e))/mesh%length(o))
             if (scale(o) > 0.0_wp) then
@@ -224,7 +224,7 @@ contains
       real(wp) :: found(elements)
       integer :: e, p
       found = 0.0_wp
-      do e = 1, size(beam%ei)
+      do e = 1, size(beam%element)
          found(beam%owner(e)) = found(beam%owner(e)) + sum(bent%pressed(:, e))
       end do
       do p = 1, size(bent%points)

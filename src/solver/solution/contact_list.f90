@@ -80,12 +80,12 @@ contains
       type(stretches_type), intent(out) :: stretches
       real(wp) :: length, across(2)
       integer :: e, o, p, n, k
-      n = contact_places*size(beam%ei) + size(bent%points)
+      n = contact_places*size(beam%element) + size(bent%points)
       allocate (stretches%md(n), stretches%length(n), stretches%force(n), stretches%load(n), stretches%owner(n), &
                 stretches%spread(n))
       n = 0
       k = 1
-      do e = 1, size(beam%ei)
+      do e = 1, size(beam%element)
          o = beam%owner(e)
          if (k <= size(bent%points)) then
             if (beam%point(k) == e) then

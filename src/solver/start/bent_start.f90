@@ -52,7 +52,7 @@ contains
       allocate (beam%point(0), beam%point_owner(0), beam%point_law(0), beam%point_press(0), beam%point_moved(0))
       beam%torque = 0.5_wp*(torque(:n - 1) + torque(2:))
       beam%weight = mesh%weight
-      beam%ei = mesh%section%ei
+      beam%element%section = mesh%section
       beam%element%lever = mesh%radius*along
       beam%element%around = around
       do e = 1, n - 1
