@@ -1,0 +1,60 @@
+!> Loads at surface if a string were turned that does not go down, or up, by itself.
+module dg_turning_loads
+   use dg_kinds, only: wp
+   use dg_drillstring, only: component_tops
+   use dg_fluid_pressure, only: surface_push
+   use dg_load_case, only: operation_rotary_drilling
+   use dg_missing, only: given
+   use dg_model, only: model_type, string_index
+   use dg_pipe_strength, only: torsional_strength
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_trajectory, only: top_md
+   use dg_utilisation, only: has_rating, limit_joint_torsion, limit_makeup, limit_torsion
+   use dg_verdict, only: verdict_type
+   implicit none
+   private
+   public :: find_turning_loads
+
+   !> Hook load over the weight or contact force of a string from which on it is more than round-off [-].
+   real(wp), parameter :: least_hookload = 1.0e-6_wp
+
+contains
+
+   !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
+   !> where the hook load would be below zero, too, or the torque is more than the top drive, a connection or a body bears.
+   pure subroutine find_turning_loads(model, case_index, verdict)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(verdict_type), intent(inout) :: verdict
+      type(model_type) :: turned
+      type(soft_totals_type) :: totals
+      real(wp), allocatable :: md(:), axial(:), torque(:)
+      integer :: i, parts
+      turned = model
+      turned%cases(case_index)%operation = operation_rotary_drilling
+      associate (bit => model%cases(case_index)%bit_depth, top => top_md(model%trajectory), &
+                 string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         allocate (md, source=max(top, bit - component_tops(string, bit - top)))
+         parts = findloc(md > top, .false., dim=1)          ! the first that reaches to surface
+         if (parts == 0) parts = size(md)
+         md = md(:parts)
+         allocate (axial(parts), torque(parts))
+         call soft_string_at(turned, case_index, md(parts:1:-1), axial, torque, totals=totals, &
+                             other=other_loads_type(coiled=.true.))
+         axial(1) = axial(1) - surface_push(model, case_index)        ! hook load
+         if (totals%runaway .or. .not. axial(1) > least_hookload*max(abs(totals%weight), totals%normal_force)) return
+         if (model%rig%max_torque%present) then
+            if (abs(torque(1)) > model%rig%max_torque%value) return
+         end if
+         do i = 1, parts
+            associate (part => string%components(i), load => abs(torque(parts + 1 - i)))
+               if (has_rating(part, limit_makeup) .and. load > part%makeup_torque) return
+               if (has_rating(part, limit_joint_torsion) .and. load > part%joint_torsion) return
+               if (has_rating(part, limit_torsion) .and. load > torsional_strength(part)) return
+            end associate
+         end do
+      end associate
+      verdict%turning_hookload = given(axial(1))
+      verdict%turning_torque = given(abs(torque(1)))
+   end subroutine find_turning_loads
+end module dg_turning_loads
