@@ -1,6 +1,7 @@
 !> Loads at surface if a string were turned that does not go down, or up, by itself.
 module dg_turning_loads
    use dg_kinds, only: wp
+   use dg_component, only: is_coiled_tubing
    use dg_drillstring, only: component_tops
    use dg_fluid_pressure, only: surface_push
    use dg_load_case, only: operation_rotary_drilling
@@ -21,7 +22,8 @@ module dg_turning_loads
 contains
 
    !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
-   !> where the hook load would be below zero, too, or the torque is more than the top drive, a connection or a body bears.
+   !> where the hook load would be below zero, too, or the torque is more than the top drive, a connection or a body bears. Absent
+   !> for coiled tubing and a string in a packer.
    pure subroutine find_turning_loads(model, case_index, verdict)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -30,6 +32,7 @@ contains
       type(soft_totals_type) :: totals
       real(wp), allocatable :: md(:), axial(:), torque(:)
       integer :: i, parts
+      if (model%boundary%packer_bore > 0.0_wp) return      ! a packer does not turn
       turned = model
       turned%cases(case_index)%operation = operation_rotary_drilling
       associate (bit => model%cases(case_index)%bit_depth, top => top_md(model%trajectory), &
@@ -47,6 +50,7 @@ contains
             if (abs(torque(1)) > model%rig%max_torque%value) return
          end if
          do i = 1, parts
+            if (is_coiled_tubing(string%components(i))) return
             associate (part => string%components(i), load => abs(torque(parts + 1 - i)))
                if (has_rating(part, limit_makeup) .and. load > part%makeup_torque) return
                if (has_rating(part, limit_joint_torsion) .and. load > part%joint_torsion) return

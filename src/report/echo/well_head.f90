@@ -19,7 +19,7 @@ module dg_well_head
    public :: deepest_bit, find_clearances, well_head
 
    !> Longest piece whose fluids are those at its middle [m].
-   real(wp), parameter :: longest_piece = 50.0_wp
+   real(wp), parameter :: longest_piece = 5.0_wp
    integer, parameter :: few = 3, digits = 5
    !> Hole sections whose friction factors are listed one by one.
    integer, parameter :: most_listed = 4
@@ -40,7 +40,7 @@ contains
       call append_text(lines, friction_line(model))
       if (present(upper)) then
          if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &
-            'Upper end of its 95 % interval'//sections_text(upper%holes))
+            'Upper end of its 95 % interval, section by section'//sections_text(upper%holes))
       end if
       do i = 1, size(model%strings)
          deepest = deepest_bit(model, model%strings(i))

@@ -15,7 +15,7 @@ module dg_component
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
-             is_hwdp, is_pipe, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
+             is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> Beginning of the kind of a stabilizer, in either spelling.
    character(*), parameter :: stabilizer = 'stabili'
@@ -238,6 +238,14 @@ contains
       room = room_of(half_difference)
       if (is_bit(component) .and. .not. half_difference > least_clearance) room = max(room, most_tilt*component%length)
    end function room_of_held_bit
+
+   !> True for coiled tubing, which cannot be turned.
+   pure function is_coiled_tubing(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      is = .false.
+      if (allocated(component%kind)) is = index(lower_case(component%kind), 'coil') > 0
+   end function is_coiled_tubing
 
    !> True if the component is pipe, which may go up to surface: no collar and no tool. A component without a kind is drill pipe.
    elemental function is_pipe(component) result(is)
