@@ -92,8 +92,8 @@ contains
       real(wp) :: push
       push = surface_push(model, case_index)
       if (push > 0.0_wp) call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
-         trim(in_units(model%units, unit_force, push, shown))//'. Hook load counts this. If the seal at surface holds the '// &
-         'pipe, add it to the hook load')
+         trim(in_units(model%units, unit_force, push, shown))//'. Hook load counts this. If the BOP or a stripper '// &
+         'carries it, add it to the hook load')
    end subroutine note_push
 
    !> Notes a tool joint that ends close to where the diameter of the hole changes. The string is centimetres shorter than the

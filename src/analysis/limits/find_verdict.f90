@@ -19,6 +19,7 @@ module dg_find_verdict
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
+   use dg_packer, only: packer_push
    use dg_trajectory, only: top_md
    use dg_turning_loads, only: find_turning_loads
    use dg_upper_friction, only: raise_friction
@@ -259,6 +260,7 @@ contains
       associate (load_case => model%cases(result%case_index))
          weight = own_weight(model, load_case, result)
          verdict%pressure_pushes = surface_push(model, result%case_index) > 0.0_wp
+         verdict%packer_pushes = abs(packer_push(model, load_case)) > 0.0_wp
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
          share = weight_share(model, load_case, result)
          takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp
@@ -271,7 +273,8 @@ contains
          end if
          if (passed > 0 .and. strengths%answer == answer_no) then
             verdict%also = strengths%limit
-            verdict%also_used = strengths%used%value
+            verdict%also_load = strengths%load%value
+            verdict%also_allowed = strengths%allowed%value
          end if
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return

@@ -41,11 +41,12 @@ module dg_verdict
       integer :: friction = friction_given          !< what the answer goes by
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: pressure_pushes = .false.          !< pressure of the annulus takes string weight, too
+      logical :: packer_pushes = .false.            !< so do pressures at a packer
       logical :: buckled_by_formula = .false.       !< beyond the published load; else found
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is passed, too
-      real(wp) :: also_used = 0.0_wp                !< how much of it [-]
+      real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and what is allowed [N, N.m or Pa]
       logical :: weight_alone = .false.             !< no by lock-up without a solution: other limits are not known
       type(optional_real) :: pull_excess            !< no by limits that less pull brings back: pull beyond them [N]
       integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none

@@ -87,7 +87,7 @@ module dg_quantity
                                  in_bar = unit_type('bar', 'bar', bar, 'kPa', kilopascals)
    type(unit_type), parameter :: kilonewton_metre = unit_type('kN.m', 'kNm', kilo, 'N.m', kilo)
    type(unit_type), parameter :: turns_a_minute = unit_type('rpm', 'rpm', rpm), metre_a_second = unit_type('m/s', 'm_s', one)
-   type(unit_type), parameter :: in_inches = unit_type('in', 'in', inch), m_s2 = unit_type('m/s2', 'm_s2', one)
+   type(unit_type), parameter :: in_inches = unit_type('in', 'in', inch, 'mm', 25.4_wp), m_s2 = unit_type('m/s2', 'm_s2', one)
    real(wp), parameter :: micro = 1.0e-6_wp, fahrenheit = 5.0_wp/9.0_wp
    type(unit_type), parameter :: kelvin = unit_type('K', 'K', one), micro_kelvin = unit_type('1e-6/K', '1e-6_K', micro)
    real(wp), parameter :: hundredth = 1.0e-2_wp

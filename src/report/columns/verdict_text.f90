@@ -138,7 +138,8 @@ contains
       real(wp), intent(in) :: push       !< [N]
       character(:), allocatable :: text
       text = force_text(units, push)//' of push needed at surface'
-      if (load_case%operation == operation_static) text = 'the top must be held down with '//force_text(units, push)
+      if (load_case%operation == operation_static .or. block_way(load_case%operation) > 0) &
+         text = 'the top must be held down with '//force_text(units, push)
    end function push_text
 
    !> Why it is impossible without weight on bit or overpull, too; '' where it is not.
@@ -167,7 +168,7 @@ contains
       character(:), allocatable :: text
       text = ''
       if (verdict%also > 0) text = '. Also too much: '//shown_title(verdict%also)//', '// &
-                                   to_text(verdict%also_used/percent, shown_factor)//' % used'
+         number_text(units, verdict%also, verdict%also_load)//' of '//load_text(units, verdict%also, verdict%also_allowed)
       text = text//without_load_text(units, load_case, verdict)
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
@@ -186,6 +187,8 @@ contains
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
             text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
+         else if (verdict%weight_alone) then
+            text = text//'. String weight is enough at about '//times_text(verdict, verdict%possible_friction%value)
          else
             text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
          end if
@@ -206,7 +209,7 @@ contains
       if (.not. verdict%pull_excess%present) return
       ! Less overpull takes as much off the load at least: drag falls with it.
       left = -load_case%wob - verdict%pull_excess%value
-      if (left > 0.0_wp) text = '. At least '//force_text(units, left)//' of overpull is possible'
+      if (left > 0.0_wp) text = '. Overpull up to '//force_text(units, left)//' is possible'
    end function overpull_text
 
    !> The limit used most and what is left of it.
@@ -239,8 +242,14 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
-      text = trim(merge('drag', '    ', moves_axially(load_case%operation)))
+      text = ''
+      if (block_way(load_case%operation) > 0 .and. verdict%pressure_pushes) then
+         text = 'annulus pressure less drag takes'      ! which pulls down
+         return
+      end if
+      if (moves_axially(load_case%operation)) text = 'drag'
       if (load_case%wob > 0.0_wp) call add('WOB')
+      if (verdict%packer_pushes) call add('pressure at the packer')
       if (verdict%pressure_pushes) call add('annulus pressure')
       if (text == '') text = 'WOB'                   ! of nothing
       text = text//trim(merge(' take ', ' takes', index(text, ' and ') > 0))
@@ -337,7 +346,8 @@ contains
          if (.not. not_checked(i) .or. any(by_yield == i)) cycle
          if (text /= '') text = text//', '
          text = text//trim(limit_title(i))//unrated_names(components, i)
-         if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) text = text//' (no fatigue_exponent)'
+         if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &
+            text = text//' (its limit is passed, no fatigue_exponent)'
       end do
    end function unchecked_text
 

@@ -7,6 +7,7 @@
 module dg_fluid_pressure
    use dg_kinds, only: wp
    use dg_component, only: tube_area
+   use dg_drillstring, only: component_tops, topmost
    use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &
       side_outside
    use dg_load_case, only: load_case_type
@@ -115,9 +116,10 @@ contains
       real(wp) :: push
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
-      associate (parts => model%strings(string_index(model%strings, model%cases(case_index)%string))%components)
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          ! the uppermost fluid of the annulus alone may have a pressure
-         push = maxval(model%mud%fluids%surface_pressure)*tube_area(parts(size(parts))%od, 0.0_wp)
+         push = maxval(model%mud%fluids%surface_pressure)* &
+                tube_area(string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))%od, 0.0_wp)
       end associate
    end function surface_push
 end module dg_fluid_pressure
