@@ -9,6 +9,7 @@ module dg_test_fluids
    use dg_component, only: component_type, tube_area
    use dg_constants, only: degree
    use dg_error, only: error_type
+   use dg_fluid_pressure, only: surface_push
    use dg_fluid, only: collar_closed, collar_open_below, fluid_type, standing_mud
    use dg_job, only: model_count, model_mcge, model_mixed, model_rigid, model_soft
    use dg_kinds, only: wp
@@ -138,6 +139,13 @@ contains
             call assertEqual(results(m)%hookload < 0.0_wp, index(results(m)%message, push_needed) > 0, message='held down')
          end do
       end do
+      ! wider pipe that is still above surface is not at the seal
+      associate (parts => model%strings(1)%components)
+         model%strings(1)%components = [parts(1), parts(1)]
+      end associate
+      model%strings(1)%components(1)%length = length
+      model%strings(1)%components(2)%od = 2.0_wp*od
+      call assertEqual(pressures(3)*tube_area(od, 0.0_wp), surface_push(model, 1), message='of the pipe at surface')
    end subroutine test_annulus_pressure
 
    !> Mud inside from a level of 400 m down. The same level in a hole of 60 deg given in both depths: 200 m below surface.
