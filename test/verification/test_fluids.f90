@@ -9,8 +9,8 @@ module dg_test_fluids
    use dg_component, only: component_type, tube_area
    use dg_constants, only: degree
    use dg_error, only: error_type
-   use dg_fluid_pressure, only: surface_push
    use dg_fluid, only: collar_closed, collar_open_below, fluid_type, standing_mud
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_count, model_mcge, model_mixed, model_rigid, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static, operation_trip_in, operation_trip_out

@@ -2,7 +2,7 @@
 module dg_turning_loads
    use dg_kinds, only: wp
    use dg_component, only: is_coiled_tubing
-   use dg_drillstring, only: component_tops
+   use dg_drillstring, only: component_tops, topmost
    use dg_fluid_pressure, only: surface_push
    use dg_load_case, only: operation_rotary_drilling
    use dg_missing, only: given
@@ -37,10 +37,9 @@ contains
       turned%cases(case_index)%operation = operation_rotary_drilling
       associate (bit => model%cases(case_index)%bit_depth, top => top_md(model%trajectory), &
                  string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         allocate (md, source=max(top, bit - component_tops(string, bit - top)))
-         parts = findloc(md > top, .false., dim=1)          ! the first that reaches to surface
-         if (parts == 0) parts = size(md)
-         md = md(:parts)
+         allocate (md, source=bit - component_tops(string, bit - top))
+         parts = topmost(bit - md)
+         md = max(top, md(:parts))
          allocate (axial(parts), torque(parts))
          call soft_string_at(turned, case_index, md(parts:1:-1), axial, torque, totals=totals, &
                              other=other_loads_type(coiled=.true.))
