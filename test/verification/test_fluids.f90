@@ -126,6 +126,7 @@ contains
    subroutine test_annulus_pressure()
       type(model_type) :: model
       type(case_result_type) :: results(model_count)
+      type(component_type) :: pipe
       real(wp), parameter :: pressures(3) = [0.0_wp, 2.0e6_wp, 1.0e7_wp]   ! [Pa]
       integer :: i, m
       call build(model, 0.0_wp, 0.3_wp)
@@ -140,9 +141,8 @@ contains
          end do
       end do
       ! wider pipe that is still above surface is not at the seal
-      associate (parts => model%strings(1)%components)
-         model%strings(1)%components = [parts(1), parts(1)]
-      end associate
+      pipe = model%strings(1)%components(1)
+      model%strings(1)%components = [pipe, pipe]
       model%strings(1)%components(1)%length = length
       model%strings(1)%components(2)%od = 2.0_wp*od
       call assertEqual(pressures(3)*tube_area(od, 0.0_wp), surface_push(model, 1), message='of the pipe at surface')
