@@ -141,6 +141,10 @@ contains
 
    !> Messages that name several ways: those that no other test takes.
    subroutine test_other_ways()
+      character(35), parameter :: lists(*) = [character(35) :: "element_lengths = 5, 10", &
+         "fidelities = 'fast', 'auto'", "tolerances = 1e-5, 1e-6", "wall_stiffnesses = 1e6, 1e8", &
+         "gap_locations = 'extremum', 'nodes'", "linear_solvers = 'banded', 'sparse'"]
+      integer :: i
       call follow("&hole md_top = 0.0, md_bottom = 400.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
                   "&hole md_top = 400.0,", "&hole md_top = 0.0"//newline//"  diameter = 220.0, friction = 0.25 /"//newline// &
                   "&hole", "give one of them", "0.25 /"//newline//"&hole", "0.25 /"//newline//"&hole md_top = 400,")
@@ -155,18 +159,10 @@ contains
       call follow("bit_depth = 900.0", "measured_hookload = 300, bit_depth = 900.0 / &calibrate separate = 'operations', "// &
                   "apply = .true. / &load_case name = 'm', operation = 'up', bit_depth = 600, measured_hookload = 200", &
                   "apply needs separate = 'none' or 'holes'", "'operations'", "'holes'")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "element_lengths = 5, 10")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "fidelities = 'fast', 'auto'")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "tolerances = 1e-5, 1e-6")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "wall_stiffnesses = 1e6, 1e8")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "gap_locations = 'extremum', 'nodes'")
-      call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
-                  "models = 'mcge'", "linear_solvers = 'banded', 'sparse'")
+      do i = 1, size(lists)
+         call follow("+", "&study cases = 'u', models = 'mcge' /", "give two values or more of element_lengths, fidelities", &
+                     "models = 'mcge'", trim(lists(i)))
+      end do
       call follow("+", "&sweep operations = 'up', 'down', bit_depth_to = 900, wob = 1, 2, 3 /", "give one, or one for each", &
                   "1, 2, 3", "1")
       call follow("+", "&uncertainty bit_depth_step = 300, friction_deviation = 0.02, friction_correlation = 0.5, "// &

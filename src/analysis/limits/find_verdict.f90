@@ -251,8 +251,6 @@ contains
       real(wp) :: share, weight
       integer :: passed
       logical :: takes_weight
-      type(verdict_type) :: strengths
-      strengths = verdict
       if (top_md(model%trajectory) > 0.0_wp) then
          verdict%not_checked(limit_string_weight) = .true.
          return
@@ -262,6 +260,11 @@ contains
          verdict%pressure_pushes = surface_push(model, result%case_index) > 0.0_wp
          verdict%packer_pushes = abs(packer_push(model, load_case)) > 0.0_wp
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
+         if (passed > 0 .and. verdict%answer == answer_no) then
+            verdict%also = verdict%limit
+            verdict%also_load = verdict%load%value
+            verdict%also_allowed = verdict%allowed%value
+         end if
          share = weight_share(model, load_case, result)
          takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp
          if (passed == limit_string_weight .or. (takes_weight .and. is_most(share, verdict))) then
@@ -270,11 +273,6 @@ contains
             verdict%load = given(weight - result%hookload)
             verdict%allowed = given(weight)
             verdict%md%present = .false.
-         end if
-         if (passed > 0 .and. strengths%answer == answer_no) then
-            verdict%also = strengths%limit
-            verdict%also_load = strengths%load%value
-            verdict%also_allowed = strengths%allowed%value
          end if
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return

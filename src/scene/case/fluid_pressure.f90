@@ -114,11 +114,14 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp) :: push
+      real(wp) :: pressure
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
+      ! the uppermost fluid of the annulus alone may have one
+      pressure = maxval(model%mud%fluids%surface_pressure)
+      if (.not. pressure > 0.0_wp) return
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         ! the uppermost fluid of the annulus alone may have a pressure
-         push = maxval(model%mud%fluids%surface_pressure)* &
+         push = pressure* &
                 tube_area(string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))%od, 0.0_wp)
       end associate
    end function surface_push

@@ -123,7 +123,7 @@ contains
       character(:), allocatable :: what
       real(wp) :: factor
       integer :: i, n
-      logical :: told(size(comparison%intervals))
+      logical :: listed(size(comparison%intervals))
       n = size(comparison%md)
       factor = unit_factor(units, quantity_of(k))
       unit = unit_label(units, quantity_of(k))
@@ -143,17 +143,17 @@ contains
                           ' already.')
       call append_text(lines, trim(merge('Summed along the hole, from the bit up:', 'It changes, from the bit up:           ', &
                                          k == quantity_side_force)))
-      told = most_told(parting%growth)
+      listed = listed_intervals(parting%growth)
       do i = size(comparison%intervals), 1, -1
-         if (.not. told(i)) cycle
+         if (.not. listed(i)) cycle
          associate (interval => comparison%intervals(i))
             call append_text(lines, '  '//left_aligned(trim(interval_name(interval%kind)), hole_width)//'from '// &
                              depth(interval%md_bottom)//' up to '//depth(interval%md_top)//': '// &
                              growth_text(parting%growth(i))//remark(interval))
          end associate
       end do
-      if (.not. all(told)) call append_text(lines, '  '//to_text(count(.not. told))//' other intervals together: '// &
-                                            growth_text(sum(parting%growth, mask=.not. told)))
+      if (.not. all(listed)) call append_text(lines, '  '//to_text(count(.not. listed))//' other intervals together: '// &
+                                            growth_text(sum(parting%growth, mask=.not. listed)))
       if (parting%worst == 0) then
          call append_text(lines, to_text(per_cent*parting%share, 3)//' % of the difference in '//what// &
                           ' is there at the lowest depth: compare the loads on the bit.')
@@ -197,16 +197,16 @@ contains
    end subroutine append_words
 
    !> Intervals that are listed: all, or of many those with the largest changes.
-   pure function most_told(growth) result(told)
+   pure function listed_intervals(growth) result(listed)
       real(wp), intent(in) :: growth(:)
-      logical :: told(size(growth))
+      logical :: listed(size(growth))
       integer :: i
-      told = size(growth) <= most_intervals
-      if (all(told)) return
+      listed = size(growth) <= most_intervals
+      if (all(listed)) return
       do i = 1, most_intervals - 1
-         told(maxloc(abs(growth), mask=.not. told, dim=1)) = .true.
+         listed(maxloc(abs(growth), mask=.not. listed, dim=1)) = .true.
       end do
-   end function most_told
+   end function listed_intervals
 
    !> With its sign, also where that is plus.
    pure function signed(value) result(text)
