@@ -23,7 +23,8 @@ module dg_test_fatigue
    use dg_model, only: model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
-   use dg_verdict, only: answer_no, limit_fatigue, limit_joint_fatigue, verdict_type
+   use dg_verdict, only: answer_no, answer_yes, limit_fatigue, limit_joint_fatigue, verdict_type
+   use dg_verdict_text, only: unchecked_text
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -43,6 +44,7 @@ contains
       call suite%addTest(TestMethod('damage', test_damage))
       call suite%addTest(TestMethod('not_without_rotation', test_still))
       call suite%addTest(TestMethod('joints', test_joints))
+      call suite%addTest(TestMethod('hours', test_hours))
       call suite%addTest(TestMethod('joints_decide', test_verdict))
    end function fatigue_suite
 
@@ -234,4 +236,49 @@ contains
       call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
       call assertEqual(limit_fatigue, verdict%limit)
    end subroutine test_verdict
+
+   !> A little less than the hours that pipe bears is a yes near its limit, a little more a NO; both tell the hours. Without hours,
+   !> and then without an exponent, fatigue is not checked, and the text says what is missing.
+   subroutine test_hours()
+      type(fatigue_curve_type), parameter :: curve = fatigue_curve_type(fatigue_own, limit=40.0e6_wp, exponent=5.0_wp)
+      type(verdict_type) :: verdict
+      character(:), allocatable :: text
+      real(wp) :: life
+      call judge(curve, 1.0_wp, verdict, text)
+      life = 1.0_wp/verdict%used%value
+      call judge(curve, 0.97_wp*life, verdict, text)
+      call assertEqual(answer_yes, verdict%answer)
+      call assertEqual(limit_fatigue, verdict%limit)
+      call assertRelativelyEqual(0.97_wp, verdict%used%value, 1.0e-12_wp)
+      call assertRelativelyEqual(0.97_wp*life*3600.0_wp, verdict%load%value, 1.0e-12_wp)
+      call assertRelativelyEqual(life*3600.0_wp, verdict%allowed%value, 1.0e-12_wp)
+      call assertEqual('', text)
+      call judge(curve, 1.03_wp*life, verdict, text)
+      call assertEqual(answer_no, verdict%answer)
+      call assertRelativelyEqual(life*3600.0_wp, verdict%allowed%value, 1.0e-12_wp)
+      call judge(curve, 0.0_wp, verdict, text)
+      call assertEqual(answer_yes, verdict%answer)
+      call assertEqual('(its limit is passed, no hours or rpm)', text)
+      call judge(fatigue_curve_type(fatigue_own, limit=40.0e6_wp), life, verdict, text)
+      call assertEqual('(its limit is passed, no fatigue_exponent)', text)
+   end subroutine test_hours
+
+   !> Verdict of the case with a curve and hours, and what the text says of fatigue that was not checked.
+   subroutine judge(curve, hours, verdict, text)
+      type(fatigue_curve_type), intent(in) :: curve
+      real(wp), intent(in) :: hours
+      type(verdict_type), intent(out) :: verdict
+      character(:), allocatable, intent(out) :: text
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(fatigue_type), allocatable :: parts(:)
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
+      call solve(operation_rotate_off_bottom, curve, hours, model, result, parts)
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      text = unchecked_text(verdict%not_checked, model%strings(1)%components)
+      text = text(index(text//'(its', '(its'):)
+   end subroutine judge
 end module dg_test_fatigue

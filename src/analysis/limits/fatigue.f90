@@ -28,7 +28,7 @@ module dg_fatigue
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: fatigue_type, find_fatigue, asks_for_fatigue, permitted_dogleg
+   public :: fatigue_type, hour, find_fatigue, asks_for_fatigue, permitted_dogleg
 
    !> Body or connections of a component where they are tired most.
    type :: fatigue_type
@@ -46,7 +46,7 @@ module dg_fatigue
       real(wp) :: dogleg = missing         !< the largest that its tension permits [1/m]; missing: not known
    end type fatigue_type
 
-   real(wp), parameter :: hour = 3600.0_wp   ! s
+   real(wp), parameter :: hour = 3600.0_wp   !< [s]
 
 contains
 
@@ -113,7 +113,7 @@ contains
       worst%md = md
       turns = turns_to_failure(curve, row%amplitude, row%permitted)
       if (turns > 0.0_wp) worst%turns = turns
-      if (turns > 0.0_wp .and. load_case%hours > 0.0_wp) &
+      if (turns > 0.0_wp .and. load_case%hours > 0.0_wp .and. load_case%angular_speed > 0.0_wp) &
          worst%damage = load_case%hours*hour*load_case%angular_speed/(2.0_wp*pi)/turns
       if (row%used <= 1.0_wp .and. load_case%hours > 0.0_wp) worst%damage = 0.0_wp
    end subroutine keep_worst

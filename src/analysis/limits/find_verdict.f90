@@ -11,7 +11,7 @@ module dg_find_verdict
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_tops, topmost
-   use dg_fatigue, only: fatigue_type
+   use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
    use dg_fluid_pressure, only: surface_push
@@ -62,8 +62,8 @@ contains
             call judge_strengths(whole%utilisation, verdict)
             call find_pull_excess(whole, design, verdict%pull_excess)
             call judge_weight(model, result, whole%wob_lockup, verdict)
-            call judge_fatigue(whole%fatigue, limit_fatigue, verdict)
-            call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, verdict)
+            call judge_fatigue(whole%fatigue, limit_fatigue, load_case%hours, verdict)
+            call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, load_case%hours, verdict)
             if (cannot_scale(model, result)) then
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
@@ -310,24 +310,24 @@ contains
       end if
    end function passed_weight
 
-   !> Fatigue decides where the hours of a case take more than the life of the pipe, and no other kind of limit makes the answer no.
-   !> It counts as checked where the pipe bears the bending without end, or its damage is known.
-   pure subroutine judge_fatigue(fatigue, limit, verdict)
+   !> Takes the hours of rotation that pipe or connections bear, where the case uses more of them than of other limits, and no other
+   !> limit is passed. Fatigue counts as checked where the bending is borne without end, or the damage is known.
+   pure subroutine judge_fatigue(fatigue, limit, hours, verdict)
       type(fatigue_type), intent(in) :: fatigue
       integer, intent(in) :: limit                  !< of body or connections
+      real(wp), intent(in) :: hours                 !< of the case [h]
       type(verdict_type), intent(inout) :: verdict
       if (.not. fatigue%present) return
       verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
       if (is_missing(fatigue%damage)) return
-      if (fatigue%damage <= 1.0_wp) return
-      if (verdict%answer == answer_no .and. verdict%limit /= limit_fatigue) return
-      if (verdict%answer == answer_no .and. verdict%used%value >= fatigue%damage) return
-      verdict%answer = answer_no
+      if (.not. is_most(fatigue%damage, verdict)) return
+      if (verdict%answer == answer_no .and. all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) return
+      if (fatigue%damage > 1.0_wp) verdict%answer = answer_no
       verdict%limit = limit
       verdict%used = given(fatigue%damage)
       verdict%md = given(fatigue%md)
-      verdict%load = given(fatigue%amplitude)
-      verdict%allowed = given(fatigue%permitted)
+      verdict%load = given(hours*hour)
+      verdict%allowed = given(hours*hour/fatigue%damage)
    end subroutine judge_fatigue
 
    !> True where a share [-] is more than what is used of the limit so far.

@@ -32,7 +32,7 @@ module dg_verdict
       integer :: limit = 0                          !< the one that decides; for yes the one used most; 0: none known
       type(optional_real) :: used                   !< how much of it [-]
       type(optional_real) :: md                     !< where [m]; absent for the whole string
-      type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m or Pa]
+      type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m, Pa or s]
       logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
@@ -46,7 +46,7 @@ module dg_verdict
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is passed, too
-      real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and what is allowed [N, N.m or Pa]
+      real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and what is allowed [N, N.m, Pa or s]
       logical :: weight_alone = .false.             !< no by lock-up without a solution: other limits are not known
       type(optional_real) :: pull_excess            !< no by limits that less pull brings back: pull beyond them [N]
       integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none

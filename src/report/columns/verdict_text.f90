@@ -2,6 +2,7 @@
 module dg_verdict_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
+   use dg_fatigue, only: hour
    use dg_fatigue_curve, only: fatigue_none
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
@@ -273,6 +274,7 @@ contains
       case (limit_von_mises); title = 'von Mises stress'
       case (limit_tension); title = 'tension of the pipe'
       case (limit_string_weight); title = 'string weight along the hole'
+      case (limit_fatigue, limit_joint_fatigue); title = trim(limit_title(limit))//' by hours of rotation'
       case default; title = trim(limit_title(limit))
       end select
    end function shown_title
@@ -291,15 +293,17 @@ contains
    pure function load_text(units, limit, load) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: limit
-      real(wp), intent(in) :: load       !< [N, N.m, Pa or 1/m]
+      real(wp), intent(in) :: load       !< [N, N.m, Pa, 1/m or s]
       character(:), allocatable :: text
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
          text = trim(in_units(units, unit_moment, load, shown))
       case (limit_joint_dogleg)
          text = trim(in_units(units, unit_curvature, load, shown))
-      case (limit_von_mises, limit_fatigue, limit_joint_fatigue, limit_joint_tension, limit_joint_compression)
+      case (limit_von_mises, limit_joint_tension, limit_joint_compression)
          text = trim(in_units(units, unit_stress, load, shown))
+      case (limit_fatigue, limit_joint_fatigue)
+         text = to_text(load/hour, shown)//' h'
       case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
          text = trim(in_units(units, unit_pressure, load, shown))
       case default
@@ -347,7 +351,8 @@ contains
          if (text /= '') text = text//', '
          text = text//trim(limit_title(i))//unrated_names(components, i)
          if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &
-            text = text//' (its limit is passed, no fatigue_exponent)'
+            text = text//' (its limit is passed, no '//trim(merge('hours or rpm    ', 'fatigue_exponent', &
+                   all(components%fatigue%exponent > 0.0_wp .or. components%fatigue%curve == fatigue_none)))//')'
       end do
    end function unchecked_text
 

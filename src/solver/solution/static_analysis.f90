@@ -64,6 +64,8 @@ module dg_static_analysis
    real(wp), parameter :: doubtful = 0.05_wp
    !> Compression over the helical load from which a string is taken for coiled [-].
    real(wp), parameter :: coiled = 1.0_wp
+   !> Difference of hook loads by which two equilibria are one [-].
+   real(wp), parameter :: same = 1.0e-9_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
 
@@ -99,7 +101,7 @@ contains
       character(:), allocatable :: tried
       integer :: given_up, i
       logical :: moments, profile
-      real(wp) :: length, asked
+      real(wp) :: length, asked, by_elements
       call system_clock(start)
       if (present(stop)) stopped = stop
       profile = .true.
@@ -130,36 +132,56 @@ contains
                           trim(in_units(model%units, unit_length, length, shown))//'. Others found no equilibrium in '// &
                           to_text(size(history))//' iterations')
       end if
+      by_elements = result%moment_error
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
          call find_range(known, case_index, stopped, result)
+      if (result%status == result_converged .and. moments .and. .not. is_missing(result%moment_error)) &
+         call warn_of_moments(model%numerics, by_elements, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call finish_result(result)
       call system_clock(finish)
       result%seconds = seconds_between(start, finish)
    end subroutine solve_static_analysis
 
+   !> Says how far moments may be off, if by more than `doubtful`, and what makes them better where long elements are the reason.
+   pure subroutine warn_of_moments(numerics, by_elements, result)
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: by_elements     !< error of moments by the length of elements, over the largest [-]
+      type(case_result_type), intent(inout) :: result
+      if (.not. result%moment_error > doubtful) return
+      call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)//' % of the largest')
+      if (by_elements > doubtful .and. .not. numerics%halve_moments) &
+         call add_message(result, "Set fidelity = 'reference' to halve elements")
+   end subroutine warn_of_moments
+
    !> Solves a coiled string once more, from other starts: there are neighbours, and where friction acts along the hole it holds the
    !> coils where they formed, and so what of a push reaches the bit. The result has the helix that is predicted; a message gives
    !> the range, and the error of the moments covers it. The first neighbour starts on the low side of the hole. Where that finds
-   !> nothing the second has coils that turn the other way.
+   !> nothing, or the same equilibrium, the second has coils that turn the other way.
    subroutine find_range(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
       type(model_type) :: neighbour
-      type(case_result_type) :: other
+      type(case_result_type) :: other, found
+      logical :: mirrored
       integer :: i
       neighbour = model
       neighbour%numerics%max_iterations = min(model%numerics%max_iterations, model%numerics%tuning%attempt(1)%longest)
+      mirrored = .false.
       do i = 1, 2
          neighbour%numerics%tuning%start_buckled = i == 2
          neighbour%numerics%tuning%start_mirrored = i == 2
          call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], [.true., .true.], &
                             [iteration_type ::], stop, other)
-         if (other%status == result_converged .or. is_stopped(stop)) exit
+         if (is_stopped(stop)) exit
+         if (other%status /= result_converged) cycle
+         found = other
+         mirrored = i == 2
+         if (abs(found%hookload - result%hookload) > same*abs(result%hookload)) exit
       end do
-      call warn_of_range(model%units, other, i == 2, result)
+      call warn_of_range(model%units, found, mirrored, result)
    end subroutine find_range
 
    !> True if a mesh has used its allowed work, but for its last iteration.
@@ -231,8 +253,7 @@ contains
       end associate
    end subroutine solve_on_mesh
 
-   !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
-   !> where no equilibrium was found on such elements.
+   !> Moments along the string on elements short enough for them. A message says where no equilibrium was found on such elements.
    subroutine find_moments(model, mesh, gaps, work, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -248,10 +269,6 @@ contains
          call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
                           trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
                           ', as short elements found no equilibrium near this one. How far they are off is not known')
-      else if (result%moment_error > doubtful) then
-         call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
-                          ' % of the largest')
-         if (.not. model%numerics%halve_moments) call add_message(result, "Set fidelity = 'reference' to halve elements")
       end if
       if (is_missing(result%moment_error)) return
       if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(mesh%length), result)
