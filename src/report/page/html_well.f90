@@ -14,7 +14,7 @@ module dg_html_well
    use dg_well_head, only: well_head
    implicit none
    private
-   public :: append_well
+   public :: append_well, shown_rows
 
    integer, parameter :: digits = 5
    !> Rows of a string; the first page has no room for more.
@@ -43,6 +43,16 @@ contains
       end if
       call add_line(lines, '</div><div class="first live"></div></div>')
    end subroutine append_well
+
+   !> Rows that the table of a load case's string has at most.
+   pure function shown_rows(model, shown) result(rows)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: shown            !< the load case; 0: none
+      integer :: rows, number
+      number = 1
+      if (shown > 0) number = string_index(model%strings, model%cases(shown)%string)
+      rows = min(size(model%strings(number)%components), most_rows)
+   end function shown_rows
 
    !> Components of a string in the hole from the bit upwards: name, length, diameter, mass per length.
    subroutine append_string(lines, units, model, number, bit)

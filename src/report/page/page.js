@@ -360,7 +360,7 @@ const draw_for = size => { paper = size; draw_all() }
 addEventListener('afterprint', () => draw_for(null))
 addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit, the others what is shown
    if (D.profiles) {
-      paper = {wide: 660, high: 330}
+      paper = {wide: 660, high: 300}
       const {root} = block(make(null, 'h:div', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts[0].panels.slice(0, 4)}]})
       document.querySelector('.first').replaceChildren(...root.querySelectorAll('.legend, .panels'))
    }

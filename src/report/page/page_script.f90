@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'WgTUjg7L/dhrbnqrzRK4K/nnIX92h6wlByOfR3T/ZuA='
+   character(*), parameter :: script_hash = 'nYzu6YjoN6u3ASP6gxXZFZzgwLuzSk6qa/oAZmQwEMU='
    character(185), parameter :: script_lines_1(100) = [character(185) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -417,7 +417,7 @@ module dg_page_script
       'addEventListener(''beforeprint'', () => {                       // the first sheet has the load case nearest t'// &
       'o a limit, the others what is shown', &
       'if (D.profiles) {', &
-      'paper = {wide: 660, high: 330}', &
+      'paper = {wide: 660, high: 300}', &
       'const {root} = block(make(null, ''h:div'', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts['// &
       '0].panels.slice(0, 4)}]})', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
@@ -594,7 +594,7 @@ module dg_page_script
       script_lines_3, &
       script_lines_4, &
       script_lines_5]
-   character(284), parameter :: style_lines_1(26) = [character(284) :: &
+   character(284), parameter :: style_lines_1(31) = [character(284) :: &
       '.scripted .static{display:none}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '.live svg{width:100%;height:auto;display:block}.live svg text{font-size:11px;fill:currentColor}.live svg .labe'// &
@@ -629,6 +629,7 @@ module dg_page_script
       'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}}', &
       '@media screen{.first{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head p{margin:'// &
       '.3em 0}.head h3{margin:.8em 0 .2em}}', &
+      '.more{display:none}', &
       '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
       '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.scripted '// &
@@ -637,8 +638,13 @@ module dg_page_script
       '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:60mm}.live svg.panel{max-height:none'// &
       '}.legend button{border:none;padding:0 .7em 0 0}', &
       '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
-      '5pt}.head h3{margin:0}.first{font-size:8.5pt}.answers small{white-space:nowrap}.answers td{padding:.1em .4em}.'// &
-      'lead h2{margin-top:.6em}.legend{gap:0}}']
-   character(284), parameter :: style_lines(26) = [ &
+      '5pt}.head h3{margin:0}.first{font-size:8.5pt}.lead h2{margin-top:.6em}.legend{gap:0}', &
+      '.lead{display:flex;flex-direction:column}.lead .wide,.answers,.answers tbody{display:contents}', &
+      '.answers tr{display:grid;grid-template-columns:14em 4em 1fr;font-size:8pt;padding:.1em .4em;border-bottom:1px '// &
+      'solid #ddd;break-inside:avoid}.answers td{padding:0;border:none}', &
+      '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
+      'h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{font-size:8pt;margin:.4em 0;padding:.1em .8em}.lead '// &
+      'h2{font-size:11pt}}']
+   character(284), parameter :: style_lines(31) = [ &
       style_lines_1]
 end module dg_page_script
