@@ -159,6 +159,8 @@ contains
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
       call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(stamp)// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
+      call add_line(lines, '<p class="note switched" hidden>Charts and tables stand in the units chosen. Sentences, printed '// &
+                       'text and the deck stand in those of the deck: '//trim(job%units%name)//'.</p>')
    end subroutine start_page
 
    !> Notes on the deck, then messages of load cases, those without a solution first. Beside a NO 'no warnings' would mislead.
