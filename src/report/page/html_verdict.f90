@@ -20,7 +20,7 @@ module dg_html_verdict
    integer, parameter :: link_digits = 7, used_digits = 3     !< of depths, of a share in per cent
    real(wp), parameter :: percent = 0.01_wp
    !> Answers on the first printed page beside a string of `few_components`; each two further components take the room of one.
-   integer, parameter :: most_answers = 5, few_components = 5
+   integer, parameter :: most_answers = 5, few_components = 9
    !> Order on paper of rows behind the notes, less their rank (page.css).
    integer, parameter :: after_notes = 10
 
