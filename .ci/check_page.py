@@ -256,6 +256,8 @@ def faults_of_no_curves(page):
     """Without a load case to show there is a sentence, and no empty chart."""
     made, complaints = dom(page, "case=none")
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
+    if "Curves are thinned to 0.03 % of their range." not in html.unescape(made):
+        faults.append("the page does not say how close its curves are")
     if "No curves: choose a load case" not in made or 'class="panel"' in made.split("Pictures of the run")[0]:
         faults.append("no load case: the page draws empty charts, or says nothing")
     return faults
@@ -351,7 +353,7 @@ def faults_of_tables(folder, page):
                 digits = len(cell.partition(".")[2])
                 if "data-q" not in marks or unit not in FIELD or not any(abs(float(cell) - value) <= 0.51 * 10 ** -digits + 2e-6 * abs(value) for value in wanted):
                     faults.append(f"tables in field units: {name} of {cells[0]} is {cell} {unit}, the files have {wanted}")
-    if not re.search(r'<p class="note switched">[^<]*those of the deck: SI', made):
+    if not re.search(r'<p class="note switched">[^<]*keep SI units', made):
         faults.append("tables in field units: no note on sentences")
     if not re.search(r'<p class="note switched" hidden', dom(page)[0]):
         faults.append("the note on other units stands beside those of the deck")

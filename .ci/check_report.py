@@ -189,7 +189,7 @@ def faults_of_paper(folder, paper):
         sheets = sheets_of(pdf, faults)
     whole = "".join(sheets)
     tables = re.findall(r"<thead>(.*?)</thead>", page, re.S)
-    lines = [squeezed(line) for text in re.findall(r"<pre>(.*?)</pre>", page, re.S) for line in text.splitlines()]
+    lines = [squeezed(line) for text in re.findall(r"<pre[^>]*>(.*?)</pre>", page, re.S) for line in text.splitlines()]
     faults += [f"a table lacks columns: {squeezed(head)}" for head in tables if squeezed(head) not in whole]
     faults += [f"no such line: {line}" for line in lines if line not in whole]
     title = squeezed(re.search(r"<title>(.*?)</title>", page, re.S).group(1))

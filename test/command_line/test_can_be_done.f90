@@ -30,6 +30,7 @@ contains
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('sweep_as_load_case', test_sweep_as_case))
       call suite%addTest(TestMethod('page', test_page))
+      call suite%addTest(TestMethod('models_on_page', test_models))
       call suite%addTest(TestMethod('answers_on_paper', test_paper))
       call suite%addTest(TestMethod('head_and_jar', test_head))
    end function can_be_done_suite
@@ -402,6 +403,18 @@ contains
       call assertEqual(0, index(page, 'No warnings'), message='beside a NO')
       call assertTrue(index(page(:index(page, '<details')), 'scope="col">largest bending moment<') > 0, message='not folded')
    end subroutine test_page
+
+   !> Results of the model that answers stand first, under its name, wherever it stands in the deck.
+   subroutine test_models()
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text(replaced(deck("operation = 'sliding', wob = 10", .true.), "models = 'soft'", "models = 'soft', 'mcge'"))
+      page = content(results_path//'/report.html')
+      page = page(index(page, '<h2>Hook load, friction, torque</h2>'):)
+      call assertTrue(index(page, '<h3>Model mcge</h3>') > 0, message='its name')
+      call assertTrue(index(page, '<h3>Model mcge</h3>') < index(page, '<table>'), message='above its table')
+      call assertTrue(index(page, '<table>') < index(page, '<summary>Model soft</summary>'), message='before the other')
+   end subroutine test_models
 
    !> On paper answers stand in the order of their urgency, and one row tells of those that follow the notes.
    subroutine test_paper()

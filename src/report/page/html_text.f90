@@ -220,7 +220,7 @@ contains
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: texts(:)
       integer :: i
-      call add_line(lines, '<pre>')
+      call add_line(lines, '<pre tabindex="0">')
       do i = 1, size(texts)
          call add_line(lines, html_safe(texts(i)%text))
       end do

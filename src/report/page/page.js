@@ -241,7 +241,7 @@ function block(S, address) {
       set_depth(isNaN(depth) ? state.depth : depth)
    }
    function listen() {                                           // a mouse is dragged over what to zoom to, two fingers spread it
-      let from = NaN, pinch = null, wanted = null
+      let from, pinch, wanted
       const y_in = ({target, clientY}) => {
          const place = target.closest('svg.panel')?.getBoundingClientRect()
          return place ? (clientY - place.top) / place.height * H : NaN
@@ -269,8 +269,7 @@ function block(S, address) {
       const finish = () => {
          if (wanted?.[1] > wanted?.[0]) zoom(...wanted)
          view.panels.style.removeProperty('--bands')
-         from = NaN
-         pinch = wanted = null
+         from = pinch = wanted = undefined
       }
       for (const kind of ['pointerdown', 'pointermove']) view.panels.addEventListener(kind, point)
       for (const kind of ['touchstart', 'touchmove']) view.panels.addEventListener(kind, spread, {passive: false})
@@ -371,6 +370,7 @@ const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key),
 const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '')
 const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make(place, 'h:div', {})}))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
+document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range. The CSV files have all points.`)
 put_switch(document.querySelector('h1 + p'))
 follow_address()
 document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand

@@ -50,7 +50,8 @@ module dg_page_data
    !> Thinning of curves, over the range of a column [-]: the finest with which the data stay below `most_letters`.
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
-   integer, parameter :: digits = 7, contact_digits = 4
+   integer, parameter :: digits = 7, contact_digits = 4, tolerance_digits = 2
+   real(wp), parameter :: percent = 0.01_wp
 
 contains
 
@@ -104,7 +105,8 @@ contains
          allocate (list%items(0))
       end if
       call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],')
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"thinned":'// &
+                       json_string(to_text(tolerance/percent, tolerance_digits)//' %')//',')
       call append_quantities(lines, job%units)
       if (shown > 0) then
          call add_line(lines, '"start":'//to_text(shown - 1)//',')

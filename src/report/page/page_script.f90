@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'RmLpevvj5K2nlM6IvhpynI4EEc6Aog8n3e8bWHZbwlA='
+   character(*), parameter :: script_hash = '1FQZz64fEBrBlyc9iekkS2MXRNcy47mgpS2Dl5cpFiY='
    character(192), parameter :: script_lines_1(100) = [character(192) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -293,7 +293,7 @@ module dg_page_script
       '}', &
       'function listen() {                                           // a mouse is dragged over what to zoom to, two '// &
       'fingers spread it', &
-      'let from = NaN, pinch = null, wanted = null', &
+      'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
       'return place ? (clientY - place.top) / place.height * H : NaN', &
@@ -321,8 +321,7 @@ module dg_page_script
       'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
-      'from = NaN', &
-      'pinch = wanted = null', &
+      'from = pinch = wanted = undefined', &
       '}', &
       'for (const kind of [''pointerdown'', ''pointermove'']) view.panels.addEventListener(kind, point)', &
       'for (const kind of [''touchstart'', ''touchmove'']) view.panels.addEventListener(kind, spread, {passive: false'// &
@@ -366,10 +365,10 @@ module dg_page_script
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
-      'view.panels = make(right, ''h:div'', {class: ''panels''})']
-   character(192), parameter :: script_lines_4(100) = [character(192) :: &
+      'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
-      ' ''row'', oninput: e => set_depth(+e.target.value)})', &
+      ' ''row'', oninput: e => set_depth(+e.target.value)})']
+   character(192), parameter :: script_lines_4(100) = [character(192) :: &
       'if (!S.rows) view.typed = make(make(right, ''h:label'', {class: ''typed''}, '' ''), ''h:input'', {type: ''numb'// &
       'er'', step: ''any'', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor(''length''))})', &
       'view.readout = make(right, ''h:div'', {class: ''wide readout'', tabindex: 0})', &
@@ -435,6 +434,8 @@ module dg_page_script
       'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make'// &
       '(place, ''h:div'', {})}))', &
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
+      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
+      've all points.`)', &
       'put_switch(document.querySelector(''h1 + p''))', &
       'follow_address()', &
       'document.documentElement.classList.add(''scripted'')            // last: where a script fails fixed pictures s'// &
