@@ -56,7 +56,7 @@ FEWEST = 200                            # values that must have been compared
 FRAMES = "<script>requestAnimationFrame = f => setTimeout(f, 0)</script>"        # without a screen there are none
 ACTIONS = """
 setTimeout(() => {
-   const b = blocks.find(b => b.S.title === TITLE), root = b.root, told = []
+   const b = blocks.find(b => b.S.title === TITLE), root = b.S.root, told = []
    const names = () => [...root.querySelectorAll('.readout td.text')].map(c => c.textContent)
    const press = text => [...root.querySelectorAll('button')].find(c => c.textContent === text).click()
    const later = () => new Promise(done => setTimeout(done, 50))
@@ -85,11 +85,11 @@ setTimeout(() => {
 ADDRESSES = """
 setTimeout(async () => {
    const told = [], later = wait => new Promise(done => setTimeout(done, wait))
-   const captions = () => [0, 2].map(i => blocks[i].root.querySelector('caption').textContent)
+   const captions = () => [0, 2].map(i => blocks[i].S.root.querySelector('caption').textContent)
    document.querySelectorAll('a[href^="#case"]')[1].click(); await later(100)
-   told.push(captions(), blocks[0].state.cases)
+   told.push(captions(), blocks[0].state.case)
    location.hash = '#chart=' + encodeURIComponent(TITLE) + '&depth=1250'; await later(100)
-   blocks[2].root.querySelector('.bar button').click(); await later(600)
+   blocks[2].S.root.querySelector('.bar button').click(); await later(600)
    told.push(captions(), location.hash)
    document.title = 'TOLD' + JSON.stringify(told)
 }, 300)
@@ -238,7 +238,7 @@ def faults_of_addresses(folder):
     title = "Sweep beams, model mcge"
     told, faults = acted(folder, ADDRESSES, title)
     query = urllib.parse.urlencode({"chart": title, "depth": 1250, "units": "field"})
-    wanted = [["At 0.000 m measured depth", "At 2400 m bit depth"], [1], ["At 0.000 ft measured depth", "At 4101 ft bit depth"], "#" + query]
+    wanted = [["At 0 m measured depth", "At 2400 m bit depth"], ["push_A"], ["At 0 ft measured depth", "At 4101.05 ft bit depth"], "#" + query]
     return faults if told == wanted else [*faults, f"links lead to {told}"]
 
 

@@ -4,7 +4,8 @@
 The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
-cut or lies on another; that two fingers zoom; that a phone need not scroll sideways; that the browser has no complaint.
+cut or lies on another; that two fingers zoom; that a phone need not scroll sideways, and shows which tables do; that a depth may be
+typed and is marked in the views of the well; that models may be chosen; that tables follow the units; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -53,6 +54,75 @@ const whole = state.bottom - state.top
 touch('touchstart', .45, .55); touch('touchmove', .35, .65); touch('touchend')
 document.title = 'PART' + (state.bottom - state.top) / whole
 """
+
+# Depths as a reader types them, then what the page shows: the field with its label, the caption, the address, marks of the depth.
+TYPED = r"""
+setTimeout(async () => {
+   const told = [], later = wait => new Promise(done => setTimeout(done, wait)), {root} = blocks[0].S, field = root.querySelector('input[type=number]')
+   const press = text => [...root.querySelectorAll('button')].find(b => b.textContent.startsWith(text)).click()
+   const well = root.querySelector('[aria-label="the well in three dimensions"]'), [lowest] = [...root.querySelectorAll('svg')].slice(-1)
+   const off = () => {                                          // of the ring from the piece of the well at that depth, in px
+      const ring = well.querySelector('.dot'), {state} = blocks[0], end = Math.max(...D.cases.filter(c => state.case.includes(c.name)).map(c => c.depth))
+      const pieces = [...well.querySelectorAll('.near')], piece = pieces[Math.min(pieces.length - 1, Math.floor(state.depth / end * pieces.length))]
+      const [ax, ay, bx, by] = piece.getAttribute('d').match(/-?[\d.]+(e-?\d+)?/g).map(Number), x = +ring.getAttribute('cx'), y = +ring.getAttribute('cy')
+      return Math.hypot(x - ax, y - ay) + Math.hypot(x - bx, y - by) - Math.hypot(ax - bx, ay - by)
+   }
+   const type = async text => {
+      field.focus()
+      field.value = text
+      field.dispatchEvent(new Event('change', {bubbles: true}))
+      await later(400)
+      const line = lowest.querySelector('.cross').getAttribute('d').match(/[\d.]+/), views = ['plan', 'from south', 'from east', '3D']
+      told.push([field.value, field.parentNode.textContent.trim(), root.querySelector('caption').textContent, new URLSearchParams(location.hash.slice(1)).get('depth'),
+         [...root.querySelectorAll('.lower text')].some(t => t.textContent === 'at ' + depth_text(blocks[0].state.depth)),
+         Math.max(...views.map(v => { press(v); return off() })), line && (+line[0] - 10) / (lowest.viewBox.baseVal.width - 30)])
+   }
+   await type('2312.34')
+   await type('3180')
+   document.querySelector('p .units').click()
+   await type('5001')
+   press('lowest')
+   await type('5002')
+   await type('')
+   await type('99999')
+   document.title = 'FOUND' + JSON.stringify(told)
+}, 300)
+"""
+# Field, label, caption, depth in the address, section, part of the lowest 40 m of 3190 m.
+DEPTHS = [("2312.34", "measured depth [m]", "At 2312.34 m measured depth", 2312.34, None), ("3180", "measured depth [m]", "At 3180 m measured depth", 3180, 0.75),
+          ("5001", "measured depth [ft]", "At 5001 ft measured depth", 1524.305, None), ("5002", "measured depth [ft]", "At 5002 ft measured depth", 1524.61, None),
+          ("5002", "measured depth [ft]", "At 5002 ft measured depth", 1524.61, None), ("10465.88", "measured depth [ft]", "At 10465.88 ft measured depth", 3190, 1.0)]
+
+# One model chosen in the list, then a depth beyond the end of the first of two load cases.
+CHOSEN = r"""
+setTimeout(async () => {
+   const told = [], later = wait => new Promise(done => setTimeout(done, wait)), {root} = blocks[0].S, [cases, models] = root.querySelectorAll('select[multiple]')
+   const choose = async (list, names) => {
+      for (const o of list.options) o.selected = names.includes(o.value)
+      list.dispatchEvent(new Event('change'))
+      await later(400)
+      told.push([...root.querySelectorAll('.legend button')].map(b => b.textContent), location.hash, [...root.querySelectorAll('.readout tr:nth-child(3) td')].map(c => c.textContent).slice(1))
+   }
+   await choose(models, ['soft'])
+   await choose(models, ['mcge', 'soft'])
+   await choose(cases, ['up_2075', 'sliding_3190'])
+   const field = root.querySelector('input[type=number]')
+   field.value = '2500'
+   field.dispatchEvent(new Event('change'))
+   told.push(root.querySelectorAll('.dot').length, [...root.querySelectorAll('.lower svg')][0].querySelectorAll('circle').length)
+   document.title = 'FOUND' + JSON.stringify(told)
+}, 300)
+"""
+
+# The first table that is wider than a phone, at the top of the window, at the beginning or the end of its way.
+SIDEWAYS = """
+setTimeout(() => {
+   const box = [...document.querySelectorAll('.wide')].find(e => e.scrollWidth > e.clientWidth + 50)
+   if (WAY) box.scrollLeft = box.scrollWidth
+   box.scrollIntoView()
+}, 300)
+"""
+FEWEST_EDGE = 100           # px of a window's last column in the colour of a table's edge
 
 PHONE = 390                 # px, in a frame
 LONG_NAME = "_" + "long" * 12
@@ -186,6 +256,8 @@ def faults_of_no_curves(page):
     """Without a load case to show there is a sentence, and no empty chart."""
     made, complaints = dom(page, "case=none")
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
+    if "Curves are thinned to 0.03 % of their range." not in html.unescape(made):
+        faults.append("the page does not say how close its curves are")
     if "No curves: choose a load case" not in made or 'class="panel"' in made.split("Pictures of the run")[0]:
         faults.append("no load case: the page draws empty charts, or says nothing")
     return faults
@@ -214,6 +286,98 @@ def faults_of_touch(page):
     return [] if part and abs(float(part.group(1)) - 1 / 3) < 0.01 else [f"two fingers leave {part and part.group(1)} of the depth"]
 
 
+def told_by(text, script):
+    """What a script finds that acts on a page, and what the browser complained of; null where it does not come to its end."""
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
+    with tempfile.TemporaryDirectory() as scratch:
+        copy = pathlib.Path(scratch) / "acted.html"
+        copy.write_text(text.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
+        made, complaints = dom(copy, options=("--virtual-time-budget=9000",))
+    found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
+    return json.loads(html.unescape(found.group(1))) if found else None, [f"the browser complains: {c}" for c in complaints]
+
+
+def faults_of_typing(text):
+    """A depth that is typed, also beyond what is zoomed to: crosshair, box, address and marks go there; what is no number is left out."""
+    told, faults = told_by(text, TYPED)
+    for shown, (field, label, caption, depth, part) in zip(told or [[]] * len(DEPTHS), DEPTHS):
+        if shown[:3] != [field, label, caption] or float(shown[3] or 0.0) != depth or shown[4:5] != [True]:
+            faults.append(f"{depth} m was typed, the page shows {shown}")
+        elif shown[5] is None or not shown[5] < 0.1:
+            faults.append(f"{depth} m was typed, the mark is {shown[5]} px beside the well")
+        elif (shown[6] is None) != (part is None) or (part and not abs(shown[6] - part) < 1e-3):
+            faults.append(f"{depth} m was typed, the mark of the assembly is at {shown[6]} of it")
+    return faults
+
+
+def faults_of_choice(text):
+    """Models are chosen as load cases are; a depth below the end of a string has no mark of it."""
+    told, faults = told_by(text, CHOSEN)
+    if not told:
+        return [*faults, "models were not chosen"]
+    one, one_at, one_row, both, both_at, _, four, _, row, dots, circles = told
+    if one != ["sliding_3190 soft"] or len(one_row) != 2 or "model=soft" not in one_at or "model=mcge" in one_at:
+        faults.append(f"one model: the page shows {one}, {one_row}, {one_at}")
+    if both != ["sliding_3190 mcge", "sliding_3190 soft"] or "model=" in both_at:
+        faults.append(f"both models: the page shows {both}, {both_at}")
+    if len(four) != 4 or len(row) != 5:
+        faults.append(f"two load cases: the page shows {four}, {row}")
+    if dots or circles != 3:
+        faults.append(f"below the end of a string there are {dots} marks, {circles - 1} strings in the section")
+    return faults
+
+
+def rows_of_case(folder, case):
+    """The row of each model in summary.csv, and that in limits.csv."""
+    for name in ("summary.csv", "limits.csv"):
+        with (folder / name).open(encoding="utf-8", newline="") as file:
+            yield from (row for row in csv.DictReader(file) if row["case"] == case)
+
+
+def faults_of_tables(folder, page):
+    """Tables of results in other units, against the files; the note on what stays in those of the deck. Also the number of values compared."""
+    faults, compared = [], 0
+    made, complaints = dom(page, "units=field")
+    faults += [f"tables in field units: the browser complains: {c}" for c in complaints]
+    for table in re.findall(r"<table>(.*?)</table>", made, re.S):
+        heads = re.findall(r"<th([^>]*)>(.*?)<br><small>(.*?)</small>", table, re.S)
+        for row in re.findall(r"<tr[^>]*>(.*?)</tr>", table.partition("<tbody>")[2], re.S):
+            cells = [html.unescape(re.sub(r"<[^>]*>", "", cell)) for cell in re.findall(r"<td[^>]*>(.*?)</td>", row, re.S)]
+            rows = list(rows_of_case(folder, cells[0].replace(" !", "")))
+            for (marks, name, unit), cell in zip(heads, cells):
+                column = next((key for r in rows for key in r if re.fullmatch(re.escape(name.replace(" ", "_")) + "_(m|kN|kNm|MPa)", key)), None)
+                if not column or cell == "\u2013":
+                    continue
+                compared += 1
+                wanted = [float(r[column]) * FIELD[{"m": "ft", "kN": "klbf", "kNm": "kft.lbf", "MPa": "ksi"}[column.rpartition("_")[2]]] for r in rows if r.get(column)]
+                digits = len(cell.partition(".")[2])
+                if "data-q" not in marks or unit not in FIELD or not any(abs(float(cell) - value) <= 0.51 * 10 ** -digits + 2e-6 * abs(value) for value in wanted):
+                    faults.append(f"tables in field units: {name} of {cells[0]} is {cell} {unit}, the files have {wanted}")
+    if not re.search(r'<p class="note switched">[^<]*keep SI units', made):
+        faults.append("tables in field units: no note on sentences")
+    if not re.search(r'<p class="note switched" hidden', dom(page)[0]):
+        faults.append("the note on other units stands beside those of the deck")
+    return faults, compared
+
+
+def faults_of_edge(text):
+    """On a phone a wide table has a coloured right edge until its end is seen."""
+    from matplotlib.image import imread
+    faults = []
+    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
+    for way, wanted in (("0", True), ("1", False)):
+        with tempfile.TemporaryDirectory() as scratch:
+            inner, outer, shot = (pathlib.Path(scratch) / name for name in ("inner.html", "outer.html", "shot.png"))
+            inner.write_text(text.replace("</body>", f"<script>{SIDEWAYS.replace('WAY', way)}</script></body>"), encoding="utf-8")
+            outer.write_text(FRAME.replace("3000px", "800px"), encoding="utf-8")
+            dom(outer, options=("--hide-scrollbars", "--window-size=600,900", f"--screenshot={shot}"))
+            picture = (imread(shot)[:, :, :3] * 255).round().astype(int)
+        blue = (abs(picture[:400, PHONE - 20:PHONE + 10] - (0, 114, 178)).max(axis=2) < 40).sum(axis=0).max()
+        if (blue > FEWEST_EDGE) != wanted:
+            faults.append(f"a wide table, {'seen to its end' if way == '1' else 'at its beginning'}: {blue} px of its edge are coloured")
+    return faults
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     page = folder / "report.html"
@@ -232,8 +396,10 @@ def main():
     two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
     found, n = faults_of_view(folder, page, data, two, field=True)
     faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_phone(text) + faults_of_touch(page), compared + n
-    print(f"{compared} values read off the page")
-    if compared < 150:
+    found, n = faults_of_tables(folder, page)
+    faults += found + faults_of_typing(text) + faults_of_choice(text) + faults_of_edge(text)
+    print(f"{compared} values read off the page, {n} off its tables")
+    if compared < 150 or n < 500:
         faults.append(f"only {compared} values could be compared")
     for fault in faults:
         print("FAULT", fault)

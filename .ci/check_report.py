@@ -28,9 +28,12 @@ LEAST_LETTER = 0.3                  # width of a letter over its height, at leas
 GOVERNING = "_sliding_3190"         # load case of GP1 that is nearest to a limit
 FIXED = 5                           # pictures of the page for where there is no script: of the run, and of that load case
 MOST_SHEETS = 14
-#: Verdict, well, string and chart of GP1, which stand on the first sheet.
+#: Verdict, well, string and chart of GP1, answers nearest to a limit, a line on the others, notes: they stand on the first sheet.
 FIRST_SHEET = ("Can it be done?", "Nearest to a limit: sliding_3190", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
-               "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]")
+               "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "make-up torque, top drive, fatigue.")
+#: Answers of GP1 on paper in their order: five, then, behind the line on the others, the sixth.
+NEAREST = ("sliding_3190", "up_2770", "up_3190", "sliding_2075", "up_2075", "down_2075")
+TASK = {"up": "Trip out", "down": "Trip in", "sliding": "Sliding drilling"}
 
 
 def rows_of(path):
@@ -58,7 +61,7 @@ def faults_of_answers(folder, page):
     if not first or not first.group(1).startswith("Can it be done?"):
         return ["the page does not begin with 'Can it be done?'"]
     table = first.group(2).partition('<table class="answers">')[2].partition("</table>")[0]
-    rows = [html.unescape(re.sub(r"<[^>]*>", " ", row)) for row in re.findall(r"<tr>(.*?)</tr>", table, re.S)]
+    rows = [html.unescape(re.sub(r"<[^>]*>", " ", row)) for row in re.findall(r'<tr(?! class="more")[^>]*>(.*?)</tr>', table, re.S)]
     cases = [row for row in rows_of(folder / "summary.csv") if row["model"] == "mcge"]
     faults = [] if len(rows) == len(cases) else [f"{len(rows)} answers for {len(cases)} rows of summary.csv"]
     for case, told in zip(cases, rows):
@@ -186,7 +189,7 @@ def faults_of_paper(folder, paper):
         sheets = sheets_of(pdf, faults)
     whole = "".join(sheets)
     tables = re.findall(r"<thead>(.*?)</thead>", page, re.S)
-    lines = [squeezed(line) for text in re.findall(r"<pre>(.*?)</pre>", page, re.S) for line in text.splitlines()]
+    lines = [squeezed(line) for text in re.findall(r"<pre[^>]*>(.*?)</pre>", page, re.S) for line in text.splitlines()]
     faults += [f"a table lacks columns: {squeezed(head)}" for head in tables if squeezed(head) not in whole]
     faults += [f"no such line: {line}" for line in lines if line not in whole]
     title = squeezed(re.search(r"<title>(.*?)</title>", page, re.S).group(1))
@@ -198,6 +201,11 @@ def faults_of_paper(folder, paper):
         if sheet.replace(foot, "").endswith(tuple(headings)):
             faults.append(f"sheet {number} ends with a heading")
     faults += [f"the first sheet lacks {text}" for text in FIRST_SHEET if squeezed(text) not in sheets[0]]
+    answers = [squeezed(f"{name}{TASK[name.split('_')[0]]} at {name.split('_')[1]} m") for name in NEAREST]
+    places = [whole.find(text) for text in (*answers[:-1], "7morebelow", answers[-1])]
+    if places != sorted(places):
+        faults.append(f"answers on paper are not in the order of {NEAREST}: {places}")
+    faults += [f"{whole.count(answer)} answers of {answer}" for answer in answers if whole.count(answer) != 1]
     if len(sheets) > MOST_SHEETS:
         faults.append(f"{len(sheets)} sheets")
     print(f"{paper}: {len(sheets)} sheets, {len(tables)} tables, {len(lines)} lines")

@@ -30,6 +30,8 @@ contains
       call suite%addTest(TestMethod('sweep', test_sweep))
       call suite%addTest(TestMethod('sweep_as_load_case', test_sweep_as_case))
       call suite%addTest(TestMethod('page', test_page))
+      call suite%addTest(TestMethod('models_on_page', test_models))
+      call suite%addTest(TestMethod('answers_on_paper', test_paper))
       call suite%addTest(TestMethod('head_and_jar', test_head))
    end function can_be_done_suite
 
@@ -401,6 +403,41 @@ contains
       call assertEqual(0, index(page, 'No warnings'), message='beside a NO')
       call assertTrue(index(page(:index(page, '<details')), 'scope="col">largest bending moment<') > 0, message='not folded')
    end subroutine test_page
+
+   !> Results of the model that answers stand first, under its name, wherever it stands in the deck.
+   subroutine test_models()
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text(replaced(deck("operation = 'sliding', wob = 10", .true.), "models = 'soft'", "models = 'soft', 'mcge'"))
+      page = content(results_path//'/report.html')
+      page = page(index(page, '<h2>Hook load, friction, torque</h2>'):)
+      call assertTrue(index(page, '<h3>Model mcge</h3>') > 0, message='its name')
+      call assertTrue(index(page, '<h3>Model mcge</h3>') < index(page, '<table>'), message='above its table')
+      call assertTrue(index(page, '<table>') < index(page, '<summary>Model soft</summary>'), message='before the other')
+   end subroutine test_models
+
+   !> On paper answers stand in the order of their urgency, and one row tells of those that follow the notes.
+   subroutine test_paper()
+      type(run_type) :: run
+      character(:), allocatable :: page, text
+      integer :: i
+      text = deck("operation = 'sliding', wob = 150", .true.)
+      do i = 1, 3
+         text = text//'&load_case name = ''s'//to_text(i)//''', bit_depth = 15000, operation = ''sliding'', wob = 150 /'//newline
+      end do
+      run = run_deck_text(text)
+      page = content(results_path//'/report.html')
+      call assertEqual(0, index(page, '<tr style="order:'), message='five answers have room')
+      run = run_deck_text(text//"&load_case name = 's4', bit_depth = 15000, operation = 'sliding', wob = 150 /"//newline)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '>1 more below, yes, at most ') > 0, message='one more')
+      run = run_deck_text(text//"&load_case name = 's4', bit_depth = 15000, operation = 'sliding', wob = 150 /"//newline// &
+                          "&load_case name = 's5', bit_depth = 15000, operation = 'sliding', wob = 150 /"//newline)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '<td class="text" colspan="3">2 more below, 1 NO, 1 yes.</td>') > 0, message='two more')
+      call assertTrue(index(page, '<tr style="order:17"><td class="text"><a href="#case=up&amp;') > 0, message='the last')
+      call assertTrue(index(page, '<tr style="order:1"><td class="text"><a href="#case=slide') > 0, message='the first')
+   end subroutine test_paper
 
    !> Depths and weights, and the axial force at a jar.
    subroutine test_head()

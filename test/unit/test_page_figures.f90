@@ -6,7 +6,7 @@ module dg_test_page_figures
    use dg_curve_look, only: look_part, marked_line_style
    use dg_line_list, only: line_list_type
    use dg_missing, only: missing
-   use dg_page_figures, only: append_figures, figure_quantities, is_live
+   use dg_page_figures, only: append_figures, is_live
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_force, quantity_none
    use dg_text, only: text_type
@@ -64,7 +64,6 @@ contains
       call assertTrue(is_live(list%pictures(1)))
       call assertFalse(is_live(list%pictures(2)), message='of a load case')
       call assertFalse(is_live(list%pictures(3)), message='logarithms')
-      call assertEqual([quantity_none, quantity_force], figure_quantities(list))
       call append_figures(lines, list, 3.0e-4_wp)
       text = ''
       do i = 1, lines%count

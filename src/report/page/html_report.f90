@@ -159,6 +159,8 @@ contains
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
       call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(stamp)// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
+      call add_line(lines, '<p class="note switched" hidden>Charts and tables show the units chosen. Sentences, printed '// &
+                       'text and the deck keep '//trim(job%units%name)//' units.</p>')
    end subroutine start_page
 
    !> Notes on the deck, then messages of load cases, those without a solution first. Beside a NO 'no warnings' would mislead.
@@ -198,7 +200,7 @@ contains
       call append_summary(lines, job, model, results, wholes, page_columns)
    end subroutine append_results
 
-   !> Those columns of summary.csv and limits.csv, a table a model. Only that of the leading model is open.
+   !> Those columns of summary.csv and limits.csv, a table a model. That of the leading model stands first and open.
    subroutine append_summary(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -209,9 +211,10 @@ contains
       type(row_type), allocatable :: fields(:)
       type(row_type) :: limits
       integer, allocatable :: rows(:)
-      integer :: i, k
-      do k = 1, size(job%models)
-         rows = pack([(i, i=1, size(results))], results%model == job%models(k))
+      integer :: models(size(job%models)), i, k
+      models = [leading_model(job), pack(job%models, job%models /= leading_model(job))]
+      do k = 1, size(models)
+         rows = pack([(i, i=1, size(results))], results%model == models(k))
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
@@ -220,10 +223,11 @@ contains
             fields(i)%fields = [fields(i)%fields(:fields(i)%count), limits%fields(:limits%count)]
             fields(i)%count = size(fields(i)%fields)
          end do
-         if (job%models(k) /= leading_model(job)) call open_fold(lines, 'Model '//trim(model_name(job%models(k))))
+         if (k > 1) call open_fold(lines, 'Model '//trim(model_name(models(k))))
+         if (k == 1 .and. size(models) > 1) call add_line(lines, '<h3>Model '//trim(model_name(models(k)))//'</h3>')
          call append_table(lines, shown, job%units, fields, &
                            wholes(rows)%verdict%answer /= answer_yes)
-         if (job%models(k) /= leading_model(job)) call close_fold(lines)
+         if (k > 1) call close_fold(lines)
       end do
    end subroutine append_summary
 

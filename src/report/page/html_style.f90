@@ -7,12 +7,15 @@ module dg_html_style
    private
    public :: append_style
 
-   !> Plain, no colour that means anything alone. A table wider than the window scrolls in its own box.
+   !> Plain, no colour that means anything alone. A table wider than the window scrolls in its own box, which has a coloured
+   !> right edge until its end is seen.
    character(*), parameter :: style(*) = [character(128) :: &
       'body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;color:#222;max-width:1180px;margin:0 auto;padding:1em 1.5em}', &
       'h1{font-size:1.6em;margin:.3em 0}h2{font-size:1.25em;margin-top:2em;border-bottom:1px solid #bbb}', &
       'h3{font-size:1.05em;margin-top:1.6em}h1,h2,h3,p,li{overflow-wrap:anywhere}', &
       'table{border-collapse:collapse;font-size:.82em;font-variant-numeric:tabular-nums}.wide{overflow-x:auto}', &
+      ':root{--back:#fff;--edge:#0072B2}.wide{background:linear-gradient(270deg,var(--back) 1.2em,transparent) right/2.4em 100%', &
+      'no-repeat local,linear-gradient(270deg,var(--edge),transparent) right/.7em 100% no-repeat}', &
       'th,td{padding:.22em .6em;text-align:right;border-bottom:1px solid #ddd}td.text,th.text{text-align:left}', &
       'td.text{white-space:nowrap}td.long{white-space:normal;min-width:18em}', &
       'th{vertical-align:bottom;border-bottom:2px solid #888;font-weight:600;line-height:1.2}small{font-weight:400}', &
@@ -26,8 +29,9 @@ module dg_html_style
 
    !> A screen that is set dark. Pictures are turned about in lightness, so that paper becomes black and colours stay what they are.
    character(*), parameter :: dark(*) = [character(128) :: &
-      '@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{background:#14181c;color:#dde2e6}', &
-      'h2{border-color:#555}th,td{border-color:#333a40}th{border-color:#777}.note{background:#1b2a35}.warn{background:#35261b}', &
+      '@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--back:#14181c}', &
+      'body{background:#14181c;color:#dde2e6}h2{border-color:#555}th,td{border-color:#333a40}th{border-color:#777}', &
+      '.note{background:#1b2a35}.warn{background:#35261b}', &
       'pre{background:#1c2126}tr.bad td,b.no{color:#ff9c8c}figcaption{color:#aab2b9}summary,a{color:#6cb8e6}', &
       'th:first-child,td:first-child{background:#14181c}svg{filter:invert(.92) hue-rotate(180deg)}}']
 
@@ -42,7 +46,8 @@ module dg_html_style
    !> what it stands over. 135 mm leave room for two headings and a caption on A4 and Letter.
    character(*), parameter :: paper(*) = [character(128) :: &
       '@media print{body{max-width:none;padding:0;font-size:9.5pt}h1,h2,h3,h2+p,h2+p+p{break-after:avoid}h2{margin-top:1.4em}', &
-      'p,li{orphans:3;widows:3}.wide{overflow:visible}table{font-size:8pt;max-width:100%}th,td{padding:.2em .4em}', &
+      'p,li{orphans:3;widows:3}.wide{overflow:visible;background:none}table{font-size:8pt;max-width:100%}', &
+      'th,td{padding:.2em .4em}', &
       'thead{display:table-header-group}tr{break-inside:avoid}td.text{white-space:normal;overflow-wrap:break-word}', &
       'td.long{min-width:0}td.text:first-child{overflow-wrap:anywhere;min-width:10em}', &
       'pre{font-size:8pt;overflow:visible;white-space:pre-wrap;overflow-wrap:anywhere;background:none;padding:0}', &

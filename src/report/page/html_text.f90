@@ -4,18 +4,20 @@ module dg_html_text
    use dg_column, only: column_type, field_absent, field_integer, field_real, field_text, field_type, fields_of, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_text, &
                         quantity_time, quantity_turns, row_type
+   use dg_json, only: quantity_key
    use dg_line_list, only: add_line, line_list_type
    use dg_load_case, only: operation_from_name, operation_label
    use dg_markup, only: html_safe
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_text
+   use dg_quantity, only: quantity_rows => rows, system_base
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
-   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string
+   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, number_cell, switched
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -29,6 +31,9 @@ module dg_html_text
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp
    integer, parameter :: few_digits = 3
+   !> Digits of a number from which the script makes another unit's, and the difference that it does not see [-].
+   integer, parameter :: switched_digits = 7
+   real(wp), parameter :: unseen = 1.0e-7_wp
    !> A text longer than this is a sentence, which may be broken.
    integer, parameter :: longest_name = 40
 
@@ -107,8 +112,8 @@ contains
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: cell
       cell = '<th'//trim(merge(' class="text"', '             ', column%quantity == quantity_text))//' title="'// &
-             html_safe(trim(column%meaning))//'" scope="col">'//heading_of(trim(column%name))//'<br><small>'// &
-             html_safe(unit_label(units, column%quantity))//'</small></th>'
+             html_safe(trim(column%meaning))//'"'//switched(column%quantity)//' scope="col">'// &
+             heading_of(trim(column%name))//'<br><small>'//html_safe(unit_label(units, column%quantity))//'</small></th>'
    end function head_cell
 
    pure function table_cell(field, units) result(cell)
@@ -139,11 +144,43 @@ contains
             ! numbers without unit have any size: a tolerance, a friction factor
             cell = '<td>'//to_text(value, few_digits)//'</td>'
          else
-            cell = '<td>'//fixed_text(value, decimals(field%column%quantity))//'</td>'
+            cell = number_cell(value, fixed_text(value, decimals(field%column%quantity)), field%column%quantity)
          end if
       case default
       end select
    end function table_cell
+
+   !> Attribute of a heading that lets the script show its column in other units; '' where all systems have the same.
+   pure function switched(quantity) result(attribute)
+      integer, intent(in) :: quantity
+      character(:), allocatable :: attribute
+      attribute = ''
+      if (has_units(quantity)) attribute = ' data-q="'//quantity_key(quantity)//'"'
+   end function switched
+
+   !> True if the systems of units that decks have differ in a quantity.
+   pure function has_units(quantity) result(has)
+      integer, intent(in) :: quantity
+      logical :: has
+      has = any(quantity_rows(quantity)%units(:system_base - 1)%label /= quantity_rows(quantity)%units(1)%label)
+   end function has_units
+
+   !> A number with its text. Where the text has less digits than another unit's needs, the number stands beside it.
+   pure function number_cell(value, text, quantity) result(cell)
+      real(wp), intent(in) :: value         !< in the deck's units
+      character(*), intent(in) :: text
+      integer, intent(in) :: quantity
+      character(:), allocatable :: cell
+      real(wp) :: told
+      integer :: failed
+      cell = '<td>'//text//'</td>'
+      if (.not. has_units(quantity)) return
+      read (text, *, iostat=failed) told
+      if (failed == 0) then
+         if (abs(told - value) <= unseen*abs(value)) return
+      end if
+      cell = '<td data-v="'//to_text(value, switched_digits)//'">'//text//'</td>'
+   end function number_cell
 
    pure function has_value(field) result(has)
       type(field_type), intent(in) :: field
@@ -183,7 +220,7 @@ contains
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: texts(:)
       integer :: i
-      call add_line(lines, '<pre>')
+      call add_line(lines, '<pre tabindex="0">')
       do i = 1, size(texts)
          call add_line(lines, html_safe(texts(i)%text))
       end do

@@ -1,13 +1,15 @@
 !> First block of the page: can it be done, one row a load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
-   use dg_html_well, only: append_well
+   use dg_html_well, only: append_well, shown_rows
    use dg_job, only: job_type, leading_model
+   use dg_kinds, only: wp
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
+   use dg_merge_sort, only: sorted_places
    use dg_model, only: model_type
    use dg_text, only: to_text
-   use dg_verdict, only: answer_no, verdict_type
+   use dg_verdict, only: answer_no, answer_unknown, answer_yes, verdict_type
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
@@ -15,12 +17,17 @@ module dg_html_verdict
    private
    public :: append_verdicts
 
-   integer, parameter :: link_digits = 7     !< of depths
+   integer, parameter :: link_digits = 7, used_digits = 3     !< of depths, of a share in per cent
+   real(wp), parameter :: percent = 0.01_wp
+   !> Answers on the first printed page beside a string of `few_components`; each two further components take the room of one.
+   integer, parameter :: most_answers = 5, few_components = 9
+   !> Order on paper of rows behind the notes, less their rank (page.css).
+   integer, parameter :: after_notes = 10
 
 contains
 
-   !> Answers in one sentence, well and string, a table of the leading model: case with operation and depth, answer, what decides.
-   !> Answers of other models that differ. On paper well and string follow the sentence, on a screen the table.
+   !> Answers in one sentence, well and string, a table of the leading model, answers of other models that differ. On paper well and
+   !> string follow the sentence, on a screen the table.
    subroutine append_verdicts(lines, job, model, results, wholes, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
@@ -29,7 +36,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       integer, intent(in) :: shown                          !< load case of string and chart of the first printed page; 0: none
       character(:), allocatable :: other
-      integer :: i, k
+      integer :: i
       if (size(results) == 0) then
          call append_well(lines, job, model, shown)
          return
@@ -38,18 +45,7 @@ contains
       other = summary_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
       call append_well(lines, job, model, shown)
-      call add_line(lines, '<div class="wide"><table class="answers"><tbody>')
-      do k = 1, size(results)
-         if (results(k)%model /= leading_model(job)) cycle
-         associate (load_case => model%cases(results(k)%case_index), verdict => wholes(k)%verdict)
-            call add_line(lines, '<tr><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small>'// &
-                             task_text(job%units, load_case)//'</small></td><td class="text"><b'// &
-                             trim(merge(' class="no"', '           ', verdict%answer == answer_no))//'>'// &
-                             answer_word(verdict%answer)//'</b></td><td class="text long">'// &
-                             html_safe(verdict_sentences(job%units, load_case, verdict))//'.</td></tr>')
-         end associate
-      end do
-      call add_line(lines, '</tbody></table></div>')
+      call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       other = interval_line(wholes)
@@ -60,6 +56,78 @@ contains
       end do
       call add_line(lines, '</div>')
    end subroutine append_verdicts
+
+   !> A row a load case of the leading model: name with operation and depth, answer, what decides. On a screen they stand in the
+   !> order of the deck. On paper those that are nearest to a limit stand first: `first` of them, a row on the others and the notes
+   !> have room on the first page.
+   subroutine append_answers(lines, job, model, results, wholes, first)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      integer, intent(in) :: first
+      integer, allocatable :: rows(:), order(:), rank(:)
+      character(:), allocatable :: place
+      integer :: i
+      rows = pack([(i, i=1, size(results))], results%model == leading_model(job))
+      order = sorted_places([(-urgency(wholes(rows(i))%verdict), i=1, size(rows))])
+      allocate (rank(size(rows)))
+      rank(order) = [(i, i=1, size(rows))]
+      call add_line(lines, '<div class="wide"><table class="answers"><tbody>')
+      do i = 1, size(rows)
+         place = ''
+         if (size(rows) > first) place = place_text(rank(i))
+         associate (load_case => model%cases(results(rows(i))%case_index), verdict => wholes(rows(i))%verdict)
+            call add_line(lines, '<tr'//place//'><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small>'// &
+                             task_text(job%units, load_case)//'</small></td><td class="text"><b'// &
+                             trim(merge(' class="no"', '           ', verdict%answer == answer_no))//'>'// &
+                             answer_word(verdict%answer)//'</b></td><td class="text long">'// &
+                             html_safe(verdict_sentences(job%units, load_case, verdict))//'.</td></tr>')
+         end associate
+      end do
+      if (size(rows) > first) call add_line(lines, '<tr class="more"><td class="text" colspan="3">'// &
+                                            others_text(wholes(rows(order(first + 1:)))%verdict)//'</td></tr>')
+      call add_line(lines, '</tbody></table></div>')
+   contains
+      !> Order on paper of a row with that rank.
+      pure function place_text(rank) result(text)
+         integer, intent(in) :: rank
+         character(:), allocatable :: text
+         text = ' style="order:'//to_text(rank)//'"'
+         if (rank > first) text = ' style="order:'//to_text(after_notes + rank)//'"'
+      end function place_text
+   end subroutine append_answers
+
+   !> Rows that are read first have the greatest: NO, no solution, then the largest share of a limit.
+   elemental function urgency(verdict) result(number)
+      type(verdict_type), intent(in) :: verdict
+      real(wp) :: number
+      number = 0.0_wp
+      if (verdict%used%present) number = verdict%used%value
+      if (verdict%answer == answer_unknown) number = 2.0_wp
+      if (verdict%answer == answer_no) number = 3.0_wp
+   end function urgency
+
+   !> Number of load cases behind the notes and their answers.
+   pure function others_text(verdicts) result(text)
+      type(verdict_type), intent(in) :: verdicts(:)      !< the first is the nearest to a limit
+      character(:), allocatable :: text
+      character(:), allocatable :: part
+      integer, parameter :: order(3) = [answer_no, answer_unknown, answer_yes]
+      integer :: i
+      text = ''
+      do i = 1, size(order)
+         part = to_text(count(verdicts%answer == order(i)))//' '//answer_word(order(i))
+         if (all(verdicts%answer == order(i))) part = 'all '//answer_word(order(i))
+         if (size(verdicts) == 1) part = answer_word(order(i))
+         if (any(verdicts%answer == order(i))) text = text//', '//part
+      end do
+      text = to_text(size(verdicts))//' more below'//text
+      if (verdicts(1)%answer == answer_yes .and. verdicts(1)%used%present) text = text//', at most '// &
+         to_text(verdicts(1)%used%value/percent, used_digits)//' % of a limit used'
+      text = text//'.'
+   end function others_text
 
    !> The name of a load case as a link to its charts, at the depth of the limit that decides.
    pure function case_link(job, name, verdict) result(link)

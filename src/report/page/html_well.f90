@@ -3,18 +3,19 @@ module dg_html_well
    use dg_kinds, only: wp
    use dg_component, only: component_type
    use dg_drillstring, only: component_tops
+   use dg_html_text, only: number_cell, switched
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_model, only: model_type, string_index
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: bottom_md, top_md
-   use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length, unit_mass
+   use dg_unit_kind, only: in_units, unit_diameter, unit_factor, unit_label, unit_length, unit_mass
    use dg_units, only: unit_system_type
    use dg_well_head, only: well_head
    implicit none
    private
-   public :: append_well
+   public :: append_well, shown_rows
 
    integer, parameter :: digits = 5
    !> Rows of a string; the first page has no room for more.
@@ -44,6 +45,16 @@ contains
       call add_line(lines, '</div><div class="first live"></div></div>')
    end subroutine append_well
 
+   !> Rows that the table of a load case's string has at most.
+   pure function shown_rows(model, shown) result(rows)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: shown            !< the load case; 0: none
+      integer :: rows, number
+      number = 1
+      if (shown > 0) number = string_index(model%strings, model%cases(shown)%string)
+      rows = min(size(model%strings(number)%components), most_rows)
+   end function shown_rows
+
    !> Components of a string in the hole from the bit upwards: name, length, diameter, mass per length.
    subroutine append_string(lines, units, model, number, bit)
       type(line_list_type), intent(inout) :: lines
@@ -67,14 +78,15 @@ contains
          call append_component(lines, units, model%strings(number)%components(i), lengths(i))
       end do
       if (last > most_rows) call add_line(lines, '<tr><td class="text">'//to_text(last - most_rows)//' more</td>'// &
-                                          cell(tops(last) - tops(most_rows), units%length)//'</tr>')
+                                          cell(units, unit_length, tops(last) - tops(most_rows))//'<td></td><td></td></tr>')
       call add_line(lines, '</tbody></table>')
    contains
       pure function head_cell(heading, quantity) result(text)
          character(*), intent(in) :: heading
          integer, intent(in) :: quantity
          character(:), allocatable :: text
-         text = '<th scope="col">'//heading//'<br><small>'//html_safe(unit_label(units, quantity))//'</small></th>'
+         text = '<th scope="col"'//switched(quantity)//' data-digits="'//to_text(digits)//'">'//heading//'<br><small>'// &
+                html_safe(unit_label(units, quantity))//'</small></th>'
       end function head_cell
    end subroutine append_string
 
@@ -83,14 +95,16 @@ contains
       type(unit_system_type), intent(in) :: units
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: length          !< in the hole [m]
-      call add_line(lines, '<tr><td class="text long">'//html_safe(component%name)//'</td>'//cell(length, units%length)// &
-                       cell(component%od, units%diameter)//cell(component%mass, units%mass_per_length)//'</tr>')
+      call add_line(lines, '<tr><td class="text long">'//html_safe(component%name)//'</td>'//cell(units, unit_length, length)// &
+                       cell(units, unit_diameter, component%od)//cell(units, unit_mass, component%mass)//'</tr>')
    end subroutine append_component
 
    !> A number of a table.
-   pure function cell(value, unit) result(text)
-      real(wp), intent(in) :: value, unit     !< [SI]
+   pure function cell(units, quantity, value) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value           !< [SI]
       character(:), allocatable :: text
-      text = '<td>'//to_text(value/unit, digits)//'</td>'
+      text = number_cell(value/unit_factor(units, quantity), to_text(value/unit_factor(units, quantity), digits), quantity)
    end function cell
 end module dg_html_well

@@ -5,6 +5,7 @@
 const D = JSON.parse(document.getElementById('data').textContent)
 const shapes = ['m0-5v10m-5-5h10', 'm-4-4l8 8m0-8l-8 8', 'm0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5', 'm-4-4h8v8h-8z', 'm-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z',
    'm0-5l5 8.5h-10z', 'm0 5l5-8.5h-10z', 'm0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z', 'm0-5l4.8 3.5l-1.8 5.5h-6l-1.8-5.5z']   // gnuplot's marks
+const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.model))]}
 const blocks = []                                            // all charts of the page that answer
 const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole
 let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null
@@ -18,13 +19,14 @@ function curve_of(text) {                                    // "step value step
 }
 for (const p of D.profiles ?? []) for (const name in p.curves) {
    const curve = p.curves[name]                              // a number: the same as an earlier one
-   p.curves[name] = typeof curve === 'number' ? D.profiles[curve].curves[name] : curve_of(curve)
+   const more = {words: D.columns[name].words, turns: name === 'clock'}
+   p.curves[name] = typeof curve === 'number' ? D.profiles[curve].curves[name] : {...curve_of(curve), ...more}
 }
-const limit_look = {mark: 0, look: {stroke: 'currentColor', 'stroke-dasharray': '2 3', 'stroke-width': 1}}
+const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression
 for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {
    panel.quantity = D.columns[panel.curves[0].column].quantity
    panel.lines = D.profiles.flatMap((p, k) => panel.curves.filter(c => p.curves[c.column]).map(c => ({
-      ...p.key, ...c, name: p.key.text, keys: [k], case: p.case, curve: p.curves[c.column], turns: c.column === 'clock', ...(c.limit && limit_look)
+      ...p.key, ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
    })))
 }
 const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))
@@ -35,24 +37,21 @@ for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatM
 const factor = q => D.quantities[q]?.[units]?.[1] ?? 1, unit = q => D.quantities[q]?.[units]?.[0] ?? q
 const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))   // at or above it
 const reaches = ({d}, depth) => depth >= d[0] && depth <= d[d.length - 1]
-function value_in(c, depth, words, turns) {
+function value_in(c, depth) {
    if (!c || !reaches(c, depth)) return NaN
    const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0
-   if (words) return c.v[part < .5 ? i : i + 1]
+   if (c.words) return c.v[part < .5 ? i : i + 1]
    if (part === 0 || part === 1) return c.v[i + part]        // a value may lack beside it
-   let turn = c.v[i + 1] - c.v[i]
-   if (turns) turn = ((turn + 540) % 360) - 180              // the short way round
-   const v = c.v[i] + part * turn
-   return turns ? (v + 360) % 360 : v
+   const step = c.v[i + 1] - c.v[i]                          // of an angle the short way round
+   return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step
 }
-const value_at = (p, name, depth) => value_in(p.curves[name], depth, D.columns[name].words, name === 'clock')
+const value_at = (p, name, depth) => value_in(p.curves[name], depth)
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
    return v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)
 }
-const depth_text = depth => text_of(depth, 'length') + ' ' + unit('length')
-const round_text = depth => depth_text(depth).replace(/\.0+ /, ' ')
+const depth_of_units = depth => +(depth * factor('length')).toFixed(2), depth_text = depth => `${depth_of_units(depth)} ${unit('length')}`
 
 // ---- drawing
 function make(parent, tag, attributes, text) {
@@ -67,97 +66,85 @@ function ticks(low, high, most) {
    const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)
    return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))
 }
-const put_marks = (parent, d, mark, ink) => make(parent, 'path', {d, 'stroke-width': 1.6, fill: mark > 4 && mark % 2 ? ink : 'none', stroke: ink})
-const shape_of = mark => shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]
-function draw_key(parent, {mark, marks, look}) {             // a piece of a line, or a mark
+function put_marks(parent, places, {mark, look: {stroke}}) {
+   const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('')
+   if (mark) make(parent, 'path', {d, 'stroke-width': 1.6, fill: mark > 4 && mark % 2 ? stroke : 'none', stroke})
+}
+function draw_key(parent, key) {                             // a piece of a line, or a mark
    const svg = make(parent, 'svg', {viewBox: '0 -4 28 16', class: 'key'})
-   if (!marks) make(svg, 'line', {x1: 0, x2: 28, y1: 4, y2: 4, 'stroke-width': 3, ...look})
-   if (mark) put_marks(svg, 'M14 4' + shape_of(mark), mark, look.stroke)
+   if (!key.marks) make(svg, 'line', {x1: 0, x2: 28, y1: 4, y2: 4, 'stroke-width': 3, ...key.look})
+   put_marks(svg, ['M14 4'], key)
 }
 
 // ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels` over a depth
-// (`over`, `end`) or over rows with names (`rows`).
-function block(root, S) {
-   const state = {cases: [D.start], chart: 0, depth: undefined, hidden: new Set(), tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35, near: 1}
-   const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? Math.max(...(state.cases.length ? state.cases : [D.start]).map(i => D.cases[i].depth))
+// (`over`, `end`) or over rows with names (`rows`). Draw it when all are made.
+function block(S, address) {
+   const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set(), tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35, near: 1}
+   const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)
+   const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)
    const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26
    let H                                                        // height of a panel
    const y_of = depth => up + (depth - state.top) / (state.bottom - state.top) * (H - up - down)
    const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)
    const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)
+   const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_of())
    const panels_of = () => S.panels ?? S.charts[state.chart].panels
-   const lines_of = panel => panel.lines.filter(l => !S.charts || state.cases.includes(l.case))
+   const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)
+   const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))
    const visible = line => !line.keys.some(k => state.hidden.has(k))
-   const shown = () => D.profiles.filter((p, k) => state.cases.includes(p.case) && !state.hidden.has(k))
+   const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))
    function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near the depth that is pointed at
       const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - state.top)
       return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1
    }
-   function value_of(line) {                                    // at the depth that is pointed at
-      if (line.marks) return line.curve.v[row_beside(line)] ?? NaN
-      return (line.sign ?? 1) * value_in(line.curve, state.depth, false, line.turns)
+   function text_at(line, q) {                                  // its value at the depth that is pointed at
+      const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.depth)
+      return text_of(v, q) + (line.low?.[i] === undefined ? '' : ` (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`)
    }
-   function shown_of(line, q) {
-      const text = text_of(value_of(line), q), i = line.low ? row_beside(line) : -1
-      return i < 0 ? text : `${text} (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`
+   function seen_of(line) {                                     // the points of a curve that are seen, and one more at each end
+      const {curve: {d, v}} = line, from = row_at(line.curve, state.top), to = row_at(line.curve, state.bottom) + 2
+      return line.marks ? {d, v} : {d: d.subarray(from, to), v: v.subarray(from, to)}
    }
-   function path_of(curve, [from, to], x_of, turns) {           // with a gap where a value lacks, or an angle passes a full turn
-      let path = '', gap = true
-      for (let i = from; i < to; i++) {
-         const v = curve.v[i], at = x_of(v).toFixed(1) + ' ' + y_of(curve.d[i]).toFixed(1)
-         gap ||= turns && Math.abs(v - curve.v[i - 1]) > 180
-         if (isFinite(v)) path += gap ? `M${at}h0` : 'L' + at
-         gap = !isFinite(v)
-      }
-      return path
+   function path_of({d, v}, x_of, turns) {                      // with a gap where a value lacks, or an angle passes a full turn
+      const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)
+      const place = i => x_of(v[i]).toFixed(1) + ' ' + y_of(d[i]).toFixed(1)
+      return [...d.keys()].filter(i => isFinite(v[i])).map(i => (apart(i) ? `M${place(i)}h0` : 'L' + place(i))).join('')
    }
-   function range_of(panel, lists, rows) {                      // of what is seen; along the string 0 is among it
+   function range_of(panel, lines) {                            // of what is seen; along the string 0 is among it
       if (panel.high !== undefined) return [panel.low, panel.high]
-      const all = S.charts ? [0] : []
-      lists.forEach((l, k) => {
-         if (!l.limit) for (let i = rows[k][0]; i < rows[k][1]; i++) all.push((l.sign ?? 1) * l.curve.v[i], l.low?.[i], l.high?.[i])
-      })
-      const known = all.filter(v => isFinite(v)), least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
+      const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])
+      const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))], least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
       const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1
       return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]
    }
-   const seen_in = c => [row_at(c, state.top), Math.min(c.d.length, row_at(c, state.bottom) + 2)]       // of its points: from, and before
    function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows
-      const level = (at, name) => {
+      const length = factor('length'), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H / 47)
+      for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) {
          const y = y_of(at), most = Math.floor((left - 6) / 6.4), short = name.length > most ? name.slice(0, most - 1) + '\u2026' : name
          make(svg, 'line', {x1: left, x2: right, y1: y, y2: y, class: 'grid'})
          if (first_of_row) make(make(svg, 'text', {x: left - 4, y: y + 4, 'text-anchor': 'end'}, short), 'title', {}, name)
       }
-      const length = factor('length')
-      if (S.rows) S.rows.forEach((name, i) => level(i + 1, name))
-      else for (const t of ticks(state.top * length, state.bottom * length, H / 47)) level(t / length, String(t))
    }
-   function draw_line(clip, line, rows, x_of) {
-      const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v), ink = look.stroke
-      const mark_at = ({d, v}) => {
-         const there = [...d.keys()].filter(i => isFinite(v[i]))
-         put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}${shape_of(mark)}`).join(''), mark, ink)
-      }
-      if (line.low) {                                           // bars, with a mark in thick ones
+   function draw_line(clip, line, x) {
+      const {look, mark, curve} = line
+      if (line.low) {                                           // bars
          const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('')
-         make(clip, 'path', {d, stroke: ink, 'stroke-width': line.thick ? 14 : 2})
-         if (line.thick) mark_at(curve)
-      } else if (line.marks) {
-         mark_at(curve)
-      } else {
-         const d = path_of(curve, rows, x, line.turns)
+         make(clip, 'path', {d, stroke: look.stroke, 'stroke-width': line.thick ? 14 : 2})
+         if (!line.thick) return
+      } else if (!line.marks) {
+         const d = path_of(line.seen, x, curve.turns)
          make(clip, 'path', {d, fill: 'none', 'stroke-width': 1.7, 'stroke-linecap': 'round', ...look})
-         if (!mark) return                                      // else marks here and there, for print without colours
-         const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))
-         mark_at({d: at, v: at.map(d => value_in(curve, d, false, line.turns))})
       }
+      const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))
+      const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}      // on a line for print without colours
+      const there = [...d.keys()].filter(i => isFinite(v[i]))
+      put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)
    }
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
-      const longest = S.rows ? Math.max(...S.rows.map(n => n.length)) : 0
-      const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 16
-      const lists = lines_of(panel).filter(visible), rows = lists.map(l => l.marks ? [0, l.curve.d.length] : seen_in(l.curve)), q = panel.quantity, f = factor(q)
-      const [low, high] = range_of(panel, lists, rows).map(v => v * f)
+      const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length))) : 46, right = width - 16
+      const lines = lines_of(panel).filter(visible).map(l => ({...l, seen: seen_of(l)})), q = panel.quantity, f = factor(q)
+      const [low, high] = range_of(panel, lines).map(v => v * f)
       const x_of = v => left + (v * f - low) / (high - low) * (right - left)
       make(make(svg, 'clipPath', {id: 'clip' + ++clips}), 'rect', {x: left, y: up, width: right - left, height: H - up - down})
       for (const t of panel.ticks ?? ticks(low, high, Math.max(3, (right - left) / 50))) {
@@ -171,27 +158,26 @@ function block(root, S) {
       make(words, 'h:b', {}, panel.label + ' ')
       if (unit(q)) words.append(`[${unit(q)}]`)
       const clip = make(svg, 'g', {'clip-path': `url(#clip${clips})`})
-      lists.forEach((line, k) => draw_line(clip, line, rows[k], x_of))
+      for (const line of lines) draw_line(clip, line, x_of)
       make(svg, 'line', {x1: left, x2: right, y1: 0, y2: 0, class: 'cross'})
       make(svg, 'rect', {x: left, width: right - left, class: 'band'})
       return svg
    }
    function draw_panels() {
       const panels = panels_of(), bare = !panels.flatMap(lines_of).length
-      root.classList.toggle('bare', bare)                       // an empty chart is not drawn
-      if (bare) {
-         view.panels.textContent = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
-         return
-      }
+      const none = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
+      S.root.classList.toggle('bare', bare)                     // an empty chart is not drawn
       const wide = paper?.wide ?? (view.panels.clientWidth || 1000)
       const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)
-      view.panels.replaceChildren(...panels.map((p, i) => draw_panel(p, i % abreast, Math.max(150, wide / abreast))))
+      const one = (panel, i) => draw_panel(panel, i % abreast, Math.max(150, wide / abreast))
+      view.panels.replaceChildren(...(bare ? [none] : panels.map(one)))
       for (const s of view.panels.children) s.style.width = 100 / abreast + '%'
       set_depth(state.depth)
    }
    function set_depth(depth) {                                  // the slider keeps it within its range, and rows whole
       view.slider.value = depth
       state.depth = +view.slider.value
+      if (view.typed) view.typed.value = depth_of_units(state.depth)
       view.panels.style.setProperty('--cross', y_of(state.depth) + 'px')
       view.well?.mark()
       draw_readout()
@@ -200,7 +186,8 @@ function block(root, S) {
    function cells_of_profiles() {                               // a row a quantity
       const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2
       const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]
-      const parts = list.map(p => D.cases[p.case].parts.find(part => D.cases[p.case].depth - state.depth <= part.to)?.name ?? '\u2013')
+      const above = p => D.cases[p.case].depth - state.depth, there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
+      const parts = list.map(p => there(p)?.name ?? '\u2013')
       return [['quantity', 'unit', ...list.map(p => p.key.text), ...(both ? ['difference'] : [])], ['component', '', ...parts, ...(both ? [''] : [])], ...names.map(n => {
          const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '\u2013' : text_of(x, c.quantity)
          return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '' : text(v[1] - v[0])] : [])]
@@ -208,9 +195,9 @@ function block(root, S) {
    }
    function cells_of_lines() {                                  // a row a line: all that reach the depth, of marks those that are near
       const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))
-      const near = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))
+      const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))
       const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))
-      const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => shown_of(l, panels[k].quantity)).find(text => text !== '\u2013') ?? '\u2013'
+      const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity)).find(text => text !== '\u2013') ?? '\u2013'
       return [['curve', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) => cell(name, k))])]
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
@@ -224,14 +211,18 @@ function block(root, S) {
       view.slider.setAttribute('aria-valuetext', [place_text(), ...rows.map(row => row.join(' '))].join(', '))
    }
    function draw() {
-      const end = end_of()
       H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420
-      if (!(state.bottom > state.top) || state.bottom > end) { state.top = first; state.bottom = end }
+      if (!(state.bottom > state.top) || state.bottom > end_of()) Object.assign(state, {top: first, bottom: end_of()})
       Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})
-      view.units.textContent = 'units: ' + units
+      if (view.typed) view.typed.previousSibling.textContent = `${S.over} [${unit('length')}] `
       draw_legend()
       draw_panels()
       view.well?.draw()
+   }
+   function put_list(parent, key, text) {                       // of which several may be chosen
+      const more = {multiple: '', size: Math.min(1 + choices[key].length, 16)}, list = make(make(parent, 'h:label', {}, text), 'h:select', more)
+      for (const name of choices[key]) make(list, 'h:option', {}, name).selected = state[key].includes(name)
+      list.onchange = () => { state[key] = [...list.selectedOptions].map(o => o.value); draw() }
    }
    function draw_legend() {                                     // an entry in white is words alone; one without a line is left out
       const used = new Set(panels_of().flatMap(lines_of).flatMap(l => l.keys))
@@ -245,46 +236,12 @@ function block(root, S) {
          b.append(key.text)
       })
    }
-   function build() {
-      const bar = make(root, 'h:div', {class: 'bar'}), zoom = (top, bottom) => { state.top = top; state.bottom = bottom; draw() }
-      const whole = () => zoom(first, end_of())
-      const button = (text, onclick, more) => make(bar, 'h:button', {type: 'button', onclick, ...more}, text)
-      const choose = i => { state.chart = i; bar.querySelectorAll('.tab').forEach((o, k) => o.setAttribute('aria-pressed', k === i)); draw() }
-      S.charts?.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
-      view.units = button('', () => {
-         units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]
-         draw_all()
-      })
-      if (!S.rows) button('whole depth', whole)
-      if (S.charts) button('lowest ' + round_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), end_of()))
-      const main = make(root, 'h:div', {class: S.charts ? 'main' : 'alone'})
-      if (S.charts) {
-         const label = make(main, 'h:label', {class: 'side'}, 'Load cases, several with Ctrl')
-         const list = make(label, 'h:select', {multiple: '', size: Math.min(1 + D.cases.length, 16)})
-         D.cases.forEach((c, i) => make(list, 'h:option', {value: i}, c.name).selected = state.cases.includes(i))
-         list.onchange = () => { state.cases = [...list.selectedOptions].map(o => +o.value); draw() }
-      }
-      const right = make(main, 'h:div', {class: 'right'})
-      view.legend = make(right, 'h:div', {class: 'legend'})
-      view.panels = make(right, 'h:div', {class: 'panels'})
-      view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value),
-         onkeydown: e => { const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[e.key]; if (way) { e.preventDefault(); set_depth(state.depth + way * (e.shiftKey ? 10 : 1)) } }})
-      view.readout = make(right, 'h:div', {class: 'wide readout'})
-      if (S.charts) {
-         const label = make(right, 'h:label', {})
-         view.all = make(label, 'h:input', {type: 'checkbox', onchange: draw_readout})
-         label.append(' all columns')
-         view.well = well_figures({root, state, shown, place_text, set_depth})
-      }
-      listen(zoom)
-      view.panels.addEventListener('dblclick', whole)
-      for (const kind of ['pointerenter', 'focusin']) root.addEventListener(kind, () => active = S)
-      state.bottom ??= end_of()
-      state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2
-      draw()
+   function go_to(depth) {                                      // also beyond what is zoomed to; the old one stays where it is no number
+      if (depth < state.top || depth > state.bottom) whole()
+      set_depth(isNaN(depth) ? state.depth : depth)
    }
-   function listen(zoom) {                                      // a mouse is dragged over what to zoom to, two fingers spread it
-      let from = NaN, pinch = null, wanted = null
+   function listen() {                                           // a mouse is dragged over what to zoom to, two fingers spread it
+      let from, pinch, wanted
       const y_in = ({target, clientY}) => {
          const place = target.closest('svg.panel')?.getBoundingClientRect()
          return place ? (clientY - place.top) / place.height * H : NaN
@@ -312,70 +269,108 @@ function block(root, S) {
       const finish = () => {
          if (wanted?.[1] > wanted?.[0]) zoom(...wanted)
          view.panels.style.removeProperty('--bands')
-         from = NaN
-         pinch = wanted = null
+         from = pinch = wanted = undefined
       }
       for (const kind of ['pointerdown', 'pointermove']) view.panels.addEventListener(kind, point)
       for (const kind of ['touchstart', 'touchmove']) view.panels.addEventListener(kind, spread, {passive: false})
       for (const kind of ['pointerup', 'touchend']) addEventListener(kind, finish)
    }
-   function from_address(q) {                                    // #case=NAME&case=NAME&chart=TITLE&depth=M&top=M&bottom=M&units=field
-      const found = (list, name) => list.findIndex(c => (c.name ?? c.title) === name)
-      if (S.charts && q.has('case')) state.cases = q.getAll('case').map(n => found(D.cases, n)).filter(i => i >= 0)
-      if (S.charts && q.has('chart')) state.chart = Math.max(0, found(D.charts, q.get('chart')))
-      for (const k of ['depth', 'top', 'bottom']) if (isFinite(parseFloat(q.get(k)))) state[k] = parseFloat(q.get(k))
-   }
    function note_address() {                                     // after a pause: the view is a link
       if (active !== S) return
       clearTimeout(noting)
       noting = setTimeout(() => {
-         const cases = S.charts ? state.cases.map(i => ['case', D.cases[i].name]) : [], q = new URLSearchParams(cases)
+         const q = new URLSearchParams(S.charts ? state.case.map(name => ['case', name]) : [])
+         if (S.charts && state.model.length < choices.model.length) for (const name of state.model) q.append('model', name)
          q.set('chart', S.title ?? S.charts[state.chart].title)
-         for (const k of state.top > first || state.bottom < end_of() ? ['depth', 'top', 'bottom'] : ['depth']) q.set(k, +state[k].toFixed(2))
+         for (const k of state.top > first || state.bottom < end_of() ? ['depth', 'top', 'bottom'] : ['depth']) q.set(k, +state[k].toFixed(3))
          if (units !== D.units) q.set('units', units)
          history.replaceState(null, '', '#' + q)
       }, 300)
    }
-   if (active === S) from_address(new URLSearchParams(location.hash.slice(1)))
-   build()
-   return {root, S, state, draw}
+   // #case=NAME&case=NAME&model=NAME&chart=TITLE&depth=M&top=M&bottom=M&units=field
+   for (const k of ['case', 'model']) if (address.has(k)) state[k] = address.getAll(k)
+   state.chart = Math.max(0, S.charts?.findIndex(c => c.title === address.get('chart')) ?? 0)
+   for (const k of ['depth', 'top', 'bottom']) if (isFinite(parseFloat(address.get(k)))) state[k] = parseFloat(address.get(k))
+   S.root.replaceChildren()
+   const bar = make(S.root, 'h:div', {class: 'bar'})
+   const button = (text, onclick, more) => make(bar, 'h:button', {type: 'button', onclick, ...more}, text)
+   const choose = i => { state.chart = i; bar.querySelectorAll('.tab').forEach((o, k) => o.setAttribute('aria-pressed', k === i)); draw() }
+   S.charts?.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
+   put_switch(bar)
+   if (!S.rows) button('whole depth', whole)
+   if (S.charts) button('lowest ' + depth_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), end_of()))
+   const main = make(S.root, 'h:div', {class: S.charts ? 'main' : 'alone'})
+   if (S.charts) {
+      const side = make(main, 'h:div', {class: 'side'})
+      put_list(side, 'case', 'Load cases, several with Ctrl')
+      if (choices.model.length > 1) put_list(side, 'model', 'Models')
+   }
+   const right = make(main, 'h:div', {class: 'right'})
+   view.legend = make(right, 'h:div', {class: 'legend'})
+   view.panels = make(right, 'h:div', {class: 'panels'})
+   view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)})
+   if (!S.rows) view.typed = make(make(right, 'h:label', {class: 'typed'}, ' '), 'h:input', {type: 'number', step: 'any', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor('length'))})
+   view.readout = make(right, 'h:div', {class: 'wide readout', tabindex: 0})
+   if (S.charts) {
+      const label = make(right, 'h:label', {})
+      view.all = make(label, 'h:input', {type: 'checkbox', onchange: draw_readout})
+      label.append(' all columns')
+      view.well = well_figures({root: S.root, state, shown, place_text, set_depth})
+   }
+   listen()
+   view.panels.addEventListener('dblclick', whole)
+   for (const kind of ['pointerenter', 'focusin']) S.root.addEventListener(kind, () => active = S)
+   state.bottom ??= end_of()
+   state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2
+   return {S, state, draw}
 }
 
 // ---- the page
-function draw_all() { for (const b of blocks) b.draw() }
-function follow_address(all) {                                // the block that the address means
+function put_switch(parent) {
+   const turn = () => { units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]; draw_all() }
+   make(parent, 'h:button', {type: 'button', class: 'units', onclick: turn})
+}
+function draw_all() {
+   for (const b of blocks) b.draw()
+   for (const head of document.querySelectorAll('th[data-q]')) {       // columns of tables whose numbers have a unit
+      const {q, digits} = head.dataset
+      head.querySelector('small').textContent = unit(q)
+      for (const {cells: {[head.cellIndex]: cell}} of head.closest('table').tBodies[0].rows) {
+         const own = cell.dataset.own ??= cell.textContent, value = (cell.dataset.v ?? own) * factor(q)
+         const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split('.')[1]?.length ?? 0)
+         cell.textContent = units === D.units || own === '' || isNaN(value) ? own : text
+      }
+   }
+   document.querySelector('.switched').hidden = units === D.units
+   for (const b of document.querySelectorAll('.units')) b.textContent = 'units: ' + units
+}
+function follow_address() {                                   // the block that the address means is made anew
    const q = new URLSearchParams(location.hash.slice(1))
    if (D.systems.includes(q.get('units'))) units = q.get('units')
-   active = all.find(S => S.title && S.title === q.get('chart')) ?? all[0]
+   active = parts.find(S => S.title && S.title === q.get('chart')) ?? parts[0]
+   parts.forEach((S, i) => { if (S === active || !blocks[i]) blocks[i] = block(S, S === active ? q : new URLSearchParams()) })
+   draw_all()
+   if (q.size) active.root.scrollIntoView()
 }
-addEventListener('hashchange', () => {
-   follow_address(blocks.map(b => b.S))
-   const i = blocks.findIndex(b => b.S === active), {root, S} = blocks[i]
-   root.replaceChildren()
-   blocks[i] = block(root, S)
-   root.scrollIntoView()
-})
+addEventListener('hashchange', follow_address)
 addEventListener('resize', draw_all)
 const draw_for = size => { paper = size; draw_all() }
 addEventListener('afterprint', () => draw_for(null))
 addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit, the others what is shown
    if (D.profiles) {
-      paper = {wide: 660, high: 330}
-      const {root} = block(make(null, 'h:div', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts[0].panels.slice(0, 4)}]})
+      paper = {wide: 660, high: 300}
+      const root = make(null, 'h:div', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]
+      block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()
       document.querySelector('.first').replaceChildren(...root.querySelectorAll('.legend, .panels'))
    }
    draw_for({wide: 1100, high: 260})
 })
 const places = [...document.querySelectorAll('.live:not(.first)')]
-try {
-   const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: f.title + (i ? ` (${i + 1})` : ''), place}))
-   const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', place: places[0]}] : []
-   const all = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[along.length + i]))]
-   follow_address(all)
-   for (const S of all) blocks.push(block(make(S.place, 'h:div', {}), S))
-   document.documentElement.classList.add('scripted')
-   if (location.hash) blocks.find(b => b.S === active).root.scrollIntoView()
-} catch (fault) {                                             // fixed pictures, as without a script
-   for (const place of places) place.replaceChildren()
-   throw fault
-}
+const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', root: make(places.shift(), 'h:div', {})}] : []
+const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '')
+const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make(place, 'h:div', {})}))
+const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
+document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range. The CSV files have all points.`)
+put_switch(document.querySelector('h1 + p'))
+follow_address()
+document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand

@@ -12,9 +12,9 @@ module dg_page_data
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
    use dg_page_curves, only: curve_series, profile_curves
-   use dg_page_figures, only: append_figures, figure_quantities, look_text
+   use dg_page_figures, only: append_figures, look_text
    use dg_picture_list, only: picture_list_type
-   use dg_quantity, only: quantity_force, quantity_length, quantity_width, system_base, system_name
+   use dg_quantity, only: quantity_rows => rows, system_base, system_name
    use dg_readable, only: spaced
    use dg_series, only: series_list_type
    use dg_text, only: text_type, to_text
@@ -28,7 +28,7 @@ module dg_page_data
    public :: append_page_data, governing_case
 
    !> Charts of the page: panels side by side over one depth, each with columns of a profile. `turn`: an angle; `most`: values above
-   !> are not shown; `limit`: a dashed line without part in the range.
+   !> are not shown; `limit`: a limit of compression, a dashed line without part in the range.
    character(*), parameter :: charts(*) = [character(330) :: &
       '{"title":"Forces","panels":[{"label":"effective axial force","curves":[{"column":"axial"}]},'// &
       '{"label":"torque","curves":[{"column":"torque"}]},'// &
@@ -40,7 +40,8 @@ module dg_page_data
       '{"label":"bending stress","curves":[{"column":"bending_stress"}]},'// &
       '{"label":"bending range in a turn","curves":[{"column":"bending_range"}]}]},', &
       '{"title":"Buckling","panels":[{"label":"axial force and limit","curves":[{"column":"axial"},'// &
-      '{"column":"sinusoidal_load","sign":-1,"limit":true}]},', &
+      '{"column":"sinusoidal_load","limit":true,"mark":0,"look":'// &
+      '{"stroke":"currentColor","stroke-dasharray":"2 3","stroke-width":1}}]},', &
       '{"label":"margin to buckling","curves":[{"column":"buckling_margin"}]},'// &
       '{"label":"displacement","curves":[{"column":"displacement"}]},{"label":"standoff","curves":[{"column":"standoff"}]}]},', &
       '{"title":"Well","panels":[{"label":"inclination","curves":[{"column":"inclination"}]},'// &
@@ -49,7 +50,8 @@ module dg_page_data
    !> Thinning of curves, over the range of a column [-]: the finest with which the data stay below `most_letters`.
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
-   integer, parameter :: digits = 7, contact_digits = 4
+   integer, parameter :: digits = 7, contact_digits = 4, tolerance_digits = 2
+   real(wp), parameter :: percent = 0.01_wp
 
 contains
 
@@ -103,9 +105,9 @@ contains
          allocate (list%items(0))
       end if
       call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],')
-      call append_quantities(lines, job%units, [quantity_length, quantity_width, quantity_force, &
-                                                list%items(:list%count)%column%quantity, figure_quantities(pictures)])
+      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"thinned":'// &
+                       json_string(to_text(tolerance/percent, tolerance_digits)//' %')//',')
+      call append_quantities(lines, job%units)
       if (shown > 0) then
          call add_line(lines, '"start":'//to_text(shown - 1)//',')
          call append_columns(lines, list)
@@ -155,21 +157,19 @@ contains
    end function letters_of
 
    !> Unit and factor of each quantity in each system, from the deck's units.
-   subroutine append_quantities(lines, units, wanted)
+   subroutine append_quantities(lines, units)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: wanted(:)      !< quantities; one may stand twice
       character(:), allocatable :: text
       integer :: i, k
       text = '"quantities":{'
-      do i = 1, size(wanted)
-         if (any(wanted(:i - 1) == wanted(i))) cycle
-         if (i > 1) text = text//','
-         text = text//json_string(quantity_key(wanted(i)))//':{'
+      do i = 0, ubound(quantity_rows, 1)
+         if (i > 0) text = text//','
+         text = text//json_string(quantity_key(i))//':{'
          do k = 1, system_base - 1
             if (k > 1) text = text//','
-            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_label(system_of(k), wanted(i)))//','// &
-                   to_text(unit_factor(units, wanted(i))/unit_factor(system_of(k), wanted(i)), digits)//']'
+            text = text//json_string(trim(system_name(k)))//':['//json_string(unit_label(system_of(k), i))//','// &
+                   to_text(unit_factor(units, i)/unit_factor(system_of(k), i), digits)//']'
          end do
          text = text//'}'
       end do
@@ -268,7 +268,8 @@ contains
       character(:), allocatable :: text
       rows = pack([(i, i=1, size(results))], has_curves(results))
       do i = 1, size(rows)
-         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"key":'// &
+         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"model":'// &
+                          json_string(trim(model_name(results(rows(i))%model)))//',"key":'// &
                           profile_key(job, model, results(rows(i)), shown)//',"curves":{')
          text = ''
          do k = 1, list%count

@@ -12,7 +12,7 @@ module dg_page_figures
    use dg_text, only: to_text
    implicit none
    private
-   public :: append_figures, figure_quantities, is_live, look_text
+   public :: append_figures, is_live, look_text
 
    integer, parameter :: digits = 7
 
@@ -31,17 +31,6 @@ contains
          end associate
       end do
    end function is_live
-
-   !> Quantities of all panels.
-   pure function figure_quantities(list) result(quantities)
-      type(picture_list_type), intent(in) :: list
-      integer, allocatable :: quantities(:)
-      integer :: i
-      allocate (quantities(0))
-      do i = 1, size(list%pictures)
-         if (is_live(list%pictures(i))) quantities = [quantities, list%pictures(i)%chart%panels%x%quantity]
-      end do
-   end function figure_quantities
 
    !> A list of all such pictures. Panels with an axis of their own begin a block.
    subroutine append_figures(lines, list, tolerance)

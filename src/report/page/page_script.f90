@@ -5,14 +5,16 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'WgTUjg7L/dhrbnqrzRK4K/nnIX92h6wlByOfR3T/ZuA='
-   character(185), parameter :: script_lines_1(100) = [character(185) :: &
+   character(*), parameter :: script_hash = '1FQZz64fEBrBlyc9iekkS2MXRNcy47mgpS2Dl5cpFiY='
+   character(192), parameter :: script_lines_1(100) = [character(192) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
       '8h-8z'', ''m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z'',', &
       '''m0-5l5 8.5h-10z'', ''m0 5l5-8.5h-10z'', ''m0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z'', ''m0-5l4.8 3.5l-1.8 5.5h-6l-1'// &
       '.8-5.5z'']   // gnuplot''s marks', &
+      'const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.mode'// &
+      'l))]}', &
       'const blocks = []                                            // all charts of the page that answer', &
       'const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
@@ -28,15 +30,15 @@ module dg_page_script
       '}', &
       'for (const p of D.profiles ?? []) for (const name in p.curves) {', &
       'const curve = p.curves[name]                              // a number: the same as an earlier one', &
-      'p.curves[name] = typeof curve === ''number'' ? D.profiles[curve].curves[name] : curve_of(curve)', &
+      'const more = {words: D.columns[name].words, turns: name === ''clock''}', &
+      'p.curves[name] = typeof curve === ''number'' ? D.profiles[curve].curves[name] : {...curve_of(curve), ...more}', &
       '}', &
-      'const limit_look = {mark: 0, look: {stroke: ''currentColor'', ''stroke-dasharray'': ''2 3'', ''stroke-width'':'// &
-      ' 1}}', &
+      'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression', &
       'for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {', &
       'panel.quantity = D.columns[panel.curves[0].column].quantity', &
       'panel.lines = D.profiles.flatMap((p, k) => panel.curves.filter(c => p.curves[c.column]).map(c => ({', &
-      '...p.key, ...c, name: p.key.text, keys: [k], case: p.case, curve: p.curves[c.column], turns: c.column === ''cl'// &
-      'ock'', ...(c.limit && limit_look)', &
+      '...p.key, ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.cur'// &
+      'ves[c.column]', &
       '})))', &
       '}', &
       'const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))', &
@@ -48,25 +50,22 @@ module dg_page_script
       'const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))  '// &
       ' // at or above it', &
       'const reaches = ({d}, depth) => depth >= d[0] && depth <= d[d.length - 1]', &
-      'function value_in(c, depth, words, turns) {', &
+      'function value_in(c, depth) {', &
       'if (!c || !reaches(c, depth)) return NaN', &
       'const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0', &
-      'if (words) return c.v[part < .5 ? i : i + 1]', &
+      'if (c.words) return c.v[part < .5 ? i : i + 1]', &
       'if (part === 0 || part === 1) return c.v[i + part]        // a value may lack beside it', &
-      'let turn = c.v[i + 1] - c.v[i]', &
-      'if (turns) turn = ((turn + 540) % 360) - 180              // the short way round', &
-      'const v = c.v[i] + part * turn', &
-      'return turns ? (v + 360) % 360 : v', &
+      'const step = c.v[i + 1] - c.v[i]                          // of an angle the short way round', &
+      'return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step', &
       '}', &
-      'const value_at = (p, name, depth) => value_in(p.curves[name], depth, D.columns[name].words, name === ''clock'''// &
-      ')', &
+      'const value_at = (p, name, depth) => value_in(p.curves[name], depth)', &
       'function text_of(value, q) {', &
       'if (!isFinite(value)) return ''\u2013''', &
       'const v = value * factor(q), a = Math.abs(v)', &
       'return v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
       '}', &
-      'const depth_text = depth => text_of(depth, ''length'') + '' '' + unit(''length'')', &
-      'const round_text = depth => depth_text(depth).replace(/\.0+ /, '' '')', &
+      'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2), depth_text = depth => `${depth_of_un'// &
+      'its(depth)} ${unit(''length'')}`', &
       'function make(parent, tag, attributes, text) {', &
       'const e = tag.startsWith(''h:'') ? document.createElement(tag.slice(2)) : document.createElementNS(''http://ww'// &
       'w.w3.org/2000/svg'', tag)', &
@@ -82,110 +81,103 @@ module dg_page_script
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
       'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
       '}', &
-      'const put_marks = (parent, d, mark, ink) => make(parent, ''path'', {d, ''stroke-width'': 1.6, fill: mark > 4 &'// &
-      '& mark % 2 ? ink : ''none'', stroke: ink})', &
-      'const shape_of = mark => shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]', &
-      'function draw_key(parent, {mark, marks, look}) {             // a piece of a line, or a mark', &
-      'const svg = make(parent, ''svg'', {viewBox: ''0 -4 28 16'', class: ''key''})', &
-      'if (!marks) make(svg, ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, ''stroke-width'': 3, ...look})', &
-      'if (mark) put_marks(svg, ''M14 4'' + shape_of(mark), mark, look.stroke)', &
+      'function put_marks(parent, places, {mark, look: {stroke}}) {', &
+      'const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('''')', &
+      'if (mark) make(parent, ''path'', {d, ''stroke-width'': 1.6, fill: mark > 4 && mark % 2 ? stroke : ''none'', st'// &
+      'roke})', &
       '}', &
-      'function block(root, S) {', &
-      'const state = {cases: [D.start], chart: 0, depth: undefined, hidden: new Set(), tint: ''side_force_on_joint'','// &
-      ' yaw: -0.6, pitch: 0.35, near: 1}', &
-      'const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? Math.max(...(state.cases.length ? state.cases : [D'// &
-      '.start]).map(i => D.cases[i].depth))', &
+      'function draw_key(parent, key) {                             // a piece of a line, or a mark', &
+      'const svg = make(parent, ''svg'', {viewBox: ''0 -4 28 16'', class: ''key''})', &
+      'if (!key.marks) make(svg, ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, ''stroke-width'': 3, ...key.look})', &
+      'put_marks(svg, [''M14 4''], key)', &
+      '}', &
+      'function block(S, address) {', &
+      'const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Se'// &
+      't(), tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35, near: 1}', &
+      'const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)', &
+      'const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)', &
       'const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26', &
       'let H                                                        // height of a panel', &
       'const y_of = depth => up + (depth - state.top) / (state.bottom - state.top) * (H - up - down)', &
       'const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)', &
       'const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)', &
+      'const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_o'// &
+      'f())', &
       'const panels_of = () => S.panels ?? S.charts[state.chart].panels', &
-      'const lines_of = panel => panel.lines.filter(l => !S.charts || state.cases.includes(l.case))', &
+      'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
+      'const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))', &
       'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
-      'const shown = () => D.profiles.filter((p, k) => state.cases.includes(p.case) && !state.hidden.has(k))', &
+      'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
       'function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near the de'// &
       'pth that is pointed at', &
       'const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - stat'// &
       'e.top)', &
       'return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1', &
       '}', &
-      'function value_of(line) {                                    // at the depth that is pointed at', &
-      'if (line.marks) return line.curve.v[row_beside(line)] ?? NaN', &
-      'return (line.sign ?? 1) * value_in(line.curve, state.depth, false, line.turns)', &
+      'function text_at(line, q) {                                  // its value at the depth that is pointed at', &
+      'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
+      'pth)', &
+      'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
+      'igh[i], q)})`)', &
       '}', &
-      'function shown_of(line, q) {', &
-      'const text = text_of(value_of(line), q), i = line.low ? row_beside(line) : -1', &
-      'return i < 0 ? text : `${text} (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`', &
+      'function seen_of(line) {                                     // the points of a curve that are seen, and one m'// &
+      'ore at each end', &
+      'const {curve: {d, v}} = line, from = row_at(line.curve, state.top), to = row_at(line.curve, state.bottom) + 2', &
+      'return line.marks ? {d, v} : {d: d.subarray(from, to), v: v.subarray(from, to)}', &
       '}', &
-      'function path_of(curve, [from, to], x_of, turns) {           // with a gap where a value lacks, or an angle pa'// &
+      'function path_of({d, v}, x_of, turns) {                      // with a gap where a value lacks, or an angle pa'// &
       'sses a full turn', &
-      'let path = '''', gap = true', &
-      'for (let i = from; i < to; i++) {', &
-      'const v = curve.v[i], at = x_of(v).toFixed(1) + '' '' + y_of(curve.d[i]).toFixed(1)', &
-      'gap ||= turns && Math.abs(v - curve.v[i - 1]) > 180', &
-      'if (isFinite(v)) path += gap ? `M${at}h0` : ''L'' + at', &
-      'gap = !isFinite(v)']
-   character(185), parameter :: script_lines_2(100) = [character(185) :: &
+      'const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)', &
+      'const place = i => x_of(v[i]).toFixed(1) + '' '' + y_of(d[i]).toFixed(1)']
+   character(192), parameter :: script_lines_2(100) = [character(192) :: &
+      'return [...d.keys()].filter(i => isFinite(v[i])).map(i => (apart(i) ? `M${place(i)}h0` : ''L'' + place(i))).jo'// &
+      'in('''')', &
       '}', &
-      'return path', &
-      '}', &
-      'function range_of(panel, lists, rows) {                      // of what is seen; along the string 0 is among i'// &
+      'function range_of(panel, lines) {                            // of what is seen; along the string 0 is among i'// &
       't', &
       'if (panel.high !== undefined) return [panel.low, panel.high]', &
-      'const all = S.charts ? [0] : []', &
-      'lists.forEach((l, k) => {', &
-      'if (!l.limit) for (let i = rows[k][0]; i < rows[k][1]; i++) all.push((l.sign ?? 1) * l.curve.v[i], l.low?.[i],'// &
-      ' l.high?.[i])', &
-      '})', &
-      'const known = all.filter(v => isFinite(v)), least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known['// &
-      '0] ?? 0)', &
+      'const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
+      'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))], least = known.reduce((a, b) => Math'// &
+      '.min(a, b), panel.low ?? known[0] ?? 0)', &
       'const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1', &
       'return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]', &
       '}', &
-      'const seen_in = c => [row_at(c, state.top), Math.min(c.d.length, row_at(c, state.bottom) + 2)]       // of its'// &
-      ' points: from, and before', &
       'function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows', &
-      'const level = (at, name) => {', &
+      'const length = factor(''length''), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H /'// &
+      ' 47)', &
+      'for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) '// &
+      '{', &
       'const y = y_of(at), most = Math.floor((left - 6) / 6.4), short = name.length > most ? name.slice(0, most - 1) '// &
       '+ ''\u2026'' : name', &
       'make(svg, ''line'', {x1: left, x2: right, y1: y, y2: y, class: ''grid''})', &
       'if (first_of_row) make(make(svg, ''text'', {x: left - 4, y: y + 4, ''text-anchor'': ''end''}, short), ''title'''// &
       ', {}, name)', &
       '}', &
-      'const length = factor(''length'')', &
-      'if (S.rows) S.rows.forEach((name, i) => level(i + 1, name))', &
-      'else for (const t of ticks(state.top * length, state.bottom * length, H / 47)) level(t / length, String(t))', &
       '}', &
-      'function draw_line(clip, line, rows, x_of) {', &
-      'const {look, mark, curve} = line, x = v => x_of((line.sign ?? 1) * v), ink = look.stroke', &
-      'const mark_at = ({d, v}) => {', &
-      'const there = [...d.keys()].filter(i => isFinite(v[i]))', &
-      'put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}${shape_of(mark)}`).join(''''),'// &
-      ' mark, ink)', &
-      '}', &
-      'if (line.low) {                                           // bars, with a mark in thick ones', &
+      'function draw_line(clip, line, x) {', &
+      'const {look, mark, curve} = line', &
+      'if (line.low) {                                           // bars', &
       'const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('''')', &
-      'make(clip, ''path'', {d, stroke: ink, ''stroke-width'': line.thick ? 14 : 2})', &
-      'if (line.thick) mark_at(curve)', &
-      '} else if (line.marks) {', &
-      'mark_at(curve)', &
-      '} else {', &
-      'const d = path_of(curve, rows, x, line.turns)', &
+      'make(clip, ''path'', {d, stroke: look.stroke, ''stroke-width'': line.thick ? 14 : 2})', &
+      'if (!line.thick) return', &
+      '} else if (!line.marks) {', &
+      'const d = path_of(line.seen, x, curve.turns)', &
       'make(clip, ''path'', {d, fill: ''none'', ''stroke-width'': 1.7, ''stroke-linecap'': ''round'', ...look})', &
-      'if (!mark) return                                      // else marks here and there, for print without colours', &
-      'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
-      'mark_at({d: at, v: at.map(d => value_in(curve, d, false, line.turns))})', &
       '}', &
+      'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
+      'const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}      // on a line for print wi'// &
+      'thout colours', &
+      'const there = [...d.keys()].filter(i => isFinite(v[i]))', &
+      'put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
       '}', &
       'function draw_panel(panel, index, width) {', &
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
       'ss: ''panel''})', &
-      'const longest = S.rows ? Math.max(...S.rows.map(n => n.length)) : 0', &
-      'const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * longest) : 46, right = width - 16', &
-      'const lists = lines_of(panel).filter(visible), rows = lists.map(l => l.marks ? [0, l.curve.d.length] : seen_in'// &
-      '(l.curve)), q = panel.quantity, f = factor(q)', &
-      'const [low, high] = range_of(panel, lists, rows).map(v => v * f)', &
+      'const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length))) : 4'// &
+      '6, right = width - 16', &
+      'const lines = lines_of(panel).filter(visible).map(l => ({...l, seen: seen_of(l)})), q = panel.quantity, f = fa'// &
+      'ctor(q)', &
+      'const [low, high] = range_of(panel, lines).map(v => v * f)', &
       'const x_of = v => left + (v * f - low) / (high - low) * (right - left)', &
       'make(make(svg, ''clipPath'', {id: ''clip'' + ++clips}), ''rect'', {x: left, y: up, width: right - left, height'// &
       ': H - up - down})', &
@@ -201,23 +193,20 @@ module dg_page_script
       'make(words, ''h:b'', {}, panel.label + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
       'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
-      'lists.forEach((line, k) => draw_line(clip, line, rows[k], x_of))', &
+      'for (const line of lines) draw_line(clip, line, x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &
       '}', &
       'function draw_panels() {', &
       'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
-      'root.classList.toggle(''bare'', bare)                       // an empty chart is not drawn', &
-      'if (bare) {', &
-      'view.panels.textContent = ''No curves: choose a load case that has a solution. Answers and warnings above say '// &
-      'why others have none.''', &
-      'return', &
-      '}', &
+      'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
+      've none.''', &
+      'S.root.classList.toggle(''bare'', bare)                     // an empty chart is not drawn', &
       'const wide = paper?.wide ?? (view.panels.clientWidth || 1000)', &
       'const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)', &
-      'view.panels.replaceChildren(...panels.map((p, i) => draw_panel(p, i % abreast, Math.max(150, wide / abreast)))'// &
-      ')', &
+      'const one = (panel, i) => draw_panel(panel, i % abreast, Math.max(150, wide / abreast))', &
+      'view.panels.replaceChildren(...(bare ? [none] : panels.map(one)))', &
       'for (const s of view.panels.children) s.style.width = 100 / abreast + ''%''', &
       'set_depth(state.depth)', &
       '}', &
@@ -225,6 +214,7 @@ module dg_page_script
       ' whole', &
       'view.slider.value = depth', &
       'state.depth = +view.slider.value', &
+      'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
       'draw_readout()', &
@@ -233,8 +223,9 @@ module dg_page_script
       'function cells_of_profiles() {                               // a row a quantity', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2', &
       'const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]', &
-      'const parts = list.map(p => D.cases[p.case].parts.find(part => D.cases[p.case].depth - state.depth <= part.to)'// &
-      '?.name ?? ''\u2013'')', &
+      'const above = p => D.cases[p.case].depth - state.depth, there = p => D.cases[p.case].parts.find(({from, to}) ='// &
+      '> from <= above(p) && above(p) <= to)', &
+      'const parts = list.map(p => there(p)?.name ?? ''\u2013'')', &
       'return [[''quantity'', ''unit'', ...list.map(p => p.key.text), ...(both ? [''difference''] : [])], [''componen'// &
       't'', '''', ...parts, ...(both ? [''''] : [])], ...names.map(n => {', &
       'const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '''// &
@@ -244,12 +235,11 @@ module dg_page_script
       '}', &
       'function cells_of_lines() {                                  // a row a line: all that reach the depth, of mar'// &
       'ks those that are near', &
-      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))']
-   character(185), parameter :: script_lines_3(100) = [character(185) :: &
-      'const near = lines.flat().filter(l => l.marks ? isFinite(value_of(l)) : reaches(l.curve, state.depth))', &
+      'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
+      'const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
-      'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => shown_of(l, panels[k].quantity)).find'// &
-      '(text => text !== ''\u2013'') ?? ''\u2013''', &
+      'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity)).find('// &
+      'text => text !== ''\u2013'') ?? ''\u2013''', &
       'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
       '=> cell(name, k))])]', &
       '}', &
@@ -262,18 +252,25 @@ module dg_page_script
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
       '] ?? ''''}, text))', &
       '})', &
-      'view.readout.replaceChildren(table)', &
+      'view.readout.replaceChildren(table)']
+   character(192), parameter :: script_lines_3(100) = [character(192) :: &
       'view.slider.setAttribute(''aria-valuetext'', [place_text(), ...rows.map(row => row.join('' ''))].join('', ''))', &
       '}', &
       'function draw() {', &
-      'const end = end_of()', &
       'H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420', &
-      'if (!(state.bottom > state.top) || state.bottom > end) { state.top = first; state.bottom = end }', &
+      'if (!(state.bottom > state.top) || state.bottom > end_of()) Object.assign(state, {top: first, bottom: end_of()'// &
+      '})', &
       'Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})', &
-      'view.units.textContent = ''units: '' + units', &
+      'if (view.typed) view.typed.previousSibling.textContent = `${S.over} [${unit(''length'')}] `', &
       'draw_legend()', &
       'draw_panels()', &
       'view.well?.draw()', &
+      '}', &
+      'function put_list(parent, key, text) {                       // of which several may be chosen', &
+      'const more = {multiple: '''', size: Math.min(1 + choices[key].length, 16)}, list = make(make(parent, ''h:label'// &
+      ''', {}, text), ''h:select'', more)', &
+      'for (const name of choices[key]) make(list, ''h:option'', {}, name).selected = state[key].includes(name)', &
+      'list.onchange = () => { state[key] = [...list.selectedOptions].map(o => o.value); draw() }', &
       '}', &
       'function draw_legend() {                                     // an entry in white is words alone; one without '// &
       'a line is left out', &
@@ -289,53 +286,14 @@ module dg_page_script
       'b.append(key.text)', &
       '})', &
       '}', &
-      'function build() {', &
-      'const bar = make(root, ''h:div'', {class: ''bar''}), zoom = (top, bottom) => { state.top = top; state.bottom ='// &
-      ' bottom; draw() }', &
-      'const whole = () => zoom(first, end_of())', &
-      'const button = (text, onclick, more) => make(bar, ''h:button'', {type: ''button'', onclick, ...more}, text)', &
-      'const choose = i => { state.chart = i; bar.querySelectorAll(''.tab'').forEach((o, k) => o.setAttribute(''aria-'// &
-      'pressed'', k === i)); draw() }', &
-      'S.charts?.forEach((c, i) => button(c.title, () => choose(i), {''aria-pressed'': i === state.chart, class: ''ta'// &
-      'b''}))', &
-      'view.units = button('''', () => {', &
-      'units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]', &
-      'draw_all()', &
-      '})', &
-      'if (!S.rows) button(''whole depth'', whole)', &
-      'if (S.charts) button(''lowest '' + round_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), '// &
-      'end_of()))', &
-      'const main = make(root, ''h:div'', {class: S.charts ? ''main'' : ''alone''})', &
-      'if (S.charts) {', &
-      'const label = make(main, ''h:label'', {class: ''side''}, ''Load cases, several with Ctrl'')', &
-      'const list = make(label, ''h:select'', {multiple: '''', size: Math.min(1 + D.cases.length, 16)})', &
-      'D.cases.forEach((c, i) => make(list, ''h:option'', {value: i}, c.name).selected = state.cases.includes(i))', &
-      'list.onchange = () => { state.cases = [...list.selectedOptions].map(o => +o.value); draw() }', &
+      'function go_to(depth) {                                      // also beyond what is zoomed to; the old one sta'// &
+      'ys where it is no number', &
+      'if (depth < state.top || depth > state.bottom) whole()', &
+      'set_depth(isNaN(depth) ? state.depth : depth)', &
       '}', &
-      'const right = make(main, ''h:div'', {class: ''right''})', &
-      'view.legend = make(right, ''h:div'', {class: ''legend''})', &
-      'view.panels = make(right, ''h:div'', {class: ''panels''})', &
-      'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
-      ' ''row'', oninput: e => set_depth(+e.target.value),', &
-      'onkeydown: e => { const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[e.key]; if (way) { e.p'// &
-      'reventDefault(); set_depth(state.depth + way * (e.shiftKey ? 10 : 1)) } }})', &
-      'view.readout = make(right, ''h:div'', {class: ''wide readout''})', &
-      'if (S.charts) {', &
-      'const label = make(right, ''h:label'', {})', &
-      'view.all = make(label, ''h:input'', {type: ''checkbox'', onchange: draw_readout})', &
-      'label.append('' all columns'')', &
-      'view.well = well_figures({root, state, shown, place_text, set_depth})', &
-      '}', &
-      'listen(zoom)', &
-      'view.panels.addEventListener(''dblclick'', whole)', &
-      'for (const kind of [''pointerenter'', ''focusin'']) root.addEventListener(kind, () => active = S)', &
-      'state.bottom ??= end_of()', &
-      'state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2', &
-      'draw()', &
-      '}', &
-      'function listen(zoom) {                                      // a mouse is dragged over what to zoom to, two f'// &
-      'ingers spread it', &
-      'let from = NaN, pinch = null, wanted = null', &
+      'function listen() {                                           // a mouse is dragged over what to zoom to, two '// &
+      'fingers spread it', &
+      'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
       'return place ? (clientY - place.top) / place.height * H : NaN', &
@@ -358,100 +316,145 @@ module dg_page_script
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
-      'want(top, top + step * (H - up - down))']
-   character(185), parameter :: script_lines_4(100) = [character(185) :: &
+      'want(top, top + step * (H - up - down))', &
       '}', &
       'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
-      'from = NaN', &
-      'pinch = wanted = null', &
+      'from = pinch = wanted = undefined', &
       '}', &
       'for (const kind of [''pointerdown'', ''pointermove'']) view.panels.addEventListener(kind, point)', &
       'for (const kind of [''touchstart'', ''touchmove'']) view.panels.addEventListener(kind, spread, {passive: false'// &
       '})', &
       'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)', &
       '}', &
-      'function from_address(q) {                                    // #case=NAME&case=NAME&chart=TITLE&depth=M&top='// &
-      'M&bottom=M&units=field', &
-      'const found = (list, name) => list.findIndex(c => (c.name ?? c.title) === name)', &
-      'if (S.charts && q.has(''case'')) state.cases = q.getAll(''case'').map(n => found(D.cases, n)).filter(i => i >='// &
-      ' 0)', &
-      'if (S.charts && q.has(''chart'')) state.chart = Math.max(0, found(D.charts, q.get(''chart'')))', &
-      'for (const k of [''depth'', ''top'', ''bottom'']) if (isFinite(parseFloat(q.get(k)))) state[k] = parseFloat(q.'// &
-      'get(k))', &
-      '}', &
       'function note_address() {                                     // after a pause: the view is a link', &
       'if (active !== S) return', &
       'clearTimeout(noting)', &
       'noting = setTimeout(() => {', &
-      'const cases = S.charts ? state.cases.map(i => [''case'', D.cases[i].name]) : [], q = new URLSearchParams(cases'// &
-      ')', &
+      'const q = new URLSearchParams(S.charts ? state.case.map(name => [''case'', name]) : [])', &
+      'if (S.charts && state.model.length < choices.model.length) for (const name of state.model) q.append(''model'','// &
+      ' name)', &
       'q.set(''chart'', S.title ?? S.charts[state.chart].title)', &
       'for (const k of state.top > first || state.bottom < end_of() ? [''depth'', ''top'', ''bottom''] : [''depth''])'// &
-      ' q.set(k, +state[k].toFixed(2))', &
+      ' q.set(k, +state[k].toFixed(3))', &
       'if (units !== D.units) q.set(''units'', units)', &
       'history.replaceState(null, '''', ''#'' + q)', &
       '}, 300)', &
       '}', &
-      'if (active === S) from_address(new URLSearchParams(location.hash.slice(1)))', &
-      'build()', &
-      'return {root, S, state, draw}', &
+      'for (const k of [''case'', ''model'']) if (address.has(k)) state[k] = address.getAll(k)', &
+      'state.chart = Math.max(0, S.charts?.findIndex(c => c.title === address.get(''chart'')) ?? 0)', &
+      'for (const k of [''depth'', ''top'', ''bottom'']) if (isFinite(parseFloat(address.get(k)))) state[k] = parseFl'// &
+      'oat(address.get(k))', &
+      'S.root.replaceChildren()', &
+      'const bar = make(S.root, ''h:div'', {class: ''bar''})', &
+      'const button = (text, onclick, more) => make(bar, ''h:button'', {type: ''button'', onclick, ...more}, text)', &
+      'const choose = i => { state.chart = i; bar.querySelectorAll(''.tab'').forEach((o, k) => o.setAttribute(''aria-'// &
+      'pressed'', k === i)); draw() }', &
+      'S.charts?.forEach((c, i) => button(c.title, () => choose(i), {''aria-pressed'': i === state.chart, class: ''ta'// &
+      'b''}))', &
+      'put_switch(bar)', &
+      'if (!S.rows) button(''whole depth'', whole)', &
+      'if (S.charts) button(''lowest '' + depth_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), '// &
+      'end_of()))', &
+      'const main = make(S.root, ''h:div'', {class: S.charts ? ''main'' : ''alone''})', &
+      'if (S.charts) {', &
+      'const side = make(main, ''h:div'', {class: ''side''})', &
+      'put_list(side, ''case'', ''Load cases, several with Ctrl'')', &
+      'if (choices.model.length > 1) put_list(side, ''model'', ''Models'')', &
       '}', &
-      'function draw_all() { for (const b of blocks) b.draw() }', &
-      'function follow_address(all) {                                // the block that the address means', &
+      'const right = make(main, ''h:div'', {class: ''right''})', &
+      'view.legend = make(right, ''h:div'', {class: ''legend''})', &
+      'view.panels = make(right, ''h:div'', {class: ''panels''})', &
+      'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
+      ' ''row'', oninput: e => set_depth(+e.target.value)})']
+   character(192), parameter :: script_lines_4(100) = [character(192) :: &
+      'if (!S.rows) view.typed = make(make(right, ''h:label'', {class: ''typed''}, '' ''), ''h:input'', {type: ''numb'// &
+      'er'', step: ''any'', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor(''length''))})', &
+      'view.readout = make(right, ''h:div'', {class: ''wide readout'', tabindex: 0})', &
+      'if (S.charts) {', &
+      'const label = make(right, ''h:label'', {})', &
+      'view.all = make(label, ''h:input'', {type: ''checkbox'', onchange: draw_readout})', &
+      'label.append('' all columns'')', &
+      'view.well = well_figures({root: S.root, state, shown, place_text, set_depth})', &
+      '}', &
+      'listen()', &
+      'view.panels.addEventListener(''dblclick'', whole)', &
+      'for (const kind of [''pointerenter'', ''focusin'']) S.root.addEventListener(kind, () => active = S)', &
+      'state.bottom ??= end_of()', &
+      'state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2', &
+      'return {S, state, draw}', &
+      '}', &
+      'function put_switch(parent) {', &
+      'const turn = () => { units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]; draw_all() }', &
+      'make(parent, ''h:button'', {type: ''button'', class: ''units'', onclick: turn})', &
+      '}', &
+      'function draw_all() {', &
+      'for (const b of blocks) b.draw()', &
+      'for (const head of document.querySelectorAll(''th[data-q]'')) {       // columns of tables whose numbers have '// &
+      'a unit', &
+      'const {q, digits} = head.dataset', &
+      'head.querySelector(''small'').textContent = unit(q)', &
+      'for (const {cells: {[head.cellIndex]: cell}} of head.closest(''table'').tBodies[0].rows) {', &
+      'const own = cell.dataset.own ??= cell.textContent, value = (cell.dataset.v ?? own) * factor(q)', &
+      'const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split(''.'')[1]?.length ?? 0)', &
+      'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
+      '}', &
+      '}', &
+      'document.querySelector(''.switched'').hidden = units === D.units', &
+      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
+      '}', &
+      'function follow_address() {                                   // the block that the address means is made anew', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
-      'active = all.find(S => S.title && S.title === q.get(''chart'')) ?? all[0]', &
+      'active = parts.find(S => S.title && S.title === q.get(''chart'')) ?? parts[0]', &
+      'parts.forEach((S, i) => { if (S === active || !blocks[i]) blocks[i] = block(S, S === active ? q : new URLSearc'// &
+      'hParams()) })', &
+      'draw_all()', &
+      'if (q.size) active.root.scrollIntoView()', &
       '}', &
-      'addEventListener(''hashchange'', () => {', &
-      'follow_address(blocks.map(b => b.S))', &
-      'const i = blocks.findIndex(b => b.S === active), {root, S} = blocks[i]', &
-      'root.replaceChildren()', &
-      'blocks[i] = block(root, S)', &
-      'root.scrollIntoView()', &
-      '})', &
+      'addEventListener(''hashchange'', follow_address)', &
       'addEventListener(''resize'', draw_all)', &
       'const draw_for = size => { paper = size; draw_all() }', &
       'addEventListener(''afterprint'', () => draw_for(null))', &
       'addEventListener(''beforeprint'', () => {                       // the first sheet has the load case nearest t'// &
       'o a limit, the others what is shown', &
       'if (D.profiles) {', &
-      'paper = {wide: 660, high: 330}', &
-      'const {root} = block(make(null, ''h:div'', {}), {keys: D.profiles.map(p => p.key), charts: [{panels: D.charts['// &
-      '0].panels.slice(0, 4)}]})', &
+      'paper = {wide: 660, high: 300}', &
+      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]', &
+      'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
       '}', &
       'draw_for({wide: 1100, high: 260})', &
       '})', &
       'const places = [...document.querySelectorAll(''.live:not(.first)'')]', &
-      'try {', &
-      'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: f.title + (i ? ` (${i + 1}'// &
-      ')` : ''''), place}))', &
-      'const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: ''measured depth'', pla'// &
-      'ce: places[0]}] : []', &
-      'const all = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[along.length + i]))]', &
-      'follow_address(all)', &
-      'for (const S of all) blocks.push(block(make(S.place, ''h:div'', {}), S))', &
-      'document.documentElement.classList.add(''scripted'')', &
-      'if (location.hash) blocks.find(b => b.S === active).root.scrollIntoView()', &
-      '} catch (fault) {                                             // fixed pictures, as without a script', &
-      'for (const place of places) place.replaceChildren()', &
-      'throw fault', &
-      '}', &
+      'const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: ''measured depth'', roo'// &
+      't: make(places.shift(), ''h:div'', {})}] : []', &
+      'const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '''')', &
+      'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make'// &
+      '(place, ''h:div'', {})}))', &
+      'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
+      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
+      've all points.`)', &
+      'put_switch(document.querySelector(''h1 + p''))', &
+      'follow_address()', &
+      'document.documentElement.classList.add(''scripted'')            // last: where a script fails fixed pictures s'// &
+      'tand', &
       'function well_figures(b) {', &
       'const {root, state, shown} = b, angle = (p, d) => value_at(p, ''clock'', d) * Math.PI / 180', &
+      'const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]     // contacts are known to gap elem'// &
+      'ents alone', &
       'const lower = make(root, ''h:div'', {class: ''lower''})', &
       'const picture = (parent, label, more) => make(make(parent, ''h:figure'', {}), ''svg'', {role: ''img'', ''aria-'// &
       'label'': label, ...more})', &
-      'const section = picture(lower, ''string in the hole at this depth'', {viewBox: ''0 -6 200 200''})', &
+      'const section = picture(lower, ''string in the hole at this depth'', {viewBox: ''0 -6 200 214''})', &
       'const well = picture(lower, ''the well in three dimensions'', {viewBox: ''0 0 460 440'', tabindex: 0})', &
       'const assembly = picture(root, ''lowest part of the string in the hole''), scale = make(assembly.parentNode, '''// &
       'h:figcaption'', {})', &
       'const pick = make(null, ''h:select'', {''aria-label'': ''colour of the well'', onchange: () => { state.tint = '// &
-      'pick.value; draw_well() }})', &
+      'pick.value; draw() }})', &
       'const colour = part => `hsl(${230 - 225 * Math.min(part, 1)} 75% 48%)`     // blue, green, yellow, red', &
-      'let mark_well = () => {}', &
+      'let marks = []                                               // each moves the sign of the depth in a picture', &
       'function writer(svg, width) {                                // writes texts, each unless it would hide an ear'// &
       'lier one', &
       'const taken = []', &
@@ -465,25 +468,25 @@ module dg_page_script
       'function draw_section() {                                    // the hole at the depth, seen down the hole, hig'// &
       'h side up', &
       'section.replaceChildren()', &
-      'shown().forEach((p, i) => {', &
+      'make(section, ''circle'', {cx: 100, cy: 100, r: 88, class: ''wall''})', &
+      'make(section, ''text'', {x: 100, y: 9, ''text-anchor'': ''middle''}, ''high side'')', &
+      'make(section, ''text'', {x: 100, y: 204, ''text-anchor'': ''middle''}, ''at '' + b.place_text())', &
+      'for (const p of shown().filter(p => state.depth <= D.cases[p.case].depth)) {', &
       'const scale = 88 / value_at(p, ''hole'', state.depth)', &
-      'if (!i) make(section, ''circle'', {cx: 100, cy: 100, r: 88, class: ''wall''})', &
-      'if (!i) make(section, ''text'', {x: 100, y: 9, ''text-anchor'': ''middle''}, ''high side'')', &
       'const off = value_at(p, ''displacement'', state.depth) * 2 * scale, a = angle(p, state.depth), r = value_at(p,'// &
       ' ''od'', state.depth) * scale', &
       'make(section, ''circle'', {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r, fill: ''none'', ''stro'// &
       'ke-width'': 2, ...p.key.look})', &
-      '})', &
+      '}', &
       '}', &
       'function draw_well() {', &
-      'const [p] = shown(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))']
-   character(185), parameter :: script_lines_5(86) = [character(185) :: &
+      'const p = leading(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))', &
       'well.replaceChildren()', &
-      'mark_well = () => {}', &
-      'if (!p) return', &
+      'if (!p) return () => {}', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]', &
       'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
-      'p, state.tint, d)}))', &
+      'p, state.tint, d)}))']
+   character(192), parameter :: script_lines_5(85) = [character(192) :: &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
       '[k]))])', &
       'const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)', &
@@ -522,25 +525,25 @@ module dg_page_script
       ')})', &
       'points.slice(0, n).forEach((a, i) => {', &
       'const stroke = isFinite(a.value) ? colour((a.value - low) / (high - low || 1)) : ''#888''', &
-      'line(a.at, points[i + 1].at, {stroke, ''stroke-width'': 5, ''stroke-linecap'': ''round''})', &
+      'line(a.at, points[i + 1].at, {stroke, ''stroke-width'': 5, ''stroke-linecap'': ''round'', ''pointer-events'': '// &
+      '''none''})', &
+      'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
       '})', &
-      'points.slice(0, n).forEach((a, i) => line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.se'// &
-      't_depth(a.d)}))', &
       'const dot = make(well, ''g'', {})', &
-      'mark_well = () => {', &
-      'const [x, y] = project(place(Math.min(state.depth, end)))', &
+      'return () => {', &
+      'const [x, y] = project(place(state.depth))', &
       'dot.replaceChildren()', &
+      'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
       'make(dot, ''text'', {x: x + 9, y: y - 6, class: ''value''}, b.place_text() + '': '' + text_of(value_at(p, stat'// &
       'e.tint, state.depth), quantity))', &
       '}', &
-      'mark_well()', &
       '}', &
       'function draw_assembly() {                                   // the lowest 40 m from the side, high side up', &
-      'const [p] = shown(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290', &
+      'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290', &
       'assembly.replaceChildren()', &
       'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T}`)', &
-      'if (!p) return', &
+      'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
       'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, ''displace'// &
@@ -560,42 +563,48 @@ module dg_page_script
       '}', &
       'for (const t of ticks(0, shown_length * factor(''length''), W / 120)) write(x_of(bit - t / factor(''length''))'// &
       ', T - 4, String(t))', &
-      'const contacts = (p.contacts ?? []).filter(c => c[0] > top).sort((a, b) => b[1] - a[1])', &
+      'const contacts = p.contacts.filter(c => c[0] > top).sort((a, b) => b[1] - a[1])', &
       'for (const [d, force, clock] of contacts) {', &
       'const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 2'// &
       '0 * force / contacts[0][1])', &
       'make(assembly, ''line'', {x1: x_of(d), x2: x_of(d), y1, y2, class: ''force''})', &
       'write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, ''force''))', &
       '}', &
-      'scale.textContent = `The lowest ${round_text(shown_length)}: distance above the bit [${unit(''length'')}], con'// &
+      'const cross = make(assembly, ''path'', {class: ''cross''})', &
+      'scale.textContent = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], con'// &
       'tact forces [${unit(''force'')}], enlarged across the hole.`', &
+      'return () => cross.setAttribute(''d'', state.depth < top || state.depth > bit ? '''' : `M${x_of(state.depth)} '// &
+      '20V${T - 16}`)', &
       '}', &
+      'const mark = () => { for (const m of marks) m() }', &
+      'const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }', &
       'for (const n in D.columns) if (!D.columns[n].words) make(pick, ''h:option'', {value: n}, D.columns[n].label)', &
       'pick.value = state.tint', &
       'well.before(pick)', &
       'const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw'// &
-      '_well() }', &
+      '() }', &
       'const sides = {''3D'': [-0.6, 0.35], plan: [0, Math.PI / 2], ''from south'': [0, 0], ''from east'': [-Math.PI '// &
       '/ 2, 0]}', &
       'for (const name in sides) well.before(make(null, ''h:button'', {type: ''button'', onclick: () => { [state.yaw,'// &
-      ' state.pitch] = sides[name]; draw_well() }}, name))', &
+      ' state.pitch] = sides[name]; draw() }}, name))', &
       'well.addEventListener(''pointermove'', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })', &
       'well.addEventListener(''wheel'', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw'// &
-      '_well() }, {passive: false})', &
+      '() }, {passive: false})', &
       'well.addEventListener(''keydown'', e => {', &
       'const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]', &
       'if (by) { e.preventDefault(); turn_by(...by) }', &
       '})', &
-      'return {draw: () => { draw_well(); draw_assembly() }, mark: () => { mark_well(); draw_section() }}', &
+      'return {draw, mark}', &
       '}']
-   character(185), parameter :: script_lines(486) = [ &
+   character(192), parameter :: script_lines(485) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5]
-   character(284), parameter :: style_lines_1(26) = [character(284) :: &
-      '.scripted .static{display:none}', &
+   character(284), parameter :: style_lines_1(31) = [character(284) :: &
+      '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
+      'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
       '.live svg{width:100%;height:auto;display:block}.live svg text{font-size:11px;fill:currentColor}.live svg .labe'// &
       'l{font-weight:600}', &
@@ -609,9 +618,9 @@ module dg_page_script
       '.live .force{stroke:#D55E00;stroke-width:3}.live .shadow{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
       '.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare [type=range]{display:none}', &
       '.live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
-      '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button{font:'// &
-      'inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor:pointe'// &
-      'r}', &
+      '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button,.unit'// &
+      's{font:inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor'// &
+      ':pointer}', &
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
       '.legend span{align-self:center;font-size:.85em}.live h3{margin:.8em 0 .2em}', &
@@ -620,8 +629,9 @@ module dg_page_script
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
       '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em}.panel div{font-size:11px;line-height:1.2}', &
       '.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:none;cursor:crosshair}', &
-      '.right input[type=range]{width:100%}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-colum'// &
-      'ns:13em 1fr;gap:1em}.lower figure{max-width:640px}', &
+      '.right input[type=range]{width:100%}p .units{margin-left:1em}.typed{display:inline-block;margin:.2em 1.5em .2e'// &
+      'm 0}.typed input{font:inherit;width:7em}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-c'// &
+      'olumns:13em 1fr;gap:1em}.lower figure{max-width:640px}', &
       ':focus-visible{outline:3px solid #E69F00}', &
       '@media screen and (max-width:700px){.lower figure:first-child{max-width:12em;margin:0 auto}.live figure{margin'// &
       ':1em 0}.main,.lower{grid-template-columns:minmax(0,1fr)}}', &
@@ -629,16 +639,22 @@ module dg_page_script
       'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}}', &
       '@media screen{.first{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head p{margin:'// &
       '.3em 0}.head h3{margin:.8em 0 .2em}}', &
+      '.more{display:none}', &
       '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
-      '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.scripted '// &
-      '.hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){display'// &
-      ':none!important}', &
+      '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.units,.sc'// &
+      'ripted .hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){'// &
+      'display:none!important}', &
       '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:60mm}.live svg.panel{max-height:none'// &
       '}.legend button{border:none;padding:0 .7em 0 0}', &
       '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
-      '5pt}.head h3{margin:0}.first{font-size:8.5pt}.answers small{white-space:nowrap}.answers td{padding:.1em .4em}.'// &
-      'lead h2{margin-top:.6em}.legend{gap:0}}']
-   character(284), parameter :: style_lines(26) = [ &
+      '5pt}.head h3{margin:0}.first{font-size:8.5pt}.lead h2{margin-top:.6em}.legend{gap:0}', &
+      '.lead{display:flex;flex-direction:column}.lead .wide,.answers,.answers tbody{display:contents}', &
+      '.answers tr{display:grid;grid-template-columns:14em 4em 1fr;font-size:8pt;padding:.1em .4em;border-bottom:1px '// &
+      'solid #ddd;break-inside:avoid}.answers td{padding:0;border:none}', &
+      '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
+      '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
+      'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
+   character(284), parameter :: style_lines(31) = [ &
       style_lines_1]
 end module dg_page_script

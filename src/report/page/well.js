@@ -2,14 +2,15 @@
 // dimensions, the assembly in its hole. Part of page.js, which makes a block `b` with curves and calls it.
 function well_figures(b) {
    const {root, state, shown} = b, angle = (p, d) => value_at(p, 'clock', d) * Math.PI / 180
+   const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]     // contacts are known to gap elements alone
    const lower = make(root, 'h:div', {class: 'lower'})
    const picture = (parent, label, more) => make(make(parent, 'h:figure', {}), 'svg', {role: 'img', 'aria-label': label, ...more})
-   const section = picture(lower, 'string in the hole at this depth', {viewBox: '0 -6 200 200'})
+   const section = picture(lower, 'string in the hole at this depth', {viewBox: '0 -6 200 214'})
    const well = picture(lower, 'the well in three dimensions', {viewBox: '0 0 460 440', tabindex: 0})
    const assembly = picture(root, 'lowest part of the string in the hole'), scale = make(assembly.parentNode, 'h:figcaption', {})
-   const pick = make(null, 'h:select', {'aria-label': 'colour of the well', onchange: () => { state.tint = pick.value; draw_well() }})
+   const pick = make(null, 'h:select', {'aria-label': 'colour of the well', onchange: () => { state.tint = pick.value; draw() }})
    const colour = part => `hsl(${230 - 225 * Math.min(part, 1)} 75% 48%)`     // blue, green, yellow, red
-   let mark_well = () => {}
+   let marks = []                                               // each moves the sign of the depth in a picture
    function writer(svg, width) {                                // writes texts, each unless it would hide an earlier one
       const taken = []
       return (x, y, text) => {
@@ -21,19 +22,19 @@ function well_figures(b) {
    }
    function draw_section() {                                    // the hole at the depth, seen down the hole, high side up
       section.replaceChildren()
-      shown().forEach((p, i) => {
+      make(section, 'circle', {cx: 100, cy: 100, r: 88, class: 'wall'})
+      make(section, 'text', {x: 100, y: 9, 'text-anchor': 'middle'}, 'high side')
+      make(section, 'text', {x: 100, y: 204, 'text-anchor': 'middle'}, 'at ' + b.place_text())
+      for (const p of shown().filter(p => state.depth <= D.cases[p.case].depth)) {
          const scale = 88 / value_at(p, 'hole', state.depth)
-         if (!i) make(section, 'circle', {cx: 100, cy: 100, r: 88, class: 'wall'})
-         if (!i) make(section, 'text', {x: 100, y: 9, 'text-anchor': 'middle'}, 'high side')
          const off = value_at(p, 'displacement', state.depth) * 2 * scale, a = angle(p, state.depth), r = value_at(p, 'od', state.depth) * scale
          make(section, 'circle', {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r, fill: 'none', 'stroke-width': 2, ...p.key.look})
-      })
+      }
    }
    function draw_well() {
-      const [p] = shown(), place = d => ['east', 'north', 'tvd'].map(name => value_at(p, name, d))
+      const p = leading(), place = d => ['east', 'north', 'tvd'].map(name => value_at(p, name, d))
       well.replaceChildren()
-      mark_well = () => {}
-      if (!p) return
+      if (!p) return () => {}
       const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]
       const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))
       const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at[k]))])
@@ -65,23 +66,23 @@ function well_figures(b) {
       make(well, 'path', {class: 'shadow', d: 'M' + points.map(a => project([a.at[0], a.at[1], z1])).join('L')})
       points.slice(0, n).forEach((a, i) => {
          const stroke = isFinite(a.value) ? colour((a.value - low) / (high - low || 1)) : '#888'
-         line(a.at, points[i + 1].at, {stroke, 'stroke-width': 5, 'stroke-linecap': 'round'})
+         line(a.at, points[i + 1].at, {stroke, 'stroke-width': 5, 'stroke-linecap': 'round', 'pointer-events': 'none'})
+         line(a.at, points[i + 1].at, {class: 'near', onpointerenter: () => b.set_depth(a.d)})
       })
-      points.slice(0, n).forEach((a, i) => line(a.at, points[i + 1].at, {class: 'near', onpointerenter: () => b.set_depth(a.d)}))
       const dot = make(well, 'g', {})
-      mark_well = () => {
-         const [x, y] = project(place(Math.min(state.depth, end)))
+      return () => {
+         const [x, y] = project(place(state.depth))
          dot.replaceChildren()
+         if (state.depth > end) return
          make(dot, 'circle', {cx: x, cy: y, r: 6, class: 'dot'})
          make(dot, 'text', {x: x + 9, y: y - 6, class: 'value'}, b.place_text() + ': ' + text_of(value_at(p, state.tint, state.depth), quantity))
       }
-      mark_well()
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
-      const [p] = shown(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290
+      const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290
       assembly.replaceChildren()
       assembly.setAttribute('viewBox', `0 0 ${W} ${T}`)
-      if (!p) return
+      if (!p) return () => {}
       const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - 30)
       const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
       const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)
@@ -95,25 +96,29 @@ function well_figures(b) {
          write((x_of(from) + x_of(to)) / 2, 14, part.name)
       }
       for (const t of ticks(0, shown_length * factor('length'), W / 120)) write(x_of(bit - t / factor('length')), T - 4, String(t))
-      const contacts = (p.contacts ?? []).filter(c => c[0] > top).sort((a, b) => b[1] - a[1])
+      const contacts = p.contacts.filter(c => c[0] > top).sort((a, b) => b[1] - a[1])
       for (const [d, force, clock] of contacts) {
          const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 20 * force / contacts[0][1])
          make(assembly, 'line', {x1: x_of(d), x2: x_of(d), y1, y2, class: 'force'})
          write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, 'force'))
       }
-      scale.textContent = `The lowest ${round_text(shown_length)}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], enlarged across the hole.`
+      const cross = make(assembly, 'path', {class: 'cross'})
+      scale.textContent = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], enlarged across the hole.`
+      return () => cross.setAttribute('d', state.depth < top || state.depth > bit ? '' : `M${x_of(state.depth)} 20V${T - 16}`)
    }
+   const mark = () => { for (const m of marks) m() }
+   const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }
    for (const n in D.columns) if (!D.columns[n].words) make(pick, 'h:option', {value: n}, D.columns[n].label)
    pick.value = state.tint
    well.before(pick)
-   const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw_well() }
+   const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw() }
    const sides = {'3D': [-0.6, 0.35], plan: [0, Math.PI / 2], 'from south': [0, 0], 'from east': [-Math.PI / 2, 0]}
-   for (const name in sides) well.before(make(null, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw_well() }}, name))
+   for (const name in sides) well.before(make(null, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw() }}, name))
    well.addEventListener('pointermove', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })
-   well.addEventListener('wheel', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw_well() }, {passive: false})
+   well.addEventListener('wheel', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw() }, {passive: false})
    well.addEventListener('keydown', e => {
       const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]
       if (by) { e.preventDefault(); turn_by(...by) }
    })
-   return {draw: () => { draw_well(); draw_assembly() }, mark: () => { mark_well(); draw_section() }}
+   return {draw, mark}
 }
