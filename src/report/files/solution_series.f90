@@ -20,7 +20,7 @@ contains
       call put(list, 'force', quantity_force, &
                'across the hole, of the string on what it touches; of an edge: the part in excess of weight and of '// &
                'tension in a bend', contacts%force)
-      call put(list, 'length', quantity_length, 'over which it acts; 0 for bit and top', contacts%length)
+      call put(list, 'length', quantity_length, 'of the string on which it acts; 0 for bit and top', contacts%length)
       call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
       call put(list, 'kind', quantity_text, &
                'tool joint, stabilizer, centralizer, edge, bit or top', contacts%kind - 1, contact_name)
@@ -31,7 +31,7 @@ contains
       type(iteration_type), intent(in) :: steps(:)
       type(series_list_type) :: list
       call put(list, 'attempt', quantity_none, &
-               'at the case: one that fails is followed by the next; shorter elements count on', steps%attempt)
+               'number of the attempt at the case; attempts on shorter elements continue the count', steps%attempt)
       call put(list, 'increment', quantity_none, 'load step', steps%increment)
       call put(list, 'stage', quantity_none, &
                'of the mesh: one more each time that elements are cut where the string stands outside', steps%stage)

@@ -239,7 +239,7 @@ contains
                           trim(in_units(units, unit_length, found%md(2), shown_depth))//': '// &
                           trim(in_units(units, unit_force, found%by_analysis, shown))//' on the long elements of hook load '// &
                           'and torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones of '// &
-                          'moments and side forces. Drag may be off as much')
+                          'moments and side forces. Drag may be off by as much')
       end associate
    end subroutine warn_of_contact
 

@@ -73,14 +73,14 @@ contains
       call put(row, 'depth_frictionless', quantity_length, &
                'free point by the usual formula, without friction', found%held%depth_frictionless)
       call put(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
-      call put(row, 'tension_below', quantity_force, 'there if nothing stuck', found%held%tension_below)
+      call put(row, 'tension_below', quantity_force, 'there in a free string', found%held%tension_below)
       call put(row, 'resistance', quantity_force, &
                'above less below: > 0 holds the string down, < 0 up', &
                difference(found%held%tension_above, found%held%tension_below))
       call put(row, 'resistance_interval', quantity_force, &
                'half its 95 % interval, from hookload_deviation alone', found%held%half_width)
       call put(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
-      call put(row, 'torque_below', quantity_moment, 'there if nothing stuck', found%held%torque_below)
+      call put(row, 'torque_below', quantity_moment, 'there in a free string', found%held%torque_below)
       call put(row, 'torque_resistance', quantity_moment, &
                'above less below', difference(found%held%torque_above, found%held%torque_below))
       call put(row, 'applied', quantity_none, &
