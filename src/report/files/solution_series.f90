@@ -41,7 +41,7 @@ contains
       call put(list, 'lateral_step', quantity_width, &
                'largest lateral change asked for by the step that led here', steps%lateral_step)
       call put(list, 'damping', quantity_none, &
-               'damping of that step, in units of F^2/(4 EI)', steps%damping)
+               'damping of that step, in units of compression^2/(4 EI)', steps%damping)
       call put(list, 'judged_by', quantity_none, &
                'what judged that step: start (there was none), whole (taken as it is: the string is in tension), energy, '// &
                'residual, refused (the string went back); in results.h5 1 to 5 in this order', &

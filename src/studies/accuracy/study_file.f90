@@ -48,16 +48,17 @@ contains
       call put(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
       call put(row, 'reference', quantity_text, &
                'yes: the finest variant of the case that converged, against which errors are', yes(record%is_reference))
-      call put(row, 'hookload', quantity_force, 'axial force held at the top', number(record%hookload))
-      call put(row, 'hookload_error', quantity_percent, 'of the reference''s', percent_of(record%errors(error_hookload)))
+      call put(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
+      call put(row, 'hookload_error', quantity_percent, 'of the value of reference', percent_of(record%errors(error_hookload)))
       call put(row, 'torque', quantity_moment, 'at the top', number(record%torque))
       call put(row, 'torque_error', quantity_percent, &
-               'of the reference''s; empty where that is zero', percent_of(record%errors(error_torque)))
+               'of the value of reference; empty where that is zero', percent_of(record%errors(error_torque)))
       call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', number(record%normal_force))
-      call put(row, 'normal_force_error', quantity_percent, 'of the reference''s', percent_of(record%errors(error_normal_force)))
+      call put(row, 'normal_force_error', quantity_percent, 'of the value of reference', &
+               percent_of(record%errors(error_normal_force)))
       call put(row, 'bending', quantity_moment, 'greatest bending moment along the string', number(record%bending))
       call put(row, 'bending_error', quantity_percent, &
-               'largest difference along the string, of the reference''s greatest', percent_of(record%errors(error_bending)))
+               'largest difference along the string, of the largest moment of reference', percent_of(record%errors(error_bending)))
       call put(row, 'iterations', quantity_none, 'Newton iterations; 0 for the other models', record%iterations)
       call put(row, 'elements', quantity_none, 'of the mesh, or steps of integration', record%elements)
       call put(row, 'seconds', quantity_time, &
@@ -76,7 +77,7 @@ contains
       call put(row, 'normal_force_order', quantity_none, 'the same', record%orders(error_normal_force))
       call put(row, 'bending_order', quantity_none, 'the same', record%orders(error_bending))
       call put(row, 'bending_rms', quantity_percent, &
-               'root mean square of the difference of bending moments along the string, of the reference''s greatest', &
+               'root mean square of the difference of bending moments along the string, of the largest moment of reference', &
                percent_of(record%errors(error_bending_rms)))
    contains
       !> A number of the variant; missing where it did not converge.

@@ -59,8 +59,8 @@ contains
                'not_separated (only a combination is determined), no_fit, no_solution; '// &
                'below_bit: the string is free', found%verdict)
       call put(row, 'scatter', quantity_none, &
-               'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
-               'are right', found%scatter)
+               'of all residuals divided by standard deviations (of the deck, else 2 % of the mean); about 1 where '// &
+               'these are right', found%scatter)
       call put(row, 'message', quantity_text, 'why there is no fit', found%message)
       call put(row, 'offset', quantity_force, &
                'what the gauge shows beyond string and block, in rows of a hookload_offset', found%offset%value)

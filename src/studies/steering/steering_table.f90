@@ -107,7 +107,7 @@ contains
       call put(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
       call put(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
       call put(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
-      call put(row, 'hole_turn', quantity_curvature, 'its change of azimuth', turn_rate(result, result%hole))
+      call put(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
       call put(row, 'side_force_high', quantity_force, &
                'of the bit on the formation in that hole, towards the high side; < 0: to the low side', result%side_force(1))
       call put(row, 'side_force_right', quantity_force, 'the same to the right, looking down the hole', result%side_force(2))
@@ -116,7 +116,7 @@ contains
       call put(row, 'build', quantity_curvature, &
                'build rate of the equilibrium curvature: the hole continues with it', optional_real(result%found, bend(1)))
       call put(row, 'turn', quantity_curvature, &
-               'its change of azimuth, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
+               'turn rate of it, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
       call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(bend)))
       call put(row, 'dogleg_clock', quantity_angle, &
                'to which the hole bends, from the high side clockwise looking down the hole', &

@@ -35,7 +35,7 @@ contains
                'coefficient along and around the hole; empty: those of the hole sections', sweep%frictions(point%friction))
       call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', sweep%depths(point%depth))
       call put(row, 'hookload', quantity_force, &
-               'axial force held at the top', optional_real(has_numbers(result%status), result%hookload))
+               'as in summary.csv', optional_real(has_numbers(result%status), result%hookload))
       call put(row, 'torque', quantity_moment, &
                'at the top, bit torque included', optional_real(has_numbers(result%status), result%torque))
       call put(row, 'status', quantity_text, &

@@ -51,7 +51,7 @@ contains
       call put(row, 'hookload_share_mud_density', quantity_percent, &
                'the same of the mud density', percent_of(found%hookload_shares(input_density)))
       call put(row, 'hookload_share_survey', quantity_percent, &
-               'the same of the survey; with random errors of stations, what is not linear is part of it', &
+               'the same of the survey; nonlinear effects included if survey_errors is random', &
                percent_of(found%hookload_shares(input_survey)))
       call put(row, 'hookload_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%hookload_shares(input_gauge)))
@@ -62,7 +62,7 @@ contains
       call put(row, 'torque_share_mud_density', quantity_percent, &
                'the same of the mud density', percent_of(found%torque_shares(input_density)))
       call put(row, 'torque_share_survey', quantity_percent, &
-               'the same of the survey; with random errors of stations, what is not linear is part of it', &
+               'the same of the survey; nonlinear effects included if survey_errors is random', &
                percent_of(found%torque_shares(input_survey)))
       call put(row, 'torque_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%torque_shares(input_gauge)))
