@@ -31,8 +31,8 @@ module dg_case_result
    integer, parameter :: scale_compression = 1, scale_bend = 2, scale_load = 3, scale_joint = 4, scale_end = 5, &
                          scale_neighbour = 6
    integer, parameter :: scale_count = 6
-   character(*), parameter :: scale_name(scale_count) = [character(18) :: 'compression', 'bends', 'side load', 'tool joints', &
-      'free ends', 'shorter neighbours']
+   character(*), parameter :: scale_name(scale_count) = [character(16) :: 'compression', 'bends', 'side load', 'tool joints', &
+      'free ends', 'short neighbours']
 
    !> Part that presses the wall at one place, and names in files.
    integer, parameter :: contact_joint = 1, contact_blades = 2, contact_edge = 3, contact_bit = 4, contact_top = 5, &

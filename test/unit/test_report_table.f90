@@ -107,7 +107,7 @@ contains
       call assertTrue(has(lines, 'i_up                    converged          208          7    0.250     100      90'// &
                           '      18      12       3'))
       call assertTrue(has(lines, 'all                     3 of 4             832        224    2.250'// &
-                          '   equilibrium to 1.0E-09 kN, 2.0E-09 kN.m'))
+                          '   out of balance 1.0E-09 kN, 2.0E-09 kN.m'))
    end subroutine test_costs_and_states
 
    subroutine test_what_is_no_solution_is_marked()

@@ -208,10 +208,10 @@ contains
       call assertGreaterThan(index(result%message, said), 0, message='a blade 0.3 m above the bit')
    end subroutine test_two_analyses
 
-   !> A helically buckled string whose contact differs between both analyses by 30 %: on shorter elements, where both agree, the hook
-   !> load and the contact of the long ones are the same. So the result blames moments and side forces, not the drag.
+   !> A helically buckled string whose contact differs between both analyses by 30 %. On shorter elements both agree, and hook load
+   !> and contact are those of the long ones: the result blames moments and side forces, not the drag.
    subroutine test_coiled()
-      character(*), parameter :: blamed = '. Side forces and moments there may be off as much'
+      character(*), parameter :: blamed = '. Side forces and moments there may be off by as much'
       type(case_result_type) :: result, finer
       call solve_horizontal('', result)
       call assertGreaterThan(index(result%message, said), 0, message='on the usual elements')

@@ -1,4 +1,4 @@
-!> The catalogue of pipe: a table whose columns are keys of &component with their unit, one row an entry. Rows of kind
+!> The catalogue of pipe: a table whose columns are keys of &component with their unit, one row per entry. Rows of kind
 !> 'grade' are steels: the name of a pipe followed by that of a grade is the pipe with the yield strength of the grade.
 module dg_catalogue
    use dg_kinds, only: wp

@@ -42,7 +42,7 @@ contains
       if (allocated(lines)) deallocate (lines)
       allocate (lines(0))
       call append_text(lines, '! '//path//' with numbers in '//trim(other%name)//' units, by '//program_name// &
-                       '. Sentences in comments are as they were.')
+                       '. Sentences in comments are unchanged.')
       if (.not. has_job) call append_text(lines, "&job units = '"//trim(other%name)//"' /")
       do i = 1, size(deck)
          call append_text(lines, deck(i)%text)

@@ -82,7 +82,7 @@ contains
       allocate (lines(0))
       call split_words(deck_systems, systems)
       call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
-      call append_text(lines, '! Lines behind ! are what may be given too, with the default. Numbers are in the units told.')
+      call append_text(lines, '! Keys behind ! are optional and show their default. Units stand in brackets.')
       call append_text(lines, '! Groups may come in any order.')
       do i = 1, size(systems)
          if (systems(i) == units%name) cycle

@@ -1,4 +1,4 @@
-!> limits.csv: what limits the string as a whole, one row a case and model.
+!> limits.csv: what limits the string as a whole, one row per case and model.
 module dg_limits_file
    use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
@@ -133,7 +133,8 @@ contains
                'estimated error of bending moments, of the largest: difference of two ways to compute them, or of two meshes, '// &
                'plus 0.5 %; empty where they were not solved on shorter elements', in_percent(whole%bending_error))
       call put(row, 'largest_von_mises', quantity_stress, 'equivalent stress along the string', whole%von_mises)
-      call put(row, 'von_mises_error', quantity_percent, 'how far it may be off for that', in_percent(whole%von_mises_error))
+      call put(row, 'von_mises_error', quantity_percent, &
+               'estimated error of that stress, by bending_error', in_percent(whole%von_mises_error))
       call put(row, 'wob_yield', quantity_force, &
                'weight on bit at which a compressed part of the string yields, bending and coils included; empty where it '// &
                'is locked up before', whole%wob_yield)
@@ -169,8 +170,8 @@ contains
       call put(row, 'governing_utilisation', quantity_percent, 'how much of it', governing_used)
       call put(row, 'governing_md', quantity_length, 'where', governing_md)
       call put(row, 'contact_difference', quantity_percent, &
-               'contact force is uncertain by this: largest difference over a part of the string between long elements (hook '// &
-               'load) and short ones (moments), over the contact force of the whole string', &
+               'uncertainty of contact force, in percent of that of the whole string: largest difference, along a part of it, '// &
+               'between long elements (hook load) and short ones (moments)', &
                in_percent(whole%contact_difference))
       call put(row, 'used_top_drive', quantity_percent, &
                'of max_torque of &rig, by the torque at the top of a string that turns', used(limit_top_drive))
@@ -195,7 +196,7 @@ contains
                   'by the change of temperature', optional_real(change%present, change%temperature))
          call put(row, 'length_change', quantity_length, 'sum of the four', optional_real(change%present, total_change(change)))
          call put(row, 'packer_force', quantity_force, &
-                  'of the string on its packer, beside that of the pressures: weight set down is positive; found where '// &
+                  'of the string on its packer, without that of the pressures: weight set down is positive; found where '// &
                   'packer_hold holds the string', whole%packer_force)
          call put(row, 'casing_wear', quantity_width, &
                   'depth of the groove in casing that leaves the least part of its wall; this and those that follow: in '// &
@@ -210,16 +211,16 @@ contains
                   'collapse strength there without tension (API 5C3)', &
                   optional_real(groove%present .and. .not. is_missing(groove%collapse), groove%collapse))
          call put(row, 'fatigue_used', quantity_percent, &
-                  'of the bending amplitude that the body bears without end at its tension, most along the string; this '// &
-                  'and those that follow: in cases that turn, where fatigue_curve is given', &
+                  'of the endurance limit of the body at its tension, most along the string; this and those that follow: in '// &
+                  'cases that turn, where fatigue_curve is given', &
                   in_percent(optional_real(fatigue%present, fatigue%used)))
          call put(row, 'fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
          call put(row, 'fatigue_turns', quantity_none, &
-                  'until failure there; empty where endless, or without fatigue_exponent', fatigue%turns)
+                  'until failure there; empty below the endurance limit, or without fatigue_exponent', fatigue%turns)
          call put(row, 'fatigue_damage', quantity_percent, &
                   'part of the life there that hours of rotation take', percent_of(fatigue%damage))
          call put(row, 'fatigue_dogleg', quantity_curvature, &
-                  'largest dogleg in which the pipe there may turn without end at its tension (Lubinski 1961)', &
+                  'largest dogleg in which the pipe there turns without fatigue at its tension (Lubinski 1961)', &
                   fatigue%dogleg)
       end associate
    end subroutine put_changes
@@ -244,15 +245,15 @@ contains
                'of joint_dogleg, by the curvature of the pipe', used(limit_joint_dogleg))
       associate (fatigue => whole%joint_fatigue)
          call put(row, 'joint_fatigue_used', quantity_percent, &
-                  'of the bending amplitude that connections bear without end, most along the string; this and those that '// &
-                  'follow as for fatigue, where joint_fatigue_limit is given', &
+                  'of the endurance limit of connections, most along the string; this and those that follow as for fatigue, '// &
+                  'where joint_fatigue_limit is given', &
                   in_percent(optional_real(fatigue%present, fatigue%used)))
          call put(row, 'joint_fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
          call put(row, 'joint_fatigue_turns', quantity_none, 'until failure there', fatigue%turns)
          call put(row, 'joint_fatigue_damage', quantity_percent, &
                   'part of the life there that hours of rotation take', percent_of(fatigue%damage))
          call put(row, 'joint_fatigue_dogleg', quantity_curvature, &
-                  'largest dogleg in which the connection there may turn without end at its tension', fatigue%dogleg)
+                  'largest dogleg in which the connection there turns without fatigue at its tension', fatigue%dogleg)
       end associate
    end subroutine put_ratings
 end module dg_limits_file

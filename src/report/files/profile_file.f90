@@ -46,7 +46,8 @@ contains
       call put(list, 'torsional_stress', quantity_stress, 'shear stress at the outer surface', along%torsional_stress)
       call put(list, 'hoop_stress', quantity_stress, 'at the inner surface (Lame)', along%hoop_stress)
       call put(list, 'von_mises', quantity_stress, 'equivalent stress, largest in the section', along%von_mises)
-      call put(list, 'safety_factor', quantity_none, 'yield over von_mises; empty where no yield is given', along%safety_factor)
+      call put(list, 'safety_factor', quantity_none, &
+               'yield divided by von_mises; empty where no yield is given', along%safety_factor)
       call put(list, 'envelope_margin', quantity_none, &
                'part of the tension-torque envelope left, bending included: 1 - von_mises/yield; empty where no yield is '// &
                'given', along%envelope_margin)
@@ -67,8 +68,8 @@ contains
       call put(list, 'od', quantity_width, 'outside diameter of the body', along%od)
       call put(list, 'hole', quantity_width, 'diameter of the hole', along%hole_diameter)
       call put(list, 'joint_magnification', quantity_none, &
-               'largest bending between tool joints that touch alone, over the column bending; 1 where joints were solved '// &
-               'one by one; empty without joints, and in compression beyond the closed form', along%magnification)
+               'largest bending between tool joints that touch alone, divided by the column bending; 1 where joints were '// &
+               'solved one by one; empty without joints, and in compression beyond the closed form', along%magnification)
       call put(list, 'jointed_bending_stress', quantity_stress, &
                'joint_magnification times bending_stress, in the body of the pipe', along%jointed_bending)
       call put(list, 'joint_von_mises', quantity_stress, &
@@ -77,8 +78,8 @@ contains
                'contact force of a tool joint: side_force times the distance of joints; of joints solved one by one that '// &
                'of the joint that stands here, 0 between; empty without joints', along%joint_side_force)
       call put(list, 'standoff', quantity_percent, &
-               'least distance of the body from the wall, over that of a centred one: 100 where it is centred, 0 where it '// &
-               'touches; mcge only', percent_of(along%standoff))
+               'least distance of the body from the wall, in percent of that of a centred body: 100 where it is centred, 0 '// &
+               'where it touches; mcge only', percent_of(along%standoff))
       call put(list, 'inside_pressure', quantity_pressure, 'of the fluid inside, pump pressure included', along%inside_pressure)
       call put(list, 'side', quantity_text, &
                'above or below where a component, hole section or fluid changes: that depth has a row for each side; else '// &

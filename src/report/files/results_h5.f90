@@ -2,7 +2,7 @@
 !>
 !> /cases/<case>/<model>/<column>          along the string, as in profile_<case>_<model>.csv
 !> /cases/<case>/<model>/history/<column>  as in history_<case>_<model>.csv
-!> /cases/<case>/<model>/gaps/<column>     the state table at the end, one row a gap element
+!> /cases/<case>/<model>/gaps/<column>     the state table at the end, one row per gap element
 !> /survey/<column>                        stations of the hole, as given
 !> Rows of summary.csv and limits.csv are attributes of /cases/<case>/<model>.
 module dg_results_h5

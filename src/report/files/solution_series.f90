@@ -20,7 +20,7 @@ contains
       call put(list, 'force', quantity_force, &
                'across the hole, of the string on what it touches; of an edge: the part in excess of weight and of '// &
                'tension in a bend', contacts%force)
-      call put(list, 'length', quantity_length, 'over which it acts; 0 for bit and top', contacts%length)
+      call put(list, 'length', quantity_length, 'of the string on which it acts; 0 for bit and top', contacts%length)
       call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
       call put(list, 'kind', quantity_text, &
                'tool joint, stabilizer, centralizer, edge, bit or top', contacts%kind - 1, contact_name)
@@ -31,7 +31,7 @@ contains
       type(iteration_type), intent(in) :: steps(:)
       type(series_list_type) :: list
       call put(list, 'attempt', quantity_none, &
-               'at the case: one that fails is followed by the next; shorter elements count on', steps%attempt)
+               'number of the attempt at the case; attempts on shorter elements continue the count', steps%attempt)
       call put(list, 'increment', quantity_none, 'load step', steps%increment)
       call put(list, 'stage', quantity_none, &
                'of the mesh: one more each time that elements are cut where the string stands outside', steps%stage)
@@ -41,7 +41,7 @@ contains
       call put(list, 'lateral_step', quantity_width, &
                'largest lateral change asked for by the step that led here', steps%lateral_step)
       call put(list, 'damping', quantity_none, &
-               'damping of that step, in units of F^2/(4 EI)', steps%damping)
+               'damping of that step, in units of compression^2/(4 EI)', steps%damping)
       call put(list, 'judged_by', quantity_none, &
                'what judged that step: start (there was none), whole (taken as it is: the string is in tension), energy, '// &
                'residual, refused (the string went back); in results.h5 1 to 5 in this order', &

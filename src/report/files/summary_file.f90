@@ -1,4 +1,4 @@
-!> summary.csv: one row a case and model.
+!> summary.csv: one row per case and model.
 module dg_summary_file
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
    use dg_column, only: put, put_filled, quantity_angle, quantity_force, quantity_length, quantity_moment, &
@@ -48,7 +48,7 @@ contains
       type(unit_system_type), intent(in) :: units     !< of the numbers in the reason
       type(row_type) :: row
       call put(row, 'case', quantity_text, 'name of the load case', load_case%name)
-      call put(row, 'section', quantity_text, 'its label', text_or_nothing(load_case%section))
+      call put(row, 'section', quantity_text, 'label of the hole section, as in the deck', text_or_nothing(load_case%section))
       call put(row, 'model', quantity_text, &
                'mcge (beams with contact gap elements), soft (soft string), rigid (stiff string on the hole axis) or mixed '// &
                '(stiff in places)', model_name(result%model))
@@ -69,7 +69,7 @@ contains
                'frictional resistance: buoyed weight along the hole - wob - axial force at the top; negative going up, '// &
                'positive going down', of(result%friction))
       call put(row, 'torque', quantity_moment, 'torque at the top, bit torque included', of(result%torque))
-      call put(row, 'normal_force', quantity_force, 'sum of the contact forces over the string', of(result%normal_force))
+      call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', of(result%normal_force))
       call put(row, 'status', quantity_text, &
                'converged, not_converged or locked_up: only the first is a solution', result_status_name(result%status))
       call put(row, 'iterations', quantity_none, &

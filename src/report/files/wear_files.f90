@@ -44,7 +44,7 @@ contains
       type(series_list_type) :: list
       call put(list, 'md', quantity_length, 'measured depth', grooves%md)
       call put(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
-      call put(list, 'side_force', quantity_line_load, 'mean over the distance of two tool joints', grooves%side_force)
+      call put(list, 'side_force', quantity_line_load, 'mean on the length from one tool joint to the next', grooves%side_force)
       call put(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
       call put(list, 'wall_left', quantity_percent, 'of the wall as it was new', percent_of(grooves%wall_left))
       call put(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
@@ -85,15 +85,15 @@ contains
       call put(list, 'tension', quantity_stress, 'of the effective axial force', parts%tension)
       call put(list, 'amplitude', quantity_stress, &
                'of the bending stress, of the body largest between tool joints', parts%amplitude)
-      call put(list, 'permitted', quantity_stress, 'amplitude that it bears without end at that tension', parts%permitted)
-      call put(list, 'used', quantity_percent, 'amplitude over permitted', percent_of(parts%used))
+      call put(list, 'permitted', quantity_stress, 'endurance limit at that tension', parts%permitted)
+      call put(list, 'used', quantity_percent, 'amplitude in percent of permitted', percent_of(parts%used))
       call put(list, 'turns', quantity_none, &
-               'until failure; empty where endless, or where fatigue_exponent is not given', parts%turns)
+               'until failure; empty below the endurance limit, or without fatigue_exponent', parts%turns)
       call put(list, 'damage', quantity_percent, &
                'part of its life that hours of rotation take at that place; empty without hours', percent_of(parts%damage))
       call put(list, 'dogleg', quantity_curvature, 'of the hole there', parts%curvature)
       call put(list, 'permitted_dogleg', quantity_curvature, &
-               'largest dogleg in which it may turn without end at that tension', parts%dogleg)
+               'largest dogleg in which it turns without fatigue at that tension', parts%dogleg)
       call put(list, 'section', quantity_text, &
                'body, or joint: its connections, with the stress outside them', merge(1, 0, parts%joint), sections)
    end function fatigue_series

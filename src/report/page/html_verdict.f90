@@ -1,4 +1,4 @@
-!> First block of the page: can it be done, one row a load case.
+!> First block of the page: can it be done, one row per load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
    use dg_html_well, only: append_well, shown_rows

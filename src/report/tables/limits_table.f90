@@ -216,17 +216,17 @@ contains
       character(*), intent(in) :: head                 !< of the line
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
-      text = '  '//head//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
-             whole_depth(units, fatigue%md)//', '// &
-             trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
+      text = '  '//head//': bending stress '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+             whole_depth(units, fatigue%md)//', endurance limit '// &
+             trim(in_units(units, unit_stress, fatigue%permitted, few))
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'
       call append_text(lines, text)
       text = ''
-      if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg for its tension '// &
+      if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg without fatigue '// &
          trim(in_units(units, unit_curvature, fatigue%dogleg, few))
       if (.not. is_missing(fatigue%damage)) then
          if (text /= '') text = text//', '
-         text = text//to_text(100.0_wp*fatigue%damage, few)//' % of its life used'
+         text = text//to_text(100.0_wp*fatigue%damage, few)//' % of life used'
       end if
       if (text /= '') call append_text(lines, '    '//text)
    end subroutine append_fatigue

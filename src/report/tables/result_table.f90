@@ -6,7 +6,7 @@ module dg_result_table
    use dg_job, only: job_type, model_meaning, model_name
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type
-   use dg_number_text, only: scientific_cell, fixed_text
+   use dg_number_text, only: scientific_cell
    use dg_table_1, only: append_table_1
    use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_text, only: append_text, text_type, to_text
@@ -94,7 +94,7 @@ contains
       call add_sums(table, 'all', to_text(count(results%status == result_converged))//' of '//to_text(size(results)), &
                     results, iterates)
       balance = ''
-      if (iterates .and. any(has_numbers(results%status))) balance = '   equilibrium to '// &
+      if (iterates .and. any(has_numbers(results%status))) balance = '   out of balance '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_force)/units%force, residual_width)))//' '// &
          trim(units%force_label)//', '// &
          trim(adjustl(scientific_cell(maxval(results%equilibrium_moment)/units%moment, residual_width)))//' '// &
@@ -125,12 +125,12 @@ contains
       integer :: i, number
       real(wp) :: least
       least = minval(results%element_lengths(1), mask=results%element_lengths(2) > 0.0_wp)
-      line = 'elements of '//fixed_text(least/units%length, 1)//' to '// &
-         fixed_text(maxval(results%element_lengths(2))/units%length, 1)//' '//trim(units%length_label)
+      line = 'elements of '//to_text(least/units%length, 3)//' to '// &
+         to_text(maxval(results%element_lengths(2))/units%length, 3)//' '//trim(units%length_label)
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle
-         line = line//trim(merge('; intervals cut finer for', ',                        ', number == 0))//' '// &
+         line = line//trim(merge('; shorter for', ',            ', number == 0))//' '// &
             trim(scale_name(i))//' ('//to_text(sum(results%shortened(i)))//')'
          number = number + 1
       end do

@@ -97,7 +97,7 @@ module dg_deck_keys
       key_rule_type('trajectory', 'azi', unit=unit_angle, array=.true., low=-360.0_wp, high=720.0_wp, &
          meaning='azimuths at the stations; may be left out where the whole hole is vertical'), &
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
-         meaning='path between stations; a spline wants them every 30 m or so where the hole bends'), &
+         meaning='path between stations; a spline needs a station about every 30 m where the hole bends'), &
       key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical straight', &
          meaning='path above the first station, where the survey has none; straight: in the direction of the first station'), &
       key_rule_type('trajectory', 'parent_file', kind_text, &
@@ -144,7 +144,7 @@ module dg_deck_keys
       key_rule_type('hole', 'casing_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
          meaning='yield strength of the casing, for burst and collapse of what wear leaves'), &
       key_rule_type('hole', 'wear_factor', unit=unit_wear, low=0.0_wp, open=.true., high=most_wear, &
-         meaning='volume worn off the casing over side force times sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
+         meaning='volume worn off the casing per side force and sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
 
    type(key_rule_type), parameter :: fluid_keys(*) = [ &
       key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
@@ -163,7 +163,7 @@ module dg_deck_keys
 
    type(key_rule_type), parameter :: rig_keys(*) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
-         meaning='of what hangs on the lines beside the string: travelling block, hook, top drive'), &
+         meaning='of all that hangs on the lines, without the string: travelling block, hook, top drive'), &
       key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
          meaning='lines strung to the travelling block; needed by a sheave_efficiency below 1'), &
       key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
@@ -221,35 +221,37 @@ module dg_deck_keys
          choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
          meaning='of its ends, for joint_torsion; default: not known'), &
       key_rule_type('component', 'joint_id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='bore of the pin, for joint_torsion; 0: not given, without tool joints id'), &
+         meaning='bore of the pin, for joint_torsion; 0: not given; for a component without tool joints: id'), &
       key_rule_type('component', 'joint_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
+         meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi); for a component without them: yield'), &
       key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
       key_rule_type('component', 'tension_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='of its connections: strength over that of the body, as data sheets of premium connections give it'), &
+         meaning='tensile strength of its connections divided by that of the body, as in data sheets of premium connections'), &
       key_rule_type('component', 'compression_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='the same in compression, over the tensile strength of the body'), &
+         meaning='their compressive strength divided by the tensile strength of the body'), &
       key_rule_type('component', 'burst_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='the same of pressure inside over that outside'), &
+         meaning='their burst strength divided by that of the body'), &
       key_rule_type('component', 'collapse_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='the same of pressure outside over that inside'), &
+         meaning='their collapse strength divided by that of the body'), &
       key_rule_type('component', 'joint_dogleg', unit=unit_curvature, low=0.0_wp, open=.true., high=sharpest_dogleg, &
-         meaning='largest dogleg in which its connections are rated'), &
+         meaning='largest dogleg for which its connections are rated'), &
       key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
-      key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, meaning='its own mu2; default friction'), &
-      key_rule_type('component', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its own mu1; default friction'), &
+      key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, &
+         meaning='its own friction along the hole; default friction'), &
+      key_rule_type('component', 'friction_rotary', low=0.0_wp, high=roughest, &
+         meaning='its own friction around the hole; default friction'), &
       key_rule_type('component', 'friction_scale', low=0.0_wp, high=roughest, default='1', &
          meaning='times the friction of the hole, axial and rotary'), &
       key_rule_type('component', 'friction_scale_axial', low=0.0_wp, high=roughest, &
-         meaning='times mu2 of the hole; default friction_scale'), &
+         meaning='times friction_axial of the hole; default friction_scale'), &
       key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
-         meaning='times mu1 of the hole; default friction_scale'), &
+         meaning='times friction_rotary of the hole; default friction_scale'), &
       key_rule_type('component', 'bend', unit=unit_angle, low=0.0_wp, high=sharpest_bend, default='0', &
          meaning='angle of a bent housing; 0: straight'), &
       key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
-         meaning='of the bend above the lower end of the component; needed with bend'), &
+         meaning='distance of the bend above the lower end of the component; needed with bend'), &
       key_rule_type('component', 'fatigue_curve', kind_text, default='none', choices='none E75 S135 own', &
          meaning='bending that the body bears while it turns: of API RP 7G by grade, or an own one'), &
       key_rule_type('component', 'fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
@@ -263,7 +265,7 @@ module dg_deck_keys
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
          meaning='turns from which on the endurance limit holds'), &
       key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='amplitude of bending stress outside its connections that they bear without end; default: not known'), &
+         meaning='endurance limit of connections, as bending stress of the body beside them; default: not known'), &
       key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='as fatigue_exponent, of connections'), &
       key_rule_type('component', 'joint_fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
@@ -273,9 +275,9 @@ module dg_deck_keys
       key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
          meaning='direction of that force on the string, as toolface: 0 builds; the pad that is out stands opposite'), &
       key_rule_type('component', 'pad_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
-         meaning='of the pads above the lower end of the component; needed with pad_force'), &
+         meaning='distance of the pads above the lower end of the component; needed with pad_force'), &
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
-         meaning='of a survey sensor above the lower end of the component; gives its sag correction')]
+         meaning='distance of a survey sensor above the lower end of the component; gives its sag correction')]
 
    type(key_rule_type), parameter :: strength_keys(*) = [ &
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
@@ -285,13 +287,13 @@ module dg_deck_keys
       key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
          meaning='the same of torque, of bodies and connections; make-up torque has none'), &
       key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of pressure inside over that outside'), &
+         meaning='the same for burst: of pressure inside less that outside'), &
       key_rule_type('strength', 'collapse_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of pressure outside over that inside'), &
+         meaning='the same for collapse: of pressure outside less that inside'), &
       key_rule_type('strength', 'slip_length', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='length over which slips grip the uppermost pipe; 0: not known, no slips'), &
+         meaning='length of the uppermost pipe that slips grip; 0: not known, slips are not checked'), &
       key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
-         meaning='lateral over axial load of slips; 4 with a friction of 0.08 on their backs')]
+         meaning='lateral load of slips divided by axial load; 4 with a friction of 0.08 on their backs')]
    type(key_rule_type), parameter :: centralizer_keys(*) = [ &
       key_rule_type('centralizer', 'string', kind_text, default='main', meaning='name of the string of the component'), &
       key_rule_type('centralizer', 'component', kind_text, required=.true., &
@@ -311,8 +313,10 @@ module dg_deck_keys
          meaning='drag of one bow in a hole narrower than it (API 10D)'), &
       key_rule_type('centralizer', 'friction', low=0.0_wp, high=roughest, &
          meaning='coefficient where it touches, axial and rotary; default that of the component'), &
-      key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, meaning='its mu2; default friction'), &
-      key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, meaning='its mu1; default friction')]
+      key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, &
+         meaning='its friction along the hole; default friction'), &
+      key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, &
+         meaning='its friction around the hole; default friction')]
 
    type(key_rule_type), parameter :: boundary_keys(*) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
@@ -334,7 +338,8 @@ module dg_deck_keys
          meaning='weight on bit; > 0 pushes the bit, < 0 pulls it'), &
       key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
       key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
-      key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, meaning='overrides friction of the hole, both ways'), &
+      key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, &
+         meaning='overrides friction of the hole, axial and rotary'), &
       key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, &
          meaning='axial friction factor in place of the hole''s'), &
       key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, &
@@ -378,9 +383,9 @@ module dg_deck_keys
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='how the equations are solved'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, &
-         meaning='residual at convergence over the weight; above 1e-6 it counts as 1e-6'), &
+         meaning='residual at convergence divided by the weight; above 1e-6 it counts as 1e-6'), &
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
-                    meaning='of all attempts at a case together'), &
+                    meaning='largest number of iterations, of all attempts at a case together'), &
       key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
       key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=10.0_wp, &
          meaning='rigidity of a free gap: Gkmin, Eq. 7'), &
@@ -395,11 +400,11 @@ module dg_deck_keys
       key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
          meaning='a gap moves to an extremum deeper by this part of the clearance'), &
       key_rule_type('solver', 'step_limit', low=least_step, high=1.0e3_wp, &
-         meaning='lateral step over clearance above which damping is raised'), &
+         meaning='lateral step, in clearances, above which damping is raised'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
-         meaning='lateral offset seeded in compressed parts over the clearance'), &
+         meaning='lateral offset at the start of compressed parts, in clearances'), &
       key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &
-         meaning='soft, rigid, mixed: a turning string climbs the wall, which lessens contact by 1/sqrt(1 + mu1^2)'), &
+         meaning='soft, rigid, mixed: a turning string climbs the wall: contact divided by sqrt(1 + friction_rotary^2)'), &
       key_rule_type('solver', 'mixed_parts', kind_text, default='rigid', choices='rigid elements', &
          meaning='mixed: what the string next to the bit is; elements: beams with gaps to 100 m above the assembly'), &
       key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]

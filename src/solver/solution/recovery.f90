@@ -74,7 +74,7 @@ contains
       end do
    end subroutine recover_profile
 
-   !> The state table at the end, one row an element from the top down.
+   !> The state table at the end, one row per element from the top down.
    pure subroutine recover_gaps(mesh, gaps, work, rows)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps

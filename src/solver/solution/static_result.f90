@@ -244,8 +244,8 @@ contains
                           trim(in_units(units, unit_force, found%by_analysis, shown))//' on the long elements of hook load '// &
                           'and torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones of '// &
                           'moments and side forces. '// &
-                          trim(merge('Side forces and moments there may be off as much', &
-                                     'Drag may be off as much                         ', result%coiled)))
+                          trim(merge('Side forces and moments there may be off by as much', &
+                                     'Drag may be off by as much                         ', result%coiled)))
       end associate
    end subroutine warn_of_contact
 

@@ -1,4 +1,4 @@
-!> study.csv: accuracy and cost, one row a load case and variant.
+!> study.csv: accuracy and cost, one row per load case and variant.
 module dg_study_file
    use dg_case_result, only: has_numbers, result_status_name
    use dg_column, only: put, put_filled, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
@@ -39,7 +39,7 @@ contains
       call put_filled(row, 'fidelity', quantity_text, 'its name, where it set the element length', fidelity)
       call put(row, 'element_length', quantity_length, 'longest element asked for', variant%numerics%element_length)
       call put(row, 'tolerance', quantity_none, &
-               'residual at convergence over the weight; this and the next three: empty for models other than mcge', &
+               'residual at convergence divided by the weight; this and the next three: empty for models other than mcge', &
                optional_real(beams, variant%numerics%tolerance))
       call put(row, 'wall_stiffness', quantity_wall, &
                'of every wall; empty where it is that of the deck', optional_real(beams .and. variant%wall > 0.0_wp, variant%wall))
@@ -48,35 +48,36 @@ contains
       call put(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
       call put(row, 'reference', quantity_text, &
                'yes: the finest variant of the case that converged, against which errors are', yes(record%is_reference))
-      call put(row, 'hookload', quantity_force, 'axial force held at the top', number(record%hookload))
-      call put(row, 'hookload_error', quantity_percent, 'of the reference''s', percent_of(record%errors(error_hookload)))
+      call put(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
+      call put(row, 'hookload_error', quantity_percent, 'of the value of reference', percent_of(record%errors(error_hookload)))
       call put(row, 'torque', quantity_moment, 'at the top', number(record%torque))
       call put(row, 'torque_error', quantity_percent, &
-               'of the reference''s; empty where that is none', percent_of(record%errors(error_torque)))
-      call put(row, 'normal_force', quantity_force, 'sum of the contact forces over the string', number(record%normal_force))
-      call put(row, 'normal_force_error', quantity_percent, 'of the reference''s', percent_of(record%errors(error_normal_force)))
+               'of the value of reference; empty where that is zero', percent_of(record%errors(error_torque)))
+      call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', number(record%normal_force))
+      call put(row, 'normal_force_error', quantity_percent, 'of the value of reference', &
+               percent_of(record%errors(error_normal_force)))
       call put(row, 'bending', quantity_moment, 'greatest bending moment along the string', number(record%bending))
       call put(row, 'bending_error', quantity_percent, &
-               'largest difference along the string, of the reference''s greatest', percent_of(record%errors(error_bending)))
-      call put(row, 'iterations', quantity_none, 'Newton iterations; 0 for models without', record%iterations)
+               'largest difference along the string, of the largest moment of reference', percent_of(record%errors(error_bending)))
+      call put(row, 'iterations', quantity_none, 'Newton iterations; 0 for the other models', record%iterations)
       call put(row, 'elements', quantity_none, 'of the mesh, or steps of integration', record%elements)
       call put(row, 'seconds', quantity_time, &
                'wall time of the solution alone, on one core; median of three where short', record%seconds)
       call put(row, 'memory_MB', quantity_none, &
                'greatest use while it was solved; empty where the system does not tell', &
                merge(missing, record%memory/megabyte, is_missing(record%memory)))
-      call put(row, 'cost', quantity_none, 'seconds over the reference''s', record%cost)
+      call put(row, 'cost', quantity_none, 'seconds divided by those of the reference', record%cost)
       call put(row, 'pareto', quantity_text, &
-               'yes: nothing in this case is both more accurate (hook load and torque, the worse) and faster', &
+               'yes: no variant of this case is both more accurate (hook load and torque, the worse) and faster', &
                yes(record%in_pareto_set))
       call put(row, 'hookload_order', quantity_none, &
-               'order of convergence, from all rows of the case that differ in element length alone; empty where they do '// &
-               'not tell', record%orders(error_hookload))
+               'order of convergence, from all rows of the case that differ in element length alone; empty where '// &
+               'they give none', record%orders(error_hookload))
       call put(row, 'torque_order', quantity_none, 'the same', record%orders(error_torque))
       call put(row, 'normal_force_order', quantity_none, 'the same', record%orders(error_normal_force))
       call put(row, 'bending_order', quantity_none, 'the same', record%orders(error_bending))
       call put(row, 'bending_rms', quantity_percent, &
-               'root mean square of the difference of bending moments along the string, of the reference''s greatest', &
+               'root mean square of the difference of bending moments along the string, of the largest moment of reference', &
                percent_of(record%errors(error_bending_rms)))
    contains
       !> A number of the variant; missing where it did not converge.

@@ -66,8 +66,8 @@ contains
       worth = pareto_set(worst, seconds)
       allocate (lines(0))
       call append_text(lines, '')
-      call append_text(lines, 'Study of '//to_text(size(records, 2))//' cases; errors: worst of all cases against the finest way ' &
-                       //'in %, iterations and seconds: all cases')
+      call append_text(lines, 'Study of '//to_text(size(records, 2))//' cases; errors: worst of all cases against the finest '// &
+                       'variant in %, iterations and seconds: all cases')
       do i = 1, size(variants)
          call add_row(table, job%units, variants(i), totals(i), totals(finest))
          call end_row(table, ' '//trim(merge('*', ' ', worth(i)))//trim(merge('=', ' ', i == finest))// &

@@ -76,12 +76,12 @@ contains
             remark = ''
             select case (verdict_of(result, k))
             case (verdict_at_bound); remark = 'at its bound'
-            case (verdict_not_felt); remark = 'not felt by data'
-            case (verdict_not_separated); remark = 'not told apart'
+            case (verdict_not_felt); remark = 'not determined'
+            case (verdict_not_separated); remark = 'not separated'
             case (verdict_found)
                if (is_missing(half)) then
-                  remark = 'no spare data'
-                  if (result%statistics%freedom > 0) remark = 'no scatter'
+                  remark = 'too few values'
+                  if (result%statistics%freedom > 0) remark = 'exact fit'
                else if (half >= abs(value)) then
                   remark = 'may be zero'
                end if
@@ -131,7 +131,7 @@ contains
             call add_cell(table, 'Error %', cell_width, errors(1), one, 2)
             call add_cell(table, 'After', cell_width, result%fit%values(d), unit, decimals)
             call add_cell(table, 'Error %', cell_width, errors(2), one, 2)
-            call add_cell(table, 'After-M.', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
+            call add_cell(table, 'Off by', cell_width, difference(result%fit%values(d), datum%measured), unit, decimals)
             call end_row(table, '')
          end associate
       end do
@@ -183,8 +183,8 @@ contains
       end do
       if (result%halvings > 0) call append_text(lines, 'Note: not every load case has a solution with the factors of the deck; '// &
          'the fit began with these divided by '//to_text(2**result%halvings))
-      if (result%statistics%freedom == 0) call append_text(lines, 'Note: as many factors as measured values: they fit as they '// &
-         'must, which shows nothing')
+      if (result%statistics%freedom == 0) call append_text(lines, 'Note: as many factors as measured values: the fit is '// &
+         'exact and proves nothing')
       unknown_error = [(verdict_of(result, k) == verdict_found .and. is_missing(result%statistics%half_width(k)), &
                         k=1, size(calibration%unknowns))]
       if (any(unknown_error) .and. result%statistics%freedom > 0) call append_text(lines, 'Note: the measured values are met '// &

@@ -156,7 +156,7 @@ contains
       call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(load_case%operation))
       call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
       call put(row, 'predicted_hookload', quantity_force, &
-               'by the factors found; with &rig as it shows; empty in rows of a torque', merge(value, missing, hooks))
+               'by the factors found; with &rig: weight indicator; empty in rows of a torque', merge(value, missing, hooks))
       call put(row, 'lower_hookload', quantity_force, &
                'lower end of the interval in which one measurement lies with 95 %', merge(lower, missing, hooks))
       call put(row, 'upper_hookload', quantity_force, 'upper end', merge(upper, missing, hooks))
@@ -170,7 +170,7 @@ contains
                'as in the deck', optional_real(.not. hooks .and. measured%present, measured%value))
       call put(row, 'error', quantity_percent, '100 |predicted - measured| / measured', error)
       call put(row, 'within', quantity_text, &
-               'yes or no: the measured value lies in the interval; empty where there is none of them', &
+               'yes or no: the measured value lies in the interval; empty without a measured value', &
                within(value, half, measured))
    end function prediction_row
 

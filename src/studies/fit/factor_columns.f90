@@ -59,8 +59,8 @@ contains
                'not_separated (only a combination is determined), no_fit, no_solution; '// &
                'below_bit: the string is free', found%verdict)
       call put(row, 'scatter', quantity_none, &
-               'of all residuals over standard deviations (of the deck, else 2 % of the mean); about 1 where these '// &
-               'are right', found%scatter)
+               'of all residuals divided by standard deviations (of the deck, else 2 % of the mean); about 1 where '// &
+               'these are right', found%scatter)
       call put(row, 'message', quantity_text, 'why there is no fit', found%message)
       call put(row, 'offset', quantity_force, &
                'what the gauge shows beyond string and block, in rows of a hookload_offset', found%offset%value)
@@ -73,14 +73,14 @@ contains
       call put(row, 'depth_frictionless', quantity_length, &
                'free point by the usual formula, without friction', found%held%depth_frictionless)
       call put(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
-      call put(row, 'tension_below', quantity_force, 'there if nothing stuck', found%held%tension_below)
+      call put(row, 'tension_below', quantity_force, 'there in a free string', found%held%tension_below)
       call put(row, 'resistance', quantity_force, &
                'above less below: > 0 holds the string down, < 0 up', &
                difference(found%held%tension_above, found%held%tension_below))
       call put(row, 'resistance_interval', quantity_force, &
                'half its 95 % interval, from hookload_deviation alone', found%held%half_width)
       call put(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
-      call put(row, 'torque_below', quantity_moment, 'there if nothing stuck', found%held%torque_below)
+      call put(row, 'torque_below', quantity_moment, 'there in a free string', found%held%torque_below)
       call put(row, 'torque_resistance', quantity_moment, &
                'above less below', difference(found%held%torque_above, found%held%torque_below))
       call put(row, 'applied', quantity_none, &

@@ -18,7 +18,7 @@ module dg_steering_keys
       key_rule_type('steering', 'length', unit=unit_length, low=10.0_wp, high=1.0e3_wp, default='150', &
          meaning='of the string above the bit that is solved'), &
       key_rule_type('steering', 'side_cutting', low=0.0_wp, open=.true., high=100.0_wp, &
-         meaning='rate of side cutting over face cutting at equal force; default: zero side force sets the curvature'), &
+         meaning='rate of side cutting divided by that of face cutting; default: zero side force sets the curvature'), &
       key_rule_type('steering', 'hole_enlargement', unit=unit_diameter, low=0.0_wp, high=200.0_wp, default='0', &
          meaning='of the diameter of the hole above the bit'), &
       key_rule_type('steering', 'measured_dogleg', unit=unit_curvature, array=.true., low=-60.0_wp, high=60.0_wp, &

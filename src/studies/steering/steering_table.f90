@@ -1,4 +1,4 @@
-!> Where assemblies drill to: steering.csv, one row a load case and toolface, and in print. Every printed line fits 120 columns.
+!> Where assemblies drill to: steering.csv, one row per load case and toolface, and in print. Every printed line fits 120 columns.
 module dg_steering_table
    use dg_constants, only: degree, pi
    use dg_job, only: job_type
@@ -36,7 +36,7 @@ contains
       allocate (lines(0))
       call append_text(lines, '')
       call append_text(lines, 'Steering: the bit in the hole as it is ('//unit_label(job%units, quantity_force)//', deg), and '// &
-                       'the curvature at which the hole goes on ('//unit_label(job%units, quantity_curvature)//')')
+                       'the curvature with which the hole continues ('//unit_label(job%units, quantity_curvature)//')')
       do i = 1, size(results)
          associate (found => results(i))
             call add_cell(table, 'Load case', name_width, model%cases(found%case_index)%name)
@@ -50,7 +50,7 @@ contains
             call add_cell(table, 'Build|rate', width, bend(1), curvature, 2)
             call add_cell(table, 'Turn|rate', width, turn_rate(found, bend), curvature, 2)
             call add_cell(table, 'Dogleg', width, norm2(bend), curvature, 2)
-            call add_cell(table, 'to', width, turned(dogleg_clock(bend)), degree, 1)
+            call add_cell(table, 'Dogleg|toward', width, turned(dogleg_clock(bend)), degree, 1)
             call end_row(table, '')
          end associate
       end do
@@ -107,24 +107,24 @@ contains
       call put(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
       call put(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
       call put(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
-      call put(row, 'hole_turn', quantity_curvature, 'its change of azimuth', turn_rate(result, result%hole))
+      call put(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
       call put(row, 'side_force_high', quantity_force, &
                'of the bit on the formation in that hole, towards the high side; < 0: to the low side', result%side_force(1))
       call put(row, 'side_force_right', quantity_force, 'the same to the right, looking down the hole', result%side_force(2))
-      call put(row, 'tilt_high', quantity_angle, 'to which the bit points against that hole, towards the high side', result%tilt(1))
+      call put(row, 'tilt_high', quantity_angle, 'tilt of the bit against that hole, towards the high side', result%tilt(1))
       call put(row, 'tilt_right', quantity_angle, 'the same to the right', result%tilt(2))
       call put(row, 'build', quantity_curvature, &
-               'build rate of the equilibrium curvature: the hole goes on so', optional_real(result%found, bend(1)))
+               'build rate of the equilibrium curvature: the hole continues with it', optional_real(result%found, bend(1)))
       call put(row, 'turn', quantity_curvature, &
-               'its change of azimuth, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
+               'turn rate of it, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
       call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(bend)))
       call put(row, 'dogleg_clock', quantity_angle, &
                'to which the hole bends, from the high side clockwise looking down the hole', &
                optional_real(result%found, dogleg_clock(bend)))
       call put(row, 'status', quantity_text, &
                'converged, or not_converged: then there is no curvature', merge('converged    ', 'not_converged', result%found))
-      call put(row, 'solutions', quantity_none, 'solutions of the string', result%solutions)
-      call put(row, 'message', quantity_text, 'why there is none, or why it may be off', result%message)
+      call put(row, 'solutions', quantity_none, 'solutions of the string that were computed', result%solutions)
+      call put(row, 'message', quantity_text, 'why there is no curvature, or why it may be off', result%message)
       call put(row, 'three_point_dogleg', quantity_curvature, &
                'of a stiff bent assembly that touches at bit and two more points', result%three_points)
       call put(row, 'fitted_side_cutting', quantity_none, 'side_cutting that gives the measured dogleg', result%side_cutting)

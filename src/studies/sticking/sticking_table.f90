@@ -67,10 +67,9 @@ contains
          end associate
       end do
       call append_table(lines, table)
-      call append_text(lines, 'Free: hook load if nothing stuck. Above: tension in the string just above the point; below: '// &
-                       'there if nothing stuck.')
-      call append_text(lines, 'Resists > 0: the point holds the string down, < 0: up. +-: 95 % of the gauge alone, '// &
-                       'friction being as in the deck.')
+      call append_text(lines, 'Free: hook load of a free string. Above: tension just above the point. Below: tension there '// &
+                       'in a free string.')
+      call append_text(lines, 'Resists: Above - Below; > 0 holds the string down, < 0 up. +-: 95 % interval, by the gauge alone.')
       if (any(results%status == sticking_at_bound)) call append_text(lines, &
          '! less torque was measured than friction above the point takes. Lower the friction around the hole')
    end subroutine append_resistances
@@ -92,8 +91,8 @@ contains
          do i = 1, size(results)
             text = 'no solution'
             if (results(i)%status == sticking_below_bit) text = below_bit()
-            if (.not. is_missing(results(i)%depth)) text = point(results(i)%depth)//', pulled there by '// &
-               shown(results(i)%tension_above)//' '//trim(units%force_label)//' at last'
+            if (.not. is_missing(results(i)%depth)) text = point(results(i)%depth)//', tension there '// &
+               shown(results(i)%tension_above)//' '//trim(units%force_label)//' at the second pull'
             call append_text(lines, '  with friction, model '//left_aligned(trim(model_name(results(i)%model))//':', 10)//' '//text)
          end do
       end associate

@@ -1,4 +1,4 @@
-!> sweep_<name>.csv: one row a point, curve after curve.
+!> sweep_<name>.csv: one row per point, curve after curve.
 module dg_sweep_file
    use dg_case_result, only: has_numbers, result_status_name
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
@@ -35,7 +35,7 @@ contains
                'coefficient along and around the hole; empty: those of the hole sections', sweep%frictions(point%friction))
       call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', sweep%depths(point%depth))
       call put(row, 'hookload', quantity_force, &
-               'axial force held at the top', optional_real(has_numbers(result%status), result%hookload))
+               'as in summary.csv', optional_real(has_numbers(result%status), result%hookload))
       call put(row, 'torque', quantity_moment, &
                'at the top, bit torque included', optional_real(has_numbers(result%status), result%torque))
       call put(row, 'status', quantity_text, &
@@ -60,7 +60,7 @@ contains
                'of the solver: empty for those of the deck; earlier: found before --again', &
                merge('earlier', '       ', result%earlier))
       call put(row, 'can_be_done', quantity_text, &
-               'as in summary.csv, but for fatigue; strengths by forces of the soft string', &
+               'as in summary.csv, without fatigue; strengths by forces of the soft string', &
                answer_name(answer_of(result)))
       call put(row, 'limit', quantity_text, 'the one that is passed', limit_code(result%limit))
    end function sweep_row

@@ -1,4 +1,4 @@
-!> uncertainty_<name>.csv: one row a point, with the quantiles of its samples.
+!> uncertainty_<name>.csv: one row per point, with the quantiles of its samples.
 module dg_uncertainty_file
    use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, row_type
@@ -51,22 +51,22 @@ contains
       call put(row, 'hookload_share_mud_density', quantity_percent, &
                'the same of the mud density', percent_of(found%hookload_shares(input_density)))
       call put(row, 'hookload_share_survey', quantity_percent, &
-               'the same of the survey; of stations each on their own with what is not linear', &
+               'the same of the survey; nonlinear effects included if survey_errors is random', &
                percent_of(found%hookload_shares(input_survey)))
       call put(row, 'hookload_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%hookload_shares(input_gauge)))
       call put(row, 'hookload_share_rest', quantity_percent, &
-               'what is not linear, and chance', percent_of(found%hookload_shares(input_rest)))
+               'nonlinear effects, and chance', percent_of(found%hookload_shares(input_rest)))
       call put(row, 'torque_share_friction', quantity_percent, &
                'share of the variance of the torque that friction explains', percent_of(found%torque_shares(input_friction)))
       call put(row, 'torque_share_mud_density', quantity_percent, &
                'the same of the mud density', percent_of(found%torque_shares(input_density)))
       call put(row, 'torque_share_survey', quantity_percent, &
-               'the same of the survey; of stations each on their own with what is not linear', &
+               'the same of the survey; nonlinear effects included if survey_errors is random', &
                percent_of(found%torque_shares(input_survey)))
       call put(row, 'torque_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%torque_shares(input_gauge)))
       call put(row, 'torque_share_rest', quantity_percent, &
-               'what is not linear, and chance', percent_of(found%torque_shares(input_rest)))
+               'nonlinear effects, and chance', percent_of(found%torque_shares(input_rest)))
    end function uncertainty_row
 end module dg_uncertainty_file
