@@ -264,6 +264,9 @@ contains
       call refuse("od = 171.45", "od = 171.45, pad_force = 15", 12, 'pad_force needs pad_position')
       call refuse("od = 171.45", "od = 171.45, pad_force = 15, pad_position = 120", 12, &
                   'pad_position = 120 is greater than length = 100')
+      call refuse("od = 171.45", "od = 171.45, blade_offset = 5", 12, "blade_offset needs kind = 'stabilizer' and joint_od")
+      call refuse("kind = 'collar', length = 100.0", "kind = 'stabilizer', joint_od = 191.45, blade_offset = 12, length = 1.0", &
+                  11, 'blade_offset = 12 is greater than 10: the body would touch before')
       call refuse("diameter = 220.0", "diameter = 220.0, wear_factor = 10", 6, 'wear_factor needs casing_od')
       call refuse("diameter = 220.0", "diameter = 220.0, casing_od = 200", 6, &
                   'casing_od = 200 mm is not greater than diameter = 220 mm')

@@ -263,6 +263,8 @@ contains
                   "ignores the bent housing. Use mcge", "'soft'", "'mcge'")
       call follow("kind = 'collar', length = 100.0", "pad_force = 5, pad_clock = 0, pad_position = 1, length = 9.0", &
                   "ignores the force of the pads. Use mcge", "'soft'", "'mcge'")
+      call follow("kind = 'collar', length = 100.0", "kind = 'stabilizer', joint_od = 210, blade_offset = 5, length = 1.0", &
+                  "ignores the offset of the blades. Use mcge", "'soft'", "'mcge'")
    end subroutine test_notes
 
    !> Names that are taken, and values that stand twice.

@@ -37,6 +37,8 @@ contains
       use dg_test_lone_contacts, only: lone_contacts_suite
       use dg_test_contact_sums, only: contact_sums_suite
       use dg_test_sag_correction, only: sag_correction_suite
+      use dg_test_published_turns, only: published_turns_suite
+      use dg_test_eccentric_blades, only: eccentric_blades_suite
       use dg_test_pads, only: pads_suite
       use dg_test_casing_wear, only: casing_wear_suite
       use dg_test_fatigue, only: fatigue_suite
@@ -79,6 +81,8 @@ contains
       call suite%addTest(lone_contacts_suite())
       call suite%addTest(contact_sums_suite())
       call suite%addTest(sag_correction_suite())
+      call suite%addTest(published_turns_suite())
+      call suite%addTest(eccentric_blades_suite())
       call suite%addTest(pads_suite())
       call suite%addTest(casing_wear_suite())
       call suite%addTest(fatigue_suite())

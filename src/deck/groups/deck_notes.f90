@@ -2,7 +2,7 @@
 !> notes and continues. Ranges that reject a value are in the table of keys (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: closed_diameter, has_bend, has_blades, has_joints, has_pad, is_open, opens, tube_area
+   use dg_component, only: closed_diameter, has_bend, has_blades, has_joints, has_pad, is_eccentric, is_open, opens, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
@@ -100,7 +100,7 @@ contains
       end do
    end subroutine note_block
 
-   !> Bent housings and pads that a model, or a string that turns, leaves out.
+   !> Bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
    subroutine note_tools(draft, job, uses, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
@@ -112,7 +112,8 @@ contains
          associate (item => draft%components(i))
             if (has_bend(item%component)) call note_model(item%line, 'the bent housing')
             if (has_pad(item%component)) call note_model(item%line, 'the force of the pads')
-            if (.not. has_bend(item%component)) cycle
+            if (is_eccentric(item%component)) call note_model(item%line, 'the offset of the blades')
+            if (.not. (has_bend(item%component) .or. is_eccentric(item%component))) cycle
             turns = .false.
             do k = 1, size(draft%cases)
                turns = turns .or. draft%cases(k)%load_case%string == item%string .and. &
@@ -122,7 +123,8 @@ contains
                turns = turns .or. uses(k)%string == item%string .and. uses(k)%turns
             end do
             if (turns) call append_text(notes, 'group &component in line '//to_text(item%line)// &
-                                        ': operations that rotate are solved with a straight housing')
+                                        ': operations that rotate are solved with '// &
+                                        trim(merge('a straight housing', 'centred blades    ', has_bend(item%component))))
          end associate
       end do
    contains

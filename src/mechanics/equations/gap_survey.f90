@@ -11,7 +11,8 @@ module dg_gap_survey
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, move_rule_type, relocate_gaps
+   public :: at_blade, node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, &
+             move_rule_type, relocate_gaps
 
    !> Least gain in depth, over the clearance [-], for which a gap moves where tool joints touch. Without it a joint would be held
    !> now at one end and now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere
@@ -116,8 +117,23 @@ contains
       point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
       arc = mesh%arc(e)
       call gap_to_axis(trajectory, arc, point, work%gap(:, e), work%axis_tangent(:, e), work%axis_curvature(:, e))
+      if (allocated(mesh%blade)) then
+         associate (t => work%axis_tangent(:, e))
+            work%gap(:, e) = work%gap(:, e) + (mesh%blade(:, e) - dot_product(mesh%blade(:, e), t)*t)
+         end associate
+      end if
       work%displacement(e) = sqrt(work%gap(1, e)**2 + work%gap(2, e)**2 + work%gap(3, e)**2)
    end subroutine survey_gap
+
+   !> Offset off the hole axis of the place of an element where the wall is felt [m]: the centre of its blades.
+   pure function at_blade(mesh, e, gap) result(offset)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      real(wp), intent(in) :: gap(3)     !< of the axis of the string [m]
+      real(wp) :: offset(3)
+      offset = gap
+      if (allocated(mesh%blade)) offset = gap + mesh%blade(:, e)
+   end function at_blade
 
    !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
    !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
@@ -131,7 +147,7 @@ contains
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work
       integer, intent(out) :: moved
-      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), xi, old, estimate, scale
+      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), blade_i(3), blade_j(3), xi, old, estimate, scale
       logical :: changed
       logical :: lone(mesh%elements)
       integer :: e, known
@@ -151,9 +167,11 @@ contains
          known = e + 1
          scale = gaps%law(e)%clearance
          if (lone(e)) scale = deepest(gaps, work, e)
-         if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), &
+         blade_i = at_blade(mesh, e, gap_i)
+         blade_j = at_blade(mesh, e, gap_j)
+         if (out_of_reach(blade_i, slope_i, blade_j, slope_j, mesh%length(e), &
                           max(gaps%law(e)%clearance, work%displacement(e) + gain_to_move(gaps, e, rule%threshold*scale)))) cycle
-         call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, estimate)
+         call extremum_of_displacement(blade_i, slope_i, blade_j, slope_j, mesh%length(e), xi, estimate)
          if (estimate <= gaps%law(e)%clearance .or. estimate > (1.0_wp + rule%most)*gaps%law(e)%clearance) cycle
          if (estimate - work%displacement(e) < rule%least) cycle
          old = gaps%xi(e)
@@ -164,7 +182,7 @@ contains
          if (lone(e) .and. gaps%state(e) /= state_free) then
             gaps%followed(e) = .not. gaps%followed(e)
             if (gaps%followed(e)) gaps%followed(e) = is_round(gaps%law(e), work%normal(e), &
-               bend_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), old), rule%threshold)
+               bend_of_displacement(blade_i, slope_i, blade_j, slope_j, mesh%length(e), old), rule%threshold)
             if (gaps%followed(e)) gaps%xi(e) = old
             if (gaps%followed(e)) cycle
          end if

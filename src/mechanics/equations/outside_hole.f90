@@ -3,9 +3,9 @@
 module dg_outside_hole
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
-   use dg_gap_survey, only: node_lie, out_of_reach, point_on_string
+   use dg_gap_survey, only: at_blade, node_lie, out_of_reach, point_on_string
    use dg_numerics, only: default_wall
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: mesh_type, reach_of
    use dg_profile, only: profile_type
    use dg_text, only: to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_length, unit_wall
@@ -55,8 +55,8 @@ contains
       !> Or their gap presses the wall in by as much while one end does not touch it, as where a blade tilts or contact ends: the
       !> wall of the whole element would stand against one edge.
       logical, intent(out), optional :: cut(:)
-      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, &
-                  pressed_in
+      real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), blade_i(3), blade_j(3)
+      real(wp) :: gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, pressed_in
       integer :: e, arc
       if (present(cut)) cut = .false.
       call node_lie(trajectory, mesh, work, 1, gap_j, slope_j)
@@ -64,17 +64,20 @@ contains
          gap_i = gap_j
          slope_i = slope_j
          call node_lie(trajectory, mesh, work, e + 1, gap_j, slope_j)
-         if (out_of_reach(gap_i, slope_i, gap_j, slope_j, mesh%length(e), &
+         blade_i = at_blade(mesh, e, gap_i)
+         blade_j = at_blade(mesh, e, gap_j)
+         if (out_of_reach(blade_i, slope_i, blade_j, slope_j, mesh%length(e), &
                           (1.0_wp + sure*told_from(mesh, e))*mesh%clearance(e))) cycle
-         call extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, mesh%length(e), xi, largest)
+         call extremum_of_displacement(blade_i, slope_i, blade_j, slope_j, mesh%length(e), xi, largest)
          point = mesh%base(:, e) + point_on_string(mesh, work, e, xi)
          arc = mesh%arc(e)
          call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
+         gap = at_blade(mesh, e, gap)
          excess = sqrt(gap(1)**2 + gap(2)**2 + gap(3)**2)/mesh%clearance(e) - 1.0_wp
          if (.not. is_told(excess, mesh, e)) cycle
          pressed_in = max(work%displacement(e)/mesh%clearance(e) - 1.0_wp, 0.0_wp)
          if (present(cut)) cut(e) = is_told(excess - pressed_in, mesh, e) .or. &
-            (is_told(pressed_in, mesh, e) .and. min(norm2(gap_i), norm2(gap_j)) < mesh%clearance(e))
+            (is_told(pressed_in, mesh, e) .and. min(norm2(blade_i), norm2(blade_j)) < mesh%clearance(e))
          outside%elements = outside%elements + 1
          if (excess <= outside%excess) cycle
          outside%excess = excess
@@ -87,7 +90,7 @@ contains
    end subroutine measure_outside
 
    !> The same at the rows of a profile, which the string that was bent again has more of than the mesh nodes; a row between two
-   !> elements is measured by the narrower.
+   !> elements is measured by the narrower. An eccentric blade may stand on either side.
    pure subroutine measure_rows(mesh, profile, outside)
       type(mesh_type), intent(in) :: mesh
       type(profile_type), intent(in) :: profile
@@ -102,9 +105,9 @@ contains
          end do
          narrow = e
          if (profile%md(i) >= mesh%md(e + 1) .and. e < mesh%elements) then
-            if (mesh%clearance(e + 1) < mesh%clearance(e)) narrow = e + 1
+            if (reach_of(mesh, e + 1) < reach_of(mesh, e)) narrow = e + 1
          end if
-         excess = profile%displacement(i)/mesh%clearance(narrow) - 1.0_wp
+         excess = (profile%displacement(i) - reach_of(mesh, narrow))/mesh%clearance(narrow)
          if (.not. is_told(excess, mesh, narrow)) cycle
          if (narrow /= last) outside%elements = outside%elements + 1
          last = narrow

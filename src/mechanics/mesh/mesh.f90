@@ -9,7 +9,7 @@ module dg_mesh
    use dg_beam_section, only: beam_section_type, section_of
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
    use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, effective_joint_length, &
-                           has_bend, has_joints, has_pad, room_of, room_of_held_bit
+                           has_bend, has_joints, has_pad, is_eccentric, room_of, room_of_held_bit
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: all_centralizer_ends, at_joint, bend_within, component_at, component_tops, joint_ends, &
                              pad_within, tool_ends
@@ -22,7 +22,7 @@ module dg_mesh
    use dg_vector, only: cross
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, upright, widest_beside
+   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, reach_of, upright, widest_beside
 
    type :: mesh_type
       integer :: nodes = 0
@@ -56,6 +56,8 @@ module dg_mesh
       real(wp), allocatable :: bend(:, :)
       !> Force of pads on the string per length, across the hole (3,elements) [N/m]; not allocated where no tool has pads.
       real(wp), allocatable :: push(:, :)
+      !> Centre of eccentric blades, where the wall is felt, off the axis of the string (3,elements) [m]; not allocated without.
+      real(wp), allocatable :: blade(:, :)
    end type mesh_type
 
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
@@ -77,12 +79,21 @@ contains
       straight = all(mesh%frame(3, 1, :) > upright)
    end function is_straight_down
 
-   !> Clearance of the wider of the elements beside a node [m].
-   pure function widest_beside(mesh, n) result(clearance)
+   !> Largest distance of the axis of the string from that of the hole within the wall [m]: the clearance, more by eccentric blades.
+   pure function reach_of(mesh, e) result(reach)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: e
+      real(wp) :: reach
+      reach = mesh%clearance(e)
+      if (allocated(mesh%blade)) reach = reach + norm2(mesh%blade(:, e))
+   end function reach_of
+
+   !> Reach of the wider of the elements beside a node [m].
+   pure function widest_beside(mesh, n) result(reach)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
-      real(wp) :: clearance
-      clearance = maxval(mesh%clearance(max(n - 1, 1):min(n, mesh%elements)))
+      real(wp) :: reach
+      reach = max(reach_of(mesh, max(n - 1, 1)), reach_of(mesh, min(n, mesh%elements)))
    end function widest_beside
 
    !> The mesh of a load case on given nodes. The case's string and depths have been checked with the deck.
@@ -152,8 +163,10 @@ contains
             end if
          end associate
       end do
-      if (any(has_bend(model%strings(index)%components)) .and. (load_case%bend_stands .or. .not. rotates(load_case%operation))) &
-         call bend_mesh(model, load_case, tops, mesh)
+      if (load_case%bend_stands .or. .not. rotates(load_case%operation)) then
+         if (any(has_bend(model%strings(index)%components))) call bend_mesh(model, load_case, tops, mesh)
+         if (any(is_eccentric(model%strings(index)%components))) call offset_blades(model, load_case, tops, mesh)
+      end if
       if (any(has_pad(model%strings(index)%components))) call push_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
 
@@ -196,6 +209,25 @@ contains
          end associate
       end do
    end subroutine bend_mesh
+
+   !> Set the centre of eccentric blades, about the hole axis where they are. They turn with the tool face.
+   pure subroutine offset_blades(model, load_case, tops, mesh)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: tops(:)    !< from component_tops
+      type(mesh_type), intent(inout) :: mesh
+      real(wp) :: clock
+      integer :: e
+      allocate (mesh%blade(3, mesh%elements), source=0.0_wp)
+      do e = 1, mesh%elements
+         associate (part => model%strings(string_index(model%strings, load_case%string))%components( &
+                    component_at(tops, load_case%bit_depth - 0.5_wp*(mesh%md(e) + mesh%md(e + 1)))), t => mesh%frame(:, 1, e))
+            if (.not. is_eccentric(part)) cycle
+            clock = load_case%toolface + part%blade_clock
+            mesh%blade(:, e) = part%blade_offset*(cos(clock)*high_side(t) + sin(clock)*cross(t, high_side(t)))
+         end associate
+      end do
+   end subroutine offset_blades
 
    !> Set the data of the hole at a depth [m] for an element whose contact radius is known.
    pure subroutine put_in_hole(model, load_case, component, lowest, md, e, mesh)

@@ -1,11 +1,12 @@
-!> Description of a component beside its pipe body: a bent housing, pads, a survey sensor, rated connections, a fatigue curve.
+!> Description of a component beside its pipe body: a bent housing, pads, eccentric blades, a survey sensor, rated connections, a
+!> fatigue curve.
 module dg_tools_text
-   use dg_component, only: component_type, has_bend, has_pad, usual_yield_loss
+   use dg_component, only: component_type, has_bend, has_pad, is_eccentric, usual_yield_loss
    use dg_fatigue_curve, only: fatigue_curve_name, fatigue_curve_type, fatigue_none, fatigue_own
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_angle, unit_curvature, unit_force, unit_length, unit_loss, unit_stress
+   use dg_unit_kind, only: in_units, unit_angle, unit_curvature, unit_diameter, unit_force, unit_length, unit_loss, unit_stress
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -24,6 +25,8 @@ contains
       if (has_bend(part)) text = ', bent by '//shown(unit_angle, part%bend)//' at '//shown(unit_length, part%bend_position)
       if (has_pad(part)) text = text//', pushed by pads with '//shown(unit_force, part%pad_force)//' to '// &
          shown(unit_angle, part%pad_clock)//' at '//shown(unit_length, part%pad_position)
+      if (is_eccentric(part)) text = text//', blades off centre by '//shown(unit_diameter, part%blade_offset)//' at '// &
+         shown(unit_angle, part%blade_clock)//' from the toolface'
       if (.not. is_missing(part%sensor)) text = text//', survey sensor at '//shown(unit_length, part%sensor)
       if (abs(part%yield_loss - usual_yield_loss) > 0.0_wp) text = text//', yield loss '//shown(unit_loss, part%yield_loss)
       associate (rating => part%rating)

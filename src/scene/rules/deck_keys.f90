@@ -52,6 +52,7 @@ module dg_deck_keys
    real(wp), parameter :: poorest = 0.5_wp        ! efficiency of a sheave; less is per cent lost
    real(wp), parameter :: sharpest_bend = 5.0_wp  ! deg; beyond this slopes are no longer small
    real(wp), parameter :: most_wear = 1.0e4_wp    ! 1e-14/Pa; tests have 0.1 to 1000
+   real(wp), parameter :: most_eccentric = 100.0_wp   ! mm
    real(wp), parameter :: hardest_pad = 500.0_wp  ! kN; pads press with 5 to 50
    real(wp), parameter :: most_efficient = 10.0_wp   ! connection over body; more is per cent
    real(wp), parameter :: sharpest_dogleg = 1.0e3_wp ! deg/30 m; connections take 10 to 70
@@ -276,6 +277,10 @@ module dg_deck_keys
          meaning='direction of that force on the string, as toolface: 0 builds; the pad that is out stands opposite'), &
       key_rule_type('component', 'pad_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='distance of the pads above the lower end of the component; needed with pad_force'), &
+      key_rule_type('component', 'blade_offset', unit=unit_diameter, low=0.0_wp, high=most_eccentric, default='0', &
+         meaning='distance of the centre of a stabilizer''s blades from the axis of the string; 0: centred'), &
+      key_rule_type('component', 'blade_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
+         meaning='direction of that offset, clockwise from the toolface of the case'), &
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='distance of a survey sensor above the lower end of the component; gives its sag correction')]
 

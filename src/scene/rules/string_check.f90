@@ -1,7 +1,7 @@
 !> Drillstrings: what goes together within a component, and of components one above the other.
 module dg_string_check
    use dg_centralizer, only: centralizer_type
-   use dg_component, only: closed_diameter, component_type, opens, shortest_contact
+   use dg_component, only: closed_diameter, component_type, has_blades, is_eccentric, opens, shortest_contact
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_error, only: add_part_fault, error_list_type
@@ -37,6 +37,12 @@ contains
             ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
          if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) call fault('joint_length', 'joint_length = '// &
             long(part%joint_length)//' is greater than joint_spacing = '//long(part%joint_spacing))
+         if (is_eccentric(part) .and. .not. (has_blades(part) .and. closed_diameter(part) > part%od)) then
+            call fault('blade_offset', "blade_offset needs kind = 'stabilizer' and joint_od, the diameter of its blades")
+         else if (part%blade_offset > (0.5_wp + round_off)*(closed_diameter(part) - part%od)) then
+            call fault('blade_offset', 'blade_offset = '//wide(part%blade_offset)//' is greater than '// &
+                       wide(0.5_wp*(closed_diameter(part) - part%od))//': the body would touch before the blades')
+         end if
          if (opens(part) .and. part%opened_od <= closed_diameter(part)) call fault('opened_od', 'opened_od = '// &
             wide(part%opened_od)//' is not greater than the closed diameter, '//wide(closed_diameter(part))// &
             ' (the larger of od and joint_od)')

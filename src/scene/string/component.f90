@@ -15,7 +15,7 @@ module dg_component
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
-             is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
+             is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> Beginning of the kind of a stabilizer, in either spelling.
    character(*), parameter :: stabilizer = 'stabili'
@@ -62,6 +62,8 @@ module dg_component
       real(wp) :: pad_force = 0.0_wp         !< across the hole on the string by pads that press on its wall [N]; 0: none
       real(wp) :: pad_clock = 0.0_wp         !< its direction [rad], from the high side, clockwise looking down the hole
       real(wp) :: pad_position = 0.0_wp      !< of the pads above the component's lower end [m]
+      real(wp) :: blade_offset = 0.0_wp      !< of the centre of its blades off the axis of the string [m]; 0: centred
+      real(wp) :: blade_clock = 0.0_wp       !< direction of that offset [rad], clockwise from the tool face, looking down the hole
       real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
       real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
       real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
@@ -98,6 +100,8 @@ contains
       call visitor%number('pad_force', part%pad_force)
       call visitor%number('pad_clock', part%pad_clock)
       call visitor%number('pad_position', part%pad_position)
+      call visitor%number('blade_offset', part%blade_offset)
+      call visitor%number('blade_clock', part%blade_clock)
    end subroutine visit_forces
 
    !> Visits the other numbers of a component: strength, expansion, sensor. Those of its fatigue curves stand apart.
@@ -298,6 +302,13 @@ contains
       logical :: has
       has = component%pad_force > 0.0_wp
    end function has_pad
+
+   !> True if the blades of a stabilizer stand off the axis of the string.
+   elemental function is_eccentric(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      is = component%blade_offset > 0.0_wp
+   end function is_eccentric
 
    !> Length of one tool joint [m].
    elemental function effective_joint_length(component) result(length)

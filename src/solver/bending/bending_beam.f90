@@ -16,6 +16,8 @@
 !>   w   buoyed weight across the hole [N/m]            r    radius of contact [m]
 !>   q   force of pads across the hole [N/m]
 !>
+!> Of eccentric blades |y| and n are those of their centre, y + e (dg_bending_element).
+!>
 !> An end that is not held carries neither moment nor force across the hole. Slopes y', and |k| c, are small against one. The small
 !> force around the hole that belongs to the friction of a sliding string (F_tau of dg_gap_contact) is left out.
 !> Contact is that of Eqs. 4 to 6 of Liu, Ding & Zhang (2002), the rest is their Eqs. 9 to 12, linear in y and

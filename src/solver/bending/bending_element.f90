@@ -31,6 +31,7 @@ module dg_bending_element
       type(gap_law_type) :: press        !< the same law, no stiffer than Newton's steps bear
       type(beam_section_type) :: section !< its length is set by set_element
       real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards the wall then stands at the places of contact [m]
+      real(wp) :: blade(2) = 0.0_wp      !< e, centre of eccentric blades off the axis of the string [m]
       real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
       real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
       ! set by set_element
@@ -122,7 +123,8 @@ contains
       do p = 1, contact_places
          call shapes_at(element, p, value, slope)
          call push_at(element%press, element%moved(p), 0.5_wp*element%length, &
-                      value(1)*upper(1:2) + value(2)*upper(3:4) + value(3)*lower(1:2) + value(4)*lower(3:4), push(p))
+                      element%blade + value(1)*upper(1:2) + value(2)*upper(3:4) + value(3)*lower(1:2) + value(4)*lower(3:4), &
+                      push(p))
          if (.not. push(p)%force > 0.0_wp) cycle
          call find_action(push(p), element%lever, element%around, force, couple)
          at_upper(1:2) = at_upper(1:2) + (value(1)*force + slope(1)*couple)

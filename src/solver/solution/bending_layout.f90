@@ -278,6 +278,8 @@ contains
          if (allocated(mesh%bend)) &
             beam%bend(:, e) = [dot_product(mesh%bend(:, o), n_1), dot_product(mesh%bend(:, o), n_2)]/mesh%length(o)
          if (allocated(mesh%push)) beam%push(:, e) = [dot_product(mesh%push(:, o), n_1), dot_product(mesh%push(:, o), n_2)]
+         if (allocated(mesh%blade)) &
+            beam%element(e)%blade = [dot_product(mesh%blade(:, o), n_1), dot_product(mesh%blade(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
          beam%element(e)%law%contact = gaps%law(o)%contact/mesh%length(o)
          beam%element(e)%law%maximum = gaps%law(o)%maximum/mesh%length(o)

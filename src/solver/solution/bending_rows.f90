@@ -5,7 +5,7 @@ module dg_bending_rows
    use dg_bending_element, only: contact_xi
    use dg_bending_nodes, only: rows_needed
    use dg_case_result, only: unlike_contact_type
-   use dg_mesh, only: mesh_type
+   use dg_mesh, only: mesh_type, reach_of
    use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, frame_on_arc, inclination_of, point_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
@@ -35,7 +35,7 @@ contains
       real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), above(size(beam%md)), weight, across(2)
       logical :: kept(size(beam%md))
       integer, allocatable :: rows(:)
-      integer :: n, o, row
+      integer :: n, o, e, row
       call choose_moments(mesh, beam, bent%forces, profile%bending, moment, kept)
       rows = pack([(n, n=1, size(kept))], kept)
       side_force = side_forces(mesh, work, beam, bent, scale, rows)
@@ -64,8 +64,9 @@ contains
             profile%displacement(row) = length_of(across)
             profile%clock(row) = clock_in_hole(trajectory, mesh%arc(o), beam%place(n), across)
             profile%shear(row) = length_of(bent%forces(1:2, n) + beam%axial(n)*bent%y(3:4, n))
+            e = max(o - 1, 1)
             if (side_force(n) > 0.0_wp) profile%gap_state(row) = merge(state_rigid, state_elastic, profile%displacement(row) > &
-               (1.0_wp + minval(mesh%eps_nmax(max(o - 1, 1):o)))*minval(mesh%clearance(max(o - 1, 1):o)))
+               min(reach_of(mesh, e), reach_of(mesh, o)) + minval(mesh%eps_nmax(e:o))*minval(mesh%clearance(e:o)))
          end if
       end do
    end subroutine merge_rows

@@ -24,8 +24,8 @@ module dg_bent_start
    !> places of its gaps do not depend on the way there. A compressed string is held near where it was laid, and is not settled.
    real(wp), parameter :: near = 1.0e-3_wp, settled = 1.0e-5_wp
 
-   !> A string with a bent housing or pads that hangs free in a vertical hole is held this stiffly, over EI/L^3 of its whole
-   !> length [-]: else it might stand anywhere in the hole.
+   !> A string with a bent housing, pads or eccentric blades that hangs free in a vertical hole is held this stiffly, over EI/L^3 of
+   !> its whole length [-]: else it might stand anywhere in the hole.
    real(wp), parameter :: loose = 1.0e-3_wp
 
 contains
@@ -61,7 +61,7 @@ contains
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
                                  + min(axial(e), axial(e + 1), 0.0_wp)**2/(4.0_wp*mesh%section(e)%ei)*0.5_wp*mesh%length(e)
       end do
-      if (allocated(mesh%bend) .or. allocated(mesh%push)) &
+      if (is_forced(mesh)) &
          beam%viscous = beam%viscous + loose*mesh%section(n - 1)%ei/(mesh%md(n) - mesh%md(1))**3
       arc = 1
       do e = 1, n
@@ -77,6 +77,8 @@ contains
                                                           dot_product(mesh%bend(:, e - 1), n_2(:, 1))]/mesh%length(e - 1)
          if (allocated(mesh%push)) beam%push(:, e - 1) = [dot_product(mesh%push(:, e - 1), n_1(:, 1)), &
                                                           dot_product(mesh%push(:, e - 1), n_2(:, 1))]
+         if (allocated(mesh%blade)) beam%element(e - 1)%blade = [dot_product(mesh%blade(:, e - 1), n_1(:, 1)), &
+                                                                 dot_product(mesh%blade(:, e - 1), n_2(:, 1))]
          beam%curvature(:, e - 1) = [dot_product(turn, n_1(:, 1) + n_1(:, 2)), dot_product(turn, n_2(:, 1) + n_2(:, 2))]
       end do
       beam%centred(1) = model%boundary%top_centred
@@ -118,7 +120,7 @@ contains
       pressed = settling
    end subroutine bend_start
 
-   !> Largest contact load over its clearance that the bend of a housing, or pads, are expected to have in a vertical hole
+   !> Largest contact load over its clearance that a bent housing, pads or eccentric blades are expected to have in a vertical hole
    !> [N/m2], where nothing else that the soft string knows of presses; else 0. From the contact forces of the start, by element
    !> [N].
    pure function pressing_of_bend(mesh, force) result(pressing)
@@ -126,7 +128,13 @@ contains
       real(wp), intent(in) :: force(:)
       real(wp) :: pressing
       pressing = 0.0_wp
-      if ((allocated(mesh%bend) .or. allocated(mesh%push)) .and. is_straight_down(mesh)) &
-         pressing = maxval(force/(mesh%length*mesh%clearance))
+      if (is_forced(mesh) .and. is_straight_down(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))
    end function pressing_of_bend
+
+   !> True if a tool of the string presses it against the wall without weight: a bent housing, pads or eccentric blades.
+   pure function is_forced(mesh) result(is)
+      type(mesh_type), intent(in) :: mesh
+      logical :: is
+      is = allocated(mesh%bend) .or. allocated(mesh%push) .or. allocated(mesh%blade)
+   end function is_forced
 end module dg_bent_start

@@ -8,11 +8,11 @@
 !>
 !> W weight on bit, s the penetration of the bit sideways over that ahead for the same force. The hole then goes where the bit goes:
 !> ahead along its own axis, and sideways by its side force. Newton's method in the two components of k, with differences.
-!> A bend of a string that turns is seen at toolfaces all round: F and a are then their means.
+!> A bend, or eccentric blades, of a string that turns is seen at toolfaces all round: F and a are then their means.
 module dg_equilibrium_curvature
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: closed_diameter, has_bend, is_bit
+   use dg_component, only: closed_diameter, has_bend, is_bit, is_eccentric
    use dg_constants, only: degree, pi
    use dg_error, only: error_type
    use dg_fluid, only: shift_mud
@@ -128,7 +128,7 @@ contains
       type(probe_type), intent(out) :: probe
       type(steering_result_type), intent(inout) :: result
       real(wp) :: position(3), curvature(3)
-      logical :: bent
+      logical :: directed      ! by a bend, or eccentric blades
       integer :: i
       call copy_without_cases(model, probe%model)
       probe%model%cases(1) = model%cases(case_index)
@@ -145,12 +145,14 @@ contains
          i = arc_at(trajectory, case%bit_depth)
          if (case%bit_depth <= trajectory%arcs(i)%md) i = max(i - 1, 1)      ! the hole that is there, not what is to come
          call point_on_arc(trajectory%arcs(i), case%bit_depth - trajectory%arcs(i)%md, position, probe%tangent, curvature)
-         bent = any(has_bend(model%strings(string_index(model%strings, case%string))%components))
-         if (bent .and. rotates(case%operation)) then
+         associate (components => model%strings(string_index(model%strings, case%string))%components)
+            directed = any(has_bend(components) .or. is_eccentric(components))
+         end associate
+         if (directed .and. rotates(case%operation)) then
             probe%toolfaces = [(2.0_wp*pi*i/toolfaces_round, i=0, toolfaces_round - 1)]
          else
             probe%toolfaces = [toolface]
-            if (bent) result%toolface = toolface
+            if (directed) result%toolface = toolface
          end if
       end associate
       probe%up = high_side(probe%tangent)

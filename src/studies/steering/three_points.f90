@@ -2,7 +2,8 @@
 !>
 !> Karlsson, Brassfield & Krueger 1985 (SPE 13474): bit, first and second contact. Heights above the bit are a and b, the bend of
 !> angle t stands at c <= b. Backwards from the bit the hole rises by k s^2/2 above its tangent there, the tool by t (s - c) above
-!> the bend. The tool stands off the hole axis by half the clearances there, e_1 away from the toolface and e_2 towards it:
+!> the bend. The tool stands off the hole axis by half the clearances there, e_1 away from the toolface and e_2 towards it (blades
+!> that stand off its axis towards the toolface add to e_1 and take from e_2):
 !>
 !>   k = 2 (t (b - c) - t max(a - c, 0) b/a - e_1 b/a - e_2)/(b (b - a)),
 !>
@@ -26,7 +27,7 @@ contains
       real(wp), intent(in) :: bit_depth   !< [m]
       real(wp), intent(in) :: diameter    !< of the hole [m]
       real(wp) :: dogleg
-      real(wp) :: tops(size(string%components)), heights(2), rooms(2), bend, middle, room, below
+      real(wp) :: tops(size(string%components)), heights(2), rooms(2), bend, middle, room, below, towards
       integer :: i, bent
       dogleg = missing
       bent = findloc(has_bend(string%components), .true., dim=1)
@@ -44,12 +45,13 @@ contains
          below = tops(i)
          if (.not. has_blades(string%components(i))) cycle
          room = 0.5_wp*(diameter - contact_diameter(string%components(i), bit_depth - tops(i)))
+         towards = string%components(i)%blade_offset*cos(string%components(i)%blade_clock)
          if (middle <= bend .or. i == bent) then
             heights(1) = middle
-            rooms(1) = room
+            rooms(1) = room + towards
          else
             heights(2) = middle
-            rooms(2) = room
+            rooms(2) = room - towards
             exit
          end if
       end do
