@@ -128,7 +128,7 @@ contains
          advice = ''
       end if
       advice = advice//'legal: '//joined([(operation_name(i), i=1, operation_count)], ', ')// &
-         '; also pick_up, slack_off, pooh, rih, drilling, slide'
+         '; also '//joined(pack(operation_aliases%name, operation_aliases%is_listed), ', ')
    end function operation_advice
 
    !> Operations that have the nearest of all names. Of short names one slip counts, of long ones two; else a name that goes on
