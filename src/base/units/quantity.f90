@@ -1,11 +1,10 @@
 !> Quantities of decks and results, and their units: one table, a row for each quantity, an entry for each system of units.
 !> Inside the program everything is SI. A new system is one more entry in each row, a new quantity one more row: the compiler
 !> refuses a table that lacks one.
-!> Exact factors (NIST SP 811): foot 0.3048 m, inch 0.0254 m, pound 0.45359237 kg, US gallon 231 in3, bar 1e5 Pa, pound-force =
-!> pound times standard gravity. Specific gravity counts from 1000 kg/m3.
+!> Specific gravity counts from 1000 kg/m3.
 module dg_quantity
    use dg_kinds, only: wp
-   use dg_constants, only: degree, pi, standard_gravity
+   use dg_constants, only: degree, foot, gallon, inch, pi, pound, pound_force, psi
    implicit none
    private
    public :: unit_type, rows
@@ -67,12 +66,7 @@ module dg_quantity
    end type row_type
 
    real(wp), parameter :: one = 1.0_wp, kilo = 1.0e3_wp, mega = 1.0e6_wp, giga = 1.0e9_wp
-   real(wp), parameter :: foot = 0.3048_wp
-   real(wp), parameter :: inch = 0.0254_wp
-   real(wp), parameter :: pound = 0.45359237_wp
-   real(wp), parameter :: gallon = 231.0_wp*inch**3, gallons_in_cubic_foot = 1728.0_wp/231.0_wp
-   real(wp), parameter :: pound_force = pound*standard_gravity
-   real(wp), parameter :: psi = pound_force/inch**2
+   real(wp), parameter :: gallons_in_cubic_foot = 1728.0_wp/231.0_wp
    real(wp), parameter :: bar = 1.0e5_wp, kilopascals = 100.0_wp
    real(wp), parameter :: ten_kilonewton = 1.0e4_wp
    real(wp), parameter :: rpm = 2.0_wp*pi/60.0_wp
