@@ -14,7 +14,7 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, lightest_mud, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
    implicit none
    private
    public :: note_oddities
@@ -28,6 +28,8 @@ module dg_deck_notes
    real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
    !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
    real(wp), parameter :: sharpest = 310.0_wp*degree/30.0_wp
+   !> Lighter than any foam that is pumped [kg/m3]: a specific gravity, or a number of another unit.
+   real(wp), parameter :: lightest_mud = 300.0_wp
    !> Deeper than any hole so far [m]: feet among metres.
    real(wp), parameter :: deepest = 16.0e3_wp
    !> To compare with: water [kg/m3] and steel [Pa].
