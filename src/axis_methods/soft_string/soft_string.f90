@@ -124,7 +124,7 @@ contains
          result%normal_force = totals%normal_force
          result%elements = totals%steps
          result%status = result_converged
-         call range_warning(model, case_index, md, axial, warning)
+         call range_warning(model, case_index, md, axial, result%hookload, warning)
          result%message = warning
          if (totals%runaway) then
             result%status = result_locked_up
