@@ -44,7 +44,7 @@ module dg_static_analysis
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness, tolerance_at
-   use dg_whirling, only: find_climb
+   use dg_whirling, only: find_sideways
    use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
    implicit none
    private
@@ -279,7 +279,7 @@ contains
          call set_loads(model, model%cases(case_index), fraction, string%loads)
          start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
          if (increment == 1) then
-            call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
+            call predict(model, case_index, string%mesh, start, string%work%sideways, string%state, string%gaps, string%work%normal)
             string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
             if (.not. allocated(string%work%shift)) call new_workspace(string%mesh, string%work)
             call make_room(string%equations, numerics%linear_solver, string%mesh%nodes)
@@ -328,7 +328,7 @@ contains
       real(wp), allocatable :: state(:, :)
       call new_mesh(model, model%cases(case_index), cut_elements(model, string%mesh, marked), fine)
       call new_workspace(fine, work)
-      call find_climb(model, case_index, fine, string%compressed, work%climb)
+      call find_sideways(model, case_index, fine, string%compressed, work%sideways)
       call lay_out_gaps(numerics, fine, gaps)
       allocate (state(6, fine%nodes))
       call take_over(model%trajectory, string%mesh, string%work, string%gaps, string%state, fine, state, gaps, work%normal)
@@ -347,7 +347,7 @@ contains
       associate (numerics => model%numerics, equations => string%equations, mesh => string%mesh, &
                  load_case => model%cases(case_index))
          call new_start_room(mesh, string%work)
-         call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
+         call find_sideways(model, case_index, mesh, string%compressed, string%work%sideways)
          allocate (string%state(6, mesh%nodes))
          allocate (equations%history(numerics%max_iterations + 1))
          equations%force_scale = force_scale(model, load_case, mesh)

@@ -73,7 +73,7 @@ contains
       result%model = model_mcge
       last = equations%history(equations%iterations + 1)
       result%message = ''
-      whirls = any(work%climb < 1.0_wp .and. mesh%friction_around > 0.0_wp)
+      whirls = any(work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp)
       select case (outcome)
       case (outcome_converged)
          result%status = result_converged
@@ -138,8 +138,8 @@ contains
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
       real(wp) :: friction, length
-      friction = maxval(mesh%friction_around, mask=work%climb < 1.0_wp)
-      length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
+      friction = maxval(mesh%friction_around, mask=work%sideways < 1.0_wp)
+      length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
       call add_message(result, 'Over '//trim(in_units(units, unit_length, length, shown_range))// &
                        ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
                        'contact force and friction torque there may be up to '// &
