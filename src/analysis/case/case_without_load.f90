@@ -41,7 +41,7 @@ contains
          if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
       end associate
       if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &
-         'Without a push '//trim(at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown))//' reach it')
+         'Without a push '//at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown)//' reach it')
    end subroutine solve_without_load
 
    !> The solution without weight on bit, and the factor of friction that it shows.

@@ -129,7 +129,7 @@ contains
          if (totals%runaway) then
             result%status = result_locked_up
             result%message = 'Locked up: friction grows without bound in the bend that ends at '// &
-               trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))
+               in_units(model%units, unit_length, totals%runaway_md, shown_depth)
          end if
       end associate
       allocate (result%history(0))

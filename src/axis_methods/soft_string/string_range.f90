@@ -42,7 +42,7 @@ contains
          worst_md = md(i)
       end do
       if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
-         trim(in_units(model%units, unit_length, worst_md, shown))// &
+         in_units(model%units, unit_length, worst_md, shown)// &
          ', outside the range of this model. Contact there is too low. Use model mcge'
       if (is_pushed(hookload, axial)) call add_sentence(warning, push_needed)
    end subroutine range_warning

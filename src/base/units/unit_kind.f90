@@ -18,9 +18,6 @@ module dg_unit_kind
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
 
-   !> Room for a number and the name of its unit.
-   integer, parameter :: told_width = 40
-
 contains
 
    !> SI value of one unit of a quantity.
@@ -76,14 +73,34 @@ contains
       if (number*unit%factor/count > rows(quantity)%greatest) name = ''
    end subroutine smaller_unit
 
-   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name and blanks behind it. Of a
-   !> fixed length, as threads call it (see to_text).
+   ! Before the functions that declare texts by them: gfortran asks for that.
+   pure function value_length(units, quantity, value, digits) result(length)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value
+      integer, intent(in) :: digits
+      integer :: length
+      length = len_trim(to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity))
+   end function value_length
+
+   !> The value itself, rounded down to so many digits in its unit where it is above 0.
+   pure function at_most(units, quantity, value, digits) result(least)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value
+      integer, intent(in) :: digits
+      real(wp) :: least
+      least = value
+      if (value > 0.0_wp) least = unit_factor(units, quantity)*rounded_down(value/unit_factor(units, quantity), digits)
+   end function at_most
+
+   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name.
    pure function in_units(units, quantity, value, digits) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(told_width) :: text
+      character(value_length(units, quantity, value, digits)) :: text
       text = to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity)
    end function in_units
 
@@ -93,9 +110,7 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(told_width) :: text
-      text = in_units(units, quantity, value, digits)
-      if (value > 0.0_wp) text = in_units(units, quantity, unit_factor(units, quantity)* &
-                                          rounded_down(value/unit_factor(units, quantity), digits), digits)
+      character(value_length(units, quantity, at_most(units, quantity, value, digits), digits)) :: text
+      text = in_units(units, quantity, at_most(units, quantity, value, digits), digits)
    end function at_most_in_units
 end module dg_unit_kind

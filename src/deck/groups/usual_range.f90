@@ -66,7 +66,7 @@ contains
          character(:), allocatable :: text
          text = to_text(number_in_si, digits)
          if (number == usual_density) text = to_text(number_in_si/units%density, digits)
-         if (usual(number)%unit /= unit_none) text = trim(in_units(units, usual(number)%unit, number_in_si, digits))
+         if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, digits)
       end function value_text
    end subroutine note_range
 end module dg_usual_range

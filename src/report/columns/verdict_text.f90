@@ -63,7 +63,7 @@ contains
             text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
             text = 'no load'
-            if (verdict%most_wob%value > 0.0_wp) text = trim(at_most_in_units(units, unit_force, verdict%most_wob%value, shown))
+            if (verdict%most_wob%value > 0.0_wp) text = at_most_in_units(units, unit_force, verdict%most_wob%value, shown)
             text = 'String weight alone brings '//text//' to the bit, '//force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
             text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
@@ -96,7 +96,7 @@ contains
              .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
-            trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
+            in_units(units, unit_length, verdict%buckled_length, shown)// &
             trim(merge(' by formula', '           ', verdict%buckled_by_formula))
          text = text//reserve_text(verdict)
       else
@@ -173,7 +173,7 @@ contains
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
-                   trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))//' by the soft string'
+                   at_most_in_units(units, unit_length, verdict%reach%value, shown)//' by the soft string'
          else
             text = text//'. No shallower bit depth is possible either'
          end if
@@ -181,7 +181,7 @@ contains
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
-                trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
+                in_units(units, unit_moment, verdict%turning_torque%value, shown)//'. Check it by a case operation = '''// &
                 trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
       if (verdict%possible_friction%present) then
@@ -295,13 +295,13 @@ contains
       character(:), allocatable :: text
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
-         text = trim(in_units(units, unit_moment, load, shown))
+         text = in_units(units, unit_moment, load, shown)
       case (limit_joint_dogleg)
-         text = trim(in_units(units, unit_curvature, load, shown))
+         text = in_units(units, unit_curvature, load, shown)
       case (limit_von_mises, limit_fatigue, limit_joint_fatigue, limit_joint_tension, limit_joint_compression)
-         text = trim(in_units(units, unit_stress, load, shown))
+         text = in_units(units, unit_stress, load, shown)
       case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
-         text = trim(in_units(units, unit_pressure, load, shown))
+         text = in_units(units, unit_pressure, load, shown)
       case default
          text = force_text(units, load)
       end select
@@ -312,7 +312,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: force      !< [N]
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_force, force, shown))
+      text = in_units(units, unit_force, force, shown)
    end function force_text
 
    !> A depth.
@@ -320,7 +320,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: md         !< [m]
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_length, md, shown_depth))
+      text = in_units(units, unit_length, md, shown_depth)
    end function depth_text
 
    !> Where a limit is used most: ' at 2300 ft'; '' for the whole string, and for what is measured at surface alone.

@@ -44,10 +44,10 @@ contains
          deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
          call weigh(model, model%strings(i), deepest, air, mud, collars)
-         line = 'String'//name_of(i, ' ')//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
-            trim(in_units(units, unit_force, air, few))//' in air, '//trim(in_units(units, unit_force, mud, few))//' in mud'
+         line = 'String'//name_of(i, ' ')//', bit at '//in_units(units, unit_length, deepest, digits)//': '// &
+            in_units(units, unit_force, air, few)//' in air, '//in_units(units, unit_force, mud, few)//' in mud'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
-            trim(in_units(units, unit_force, collars, few))//' of it below the drill pipe'
+            in_units(units, unit_force, collars, few)//' of it below the drill pipe'
          call append_text(lines, line)
          line = clearance_line(units, model, model%strings(i), deepest)
          if (line /= '') call append_text(lines, 'Least radial clearance'//name_of(i, ' of ')//' '//line)
@@ -79,8 +79,8 @@ contains
       where (is_bit(string%components)) clearances%present = .false.
       if (.not. any(clearances%present)) return
       part = minloc(clearances%value, mask=clearances%present, dim=1)
-      text = trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
-             ': '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
+      text = in_units(units, unit_diameter, clearances(part)%value, few)// &
+             ': '//string%components(part)%name//' at '//in_units(units, unit_length, places(part), digits)
    end function clearance_line
 
    !> The least clearance of each component with the bit at a depth, absent of those above surface.
@@ -140,12 +140,12 @@ contains
             place = i
          end do
          i = size(path%md)
-         line = 'Well to '//trim(in_units(units, unit_length, path%md(i), digits))//', true vertical depth '// &
-            trim(in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits))//'. Largest inclination '// &
+         line = 'Well to '//in_units(units, unit_length, path%md(i), digits)//', true vertical depth '// &
+            in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits)//'. Largest inclination '// &
             to_text(path%inclination(steepest)/units%angle, few)//' deg at '// &
-            trim(in_units(units, unit_length, path%md(steepest), digits))
-         if (sharpest > 0.0_wp) line = line//', dogleg '//trim(in_units(units, unit_curvature, sharpest, few))//' at '// &
-            trim(in_units(units, unit_length, path%md(place), digits))
+            in_units(units, unit_length, path%md(steepest), digits)
+         if (sharpest > 0.0_wp) line = line//', dogleg '//in_units(units, unit_curvature, sharpest, few)//' at '// &
+            in_units(units, unit_length, path%md(place), digits)
       end associate
    end function path_line
 

@@ -216,14 +216,14 @@ contains
       character(*), intent(in) :: head                 !< of the line
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
-      text = '  '//head//': bending of '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+      text = '  '//head//': bending of '//in_units(units, unit_stress, fatigue%amplitude, few)//' at '// &
              whole_depth(units, fatigue%md)//', '// &
-             trim(in_units(units, unit_stress, fatigue%permitted, few))//' borne without end'
+             in_units(units, unit_stress, fatigue%permitted, few)//' borne without end'
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'
       call append_text(lines, text)
       text = ''
       if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg for its tension '// &
-         trim(in_units(units, unit_curvature, fatigue%dogleg, few))
+         in_units(units, unit_curvature, fatigue%dogleg, few)
       if (.not. is_missing(fatigue%damage)) then
          if (text /= '') text = text//', '
          text = text//to_text(100.0_wp*fatigue%damage, few)//' % of its life used'
@@ -239,9 +239,9 @@ contains
       type(groove_type), intent(in) :: groove
       character(:), allocatable :: left
       left = ''
-      if (.not. is_missing(groove%burst)) left = ', burst '//trim(in_units(units, unit_pressure, groove%burst, few))// &
-         ', collapse '//trim(in_units(units, unit_pressure, groove%collapse, few))
-      call append_text(lines, '  Casing wear in '//name//': '//trim(in_units(units, unit_diameter, groove%depth, few))//' at '// &
+      if (.not. is_missing(groove%burst)) left = ', burst '//in_units(units, unit_pressure, groove%burst, few)// &
+         ', collapse '//in_units(units, unit_pressure, groove%collapse, few)
+      call append_text(lines, '  Casing wear in '//name//': '//in_units(units, unit_diameter, groove%depth, few)//' at '// &
                        whole_depth(units, groove%md)//', '// &
                        to_text(100.0_wp*groove%wall_left, few)//' % of the wall left'//left)
    end subroutine append_groove
@@ -263,7 +263,7 @@ contains
          call append_text(lines, '    longer is positive, against '//reference)
          if (whole%packer_force%present .and. abs(whole%packer_force%value) > 0.0_wp) &
             call append_text(lines, '  Force on the packer in '//load_case%name//': '// &
-                             trim(in_units(units, unit_force, abs(whole%packer_force%value), few))// &
+                             in_units(units, unit_force, abs(whole%packer_force%value), few)// &
                              trim(merge(' down', ' up  ', whole%packer_force%value > 0.0_wp)))
       end associate
    contains
@@ -297,7 +297,7 @@ contains
                if (lower_case(part%name) /= jar_kind) label = label//part%name//' '
                call append_text(lines, '  '//label//'in '//name//': '// &
                                 trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
-                                trim(in_units(units, unit_force, abs(axial), few))//' at '// &
+                                in_units(units, unit_force, abs(axial), few)//' at '// &
                                 whole_depth(units, md))
             end associate
          end do

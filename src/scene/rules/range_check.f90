@@ -105,7 +105,7 @@ contains
          else if (rule%unit == unit_none) then
             fault = ' = '//to_text(number, digits)//' is out of range'
          else
-            fault = ' = '//trim(in_units(units, rule%unit, number, digits))//' is out of range'
+            fault = ' = '//in_units(units, rule%unit, number, digits)//' is out of range'
          end if
       end associate
       call add_part_fault(found, ranges%part, ranges%place, key, name//fault//needed)

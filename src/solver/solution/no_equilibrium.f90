@@ -27,7 +27,7 @@ contains
       real(wp), allocatable :: tops(:)
       real(wp) :: bit
       bit = model%cases(case_index)%bit_depth
-      text = text//trim(in_units(model%units, unit_length, md, shown_depth))
+      text = text//in_units(model%units, unit_length, md, shown_depth)
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          associate (part => string%components(component_at(tops, bit - md)))
@@ -50,7 +50,7 @@ contains
       else
          text = ''
       end if
-      text = text//'elements up to '//trim(in_units(model%units, unit_length, longest, shown))
+      text = text//'elements up to '//in_units(model%units, unit_length, longest, shown)
       do i = 1, size(attempts)
          text = text//merge(' (', ', ', i == 1)
          if (attempts(i)%other_place) then

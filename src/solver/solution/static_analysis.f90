@@ -127,7 +127,7 @@ contains
          call add_tried(model, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
          call add_message(result, 'Converged with elements of at most '// &
-                          trim(in_units(model%units, unit_length, length, shown))//'. Others found no equilibrium in '// &
+                          in_units(model%units, unit_length, length, shown)//'. Others found no equilibrium in '// &
                           to_text(size(history))//' iterations')
       end if
       if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
@@ -246,7 +246,7 @@ contains
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
-                          trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
+                          in_units(model%units, unit_length, maxval(mesh%length), shown)// &
                           ', as short elements found no equilibrium near this one. How far they are off is not known')
       else if (result%moment_error > doubtful) then
          call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)// &

@@ -94,7 +94,7 @@ contains
             result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
          else
             result%message = 'No equilibrium found: at the end '// &
-               trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
+               in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
             call add_place(model, case_index, equations%unbalanced_md, result%message)
          end if
          if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
@@ -140,7 +140,7 @@ contains
       real(wp) :: friction, length
       friction = maxval(mesh%friction_around, mask=work%sideways < 1.0_wp)
       length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'Over '//trim(in_units(units, unit_length, length, shown_range))// &
+      call add_message(result, 'Over '//in_units(units, unit_length, length, shown_range)// &
                        ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
                        'contact force and friction torque there may be up to '// &
                        to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown_clearances)//' % low')
@@ -162,12 +162,12 @@ contains
       if (.not. (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale)) return
       result%status = result_not_converged
       if (part > most_out_of_balance) then
-         result%message = 'Forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
+         result%message = 'Forces are '//in_units(units, unit_force, result%equilibrium_force, shown)// &
                           ' out of balance, '//to_text(100.0_wp*part, shown_clearances)//' % of weight and bit load'
       else
-         result%message = 'Walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
+         result%message = 'Walls pull the string with '//in_units(units, unit_force, pulling, shown)// &
                           ' in all, as gaps open from r_n0 on. Set r_n0 to '// &
-                          trim(in_units(units, unit_force, usual%r_n0, shown))//', its default'
+                          in_units(units, unit_force, usual%r_n0, shown)//', its default'
       end if
    end subroutine judge_balance
 
@@ -194,7 +194,7 @@ contains
       text = ''
       largest = max(abs(result%hookload), maxval(abs(result%profile%axial)))
       if (abs(other%hookload - result%hookload) > worth_telling*largest) &
-         text = ' the hook load is '//trim(in_units(units, unit_force, other%hookload, shown))
+         text = ' the hook load is '//in_units(units, unit_force, other%hookload, shown)
       if (.not. (is_missing(result%moment_error) .or. is_missing(other%moment_error))) then
          moment = maxval(result%profile%bending)
          other_moment = maxval(other%profile%bending)
@@ -202,7 +202,7 @@ contains
                                                         /max(moment, 1.0e-3_wp*other_moment, least_moment))
          if (abs(other_moment - moment) > moments_worth_telling*moment) then
             if (text /= '') text = text//' and'
-            text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
+            text = text//' the largest bending moment is '//in_units(units, unit_moment, other_moment, shown)
          end if
       end if
       if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
@@ -217,10 +217,10 @@ contains
       real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
       type(case_result_type), intent(inout) :: result
       call add_message(result, 'Bending moments and stresses may be off by tens of per cent between '// &
-                       trim(in_units(units, unit_length, md(1), shown_depth))//' and '// &
-                       trim(in_units(units, unit_length, md(2), shown_depth))//'. The string slopes by more than a tenth '// &
+                       in_units(units, unit_length, md(1), shown_depth)//' and '// &
+                       in_units(units, unit_length, md(2), shown_depth)//'. The string slopes by more than a tenth '// &
                        'against its hole there, and they are those of elements of up to '// &
-                       trim(in_units(units, unit_length, longest, shown))//'. A smaller element_length makes them better')
+                       in_units(units, unit_length, longest, shown)//'. A smaller element_length makes them better')
    end subroutine warn_of_slope
 
    !> Says where the beam that gives the moments has another contact force than the analysis.
@@ -235,10 +235,10 @@ contains
          call add_message(result, 'Contact force uncertain by '// &
                           to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
                           ' %, mostly between '// &
-                          trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
-                          trim(in_units(units, unit_length, found%md(2), shown_depth))//': '// &
-                          trim(in_units(units, unit_force, found%by_analysis, shown))//' on the long elements of hook load '// &
-                          'and torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones of '// &
+                          in_units(units, unit_length, found%md(1), shown_depth)//' and '// &
+                          in_units(units, unit_length, found%md(2), shown_depth)//': '// &
+                          in_units(units, unit_force, found%by_analysis, shown)//' on the long elements of hook load '// &
+                          'and torque, '//in_units(units, unit_force, found%by_beam, shown)//' on the short ones of '// &
                           'moments and side forces. Drag may be off as much')
       end associate
    end subroutine warn_of_contact
@@ -255,7 +255,7 @@ contains
                           "'. Allow 1 % on hook load, torque and contact force, and "//touched)
       if (index(result%message, touched) == 0 .or. result%coiled) return
       if (advised*maxval(mesh%length) > shortest_advised) call add_message(result, 'An element_length of '// &
-         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))// &
+         in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances)// &
          ' gives most strings contact points where they lie deepest')
    end subroutine add_remarks
 
@@ -288,13 +288,13 @@ contains
       result%inclination = inclination_of(tangent)
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
-         result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, &
-                          axial(1) - surface_push(model, case_index), shown))//' at surface would move it and stretch it by '// &
+         result%message = 'Locked up: friction holds the string. '//in_units(model%units, unit_force, &
+                          axial(1) - surface_push(model, case_index), shown)//' at surface would move it and stretch it by '// &
                           to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: with the bit at '//trim(in_units(model%units, unit_length, &
-                                                                     model%cases(case_index)%bit_depth, shown_depth))// &
+      result%message = 'Locked up: with the bit at '//in_units(model%units, unit_length, &
+                                                                     model%cases(case_index)%bit_depth, shown_depth)// &
                        ', friction of helical buckling between surface and '// &
                        to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
                        ' takes up any push from surface. '
@@ -302,11 +302,11 @@ contains
       result%lock_up_load = most
       if (most > 0.0_wp) then
          result%message = result%message//'No push that pipe bears brings more than '// &
-                          trim(in_units(model%units, unit_force, most, shown))//' to the bit'
+                          in_units(model%units, unit_force, most, shown)//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
          if (most < 0.0_wp) result%message = result%message//'. With a pull of '// &
-                                             trim(in_units(model%units, unit_force, -most, shown))//' at the bit it would'
+                                             in_units(model%units, unit_force, -most, shown)//' at the bit it would'
       end if
    end subroutine result_of_lock_up
 

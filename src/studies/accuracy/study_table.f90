@@ -139,7 +139,7 @@ contains
       if (variant%fidelity > 0) then
          text = trim(fidelity_name(variant%fidelity))
       else
-         text = trim(in_units(units, unit_length, variant%numerics%element_length, digits))
+         text = in_units(units, unit_length, variant%numerics%element_length, digits)
       end if
    end function mesh_of
 

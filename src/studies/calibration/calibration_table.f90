@@ -256,7 +256,7 @@ contains
          end associate
       end do
       if (weighed) call append_text(lines, '  &rig: block_weight '// &
-         trim(in_units(units, unit_force, applied%rig%block_weight, depth_digits))//', the offset counted in')
+         in_units(units, unit_force, applied%rig%block_weight, depth_digits)//', the offset counted in')
    contains
       !> Says that the factor of a section lies at its bound.
       function bound_text(hole) result(text)

@@ -170,7 +170,7 @@ contains
       pure function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, md, shown + 1))
+         text = in_units(units, unit_length, md, shown + 1)
       end function depth
 
       pure function growth_text(growth) result(text)

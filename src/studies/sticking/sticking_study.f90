@@ -74,7 +74,7 @@ contains
             if (sticking%kind == find_free_point) where = sticking%stretch
             call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
                trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
-               trim(in_units(job%units, unit_length, where, digits))//'; '// &
+               in_units(job%units, unit_length, where, digits)//'; '// &
                joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
          end associate
       end do

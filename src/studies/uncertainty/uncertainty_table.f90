@@ -151,7 +151,7 @@ contains
          integer, intent(in) :: counts(:)
          character(:), allocatable :: text
          text = to_text(maxval(counts))//' of '//to_text(uncertainty%samples)//' with the bit at '// &
-                trim(in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits))
+                in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits)
       end function most
    end subroutine append_curve
 
