@@ -20,8 +20,7 @@ module dg_static_analysis
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
-   use dg_gap_table, only: gap_table_type
-   use dg_mesh, only: mesh_type, new_mesh
+   use dg_mesh, only: new_mesh
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
@@ -45,7 +44,7 @@ module dg_static_analysis
    use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness
    use dg_whirling, only: find_sideways
-   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
+   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace
    implicit none
    private
    public :: solve_static_analysis
@@ -200,7 +199,7 @@ contains
          if (outcome == outcome_converged .and. solution%compressed > buckling_share) &
             call find_stability_margin(model%trajectory, solution, margin)
          call end_iterations(equations, model%trajectory, mesh, solution%loads, solution%gaps, solution%state, solution%work)
-         call fill_result(model, case_index, mesh, solution%gaps, equations, solution%loads, outcome, solution%work, result)
+         call fill_result(model, case_index, solution, outcome, result)
          if (profile .and. result%status == result_converged) &
             call recover_profile(model%trajectory, mesh, solution%gaps, solution%work, result%profile)
          result%stability_margin = margin
@@ -212,26 +211,24 @@ contains
          if (.not. (result%status == result_converged .and. moments)) return
          deallocate (solution%state)
          call keep_for_moments(solution%work)
-         call find_moments(model, mesh, solution%gaps, solution%work, result)
+         call find_moments(model, solution, result)
       end associate
    end subroutine solve_on_mesh
 
    !> Moments along the string on elements short enough for them. A message says where they may be off by more than `doubtful`, and
    !> where no equilibrium was found on such elements.
-   subroutine find_moments(model, mesh, gaps, work, result)
+   subroutine find_moments(model, solution, result)
       type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(workspace_type), intent(in) :: work
+      type(solution_type), intent(in) :: solution
       type(case_result_type), intent(inout) :: result
       type(outside_type) :: outside
       real(wp) :: steep(2)
-      call bend_profile(model, mesh, gaps, work, result, steep)
-      call measure_rows(mesh, result%profile, outside)
+      call bend_profile(model, solution%mesh, solution%gaps, solution%work, result, steep)
+      call measure_rows(solution%mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
-                          in_units(model%units, unit_length, maxval(mesh%length), shown)// &
+                          in_units(model%units, unit_length, maxval(solution%mesh%length), shown)// &
                           ', as short elements found no equilibrium near this one. How far they are off is not known')
       else if (result%moment_error > doubtful) then
          call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)// &
@@ -239,7 +236,7 @@ contains
          if (.not. model%numerics%halve_moments) call add_message(result, "Set fidelity = 'reference' to halve elements")
       end if
       if (is_missing(result%moment_error)) return
-      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(mesh%length), result)
+      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(solution%mesh%length), result)
       call warn_of_contact(model%units, result)
    end subroutine find_moments
 
@@ -295,21 +292,18 @@ contains
       type(numerics_type), intent(in) :: numerics
       logical, intent(in) :: marked(:)
       type(solution_type), intent(inout) :: solution
-      type(mesh_type) :: fine
-      type(gap_table_type) :: gaps
-      type(workspace_type) :: work
-      real(wp), allocatable :: state(:, :)
-      call new_mesh(model, model%cases(case_index), cut_elements(model, solution%mesh, marked), fine)
-      call new_workspace(fine, work)
-      call find_sideways(model, case_index, fine, solution%compressed, work%sideways)
-      call lay_out_gaps(numerics, fine, gaps)
-      allocate (state(6, fine%nodes))
-      call take_over(model%trajectory, solution%mesh, solution%work, solution%gaps, solution%state, fine, state, gaps, work%normal)
-      solution%mesh = fine
-      solution%gaps = gaps
-      solution%work = work
-      call move_alloc(state, solution%state)
-      call make_room(solution%equations, numerics%linear_solver, fine%nodes)
+      type(solution_type) :: finer
+      call new_mesh(model, model%cases(case_index), cut_elements(model, solution%mesh, marked), finer%mesh)
+      call new_workspace(finer%mesh, finer%work)
+      call find_sideways(model, case_index, finer%mesh, solution%compressed, finer%work%sideways)
+      call lay_out_gaps(numerics, finer%mesh, finer%gaps)
+      allocate (finer%state(6, finer%mesh%nodes))
+      call take_over(model%trajectory, solution, finer)
+      solution%mesh = finer%mesh
+      solution%gaps = finer%gaps
+      solution%work = finer%work
+      call move_alloc(finer%state, solution%state)
+      call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
    end subroutine refine
 
    !> Room for the start, and the iteration's scales.

@@ -1,12 +1,10 @@
 !> The result of an analysis by beams with contact gap elements.
 module dg_static_result
    use dg_kinds, only: wp
-   use dg_assembly, only: load_type
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
                              result_locked_up, result_not_converged
-   use dg_equations, only: equations_type
    use dg_gap_survey, only: node_offset
-   use dg_gap_table, only: count_states, gap_table_type
+   use dg_gap_table, only: count_states
    use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
@@ -18,6 +16,7 @@ module dg_static_result
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_rounding, only: rounded_up
+   use dg_solution, only: solution_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
@@ -54,81 +53,79 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not; its profile is recover_profile's.
-   subroutine fill_result(model, case_index, mesh, gaps, equations, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, solution, outcome, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(equations_type), intent(in) :: equations
-      type(load_type), intent(in) :: loads
+      type(solution_type), intent(in) :: solution
       integer, intent(in) :: outcome
-      type(workspace_type), intent(in) :: work
       type(case_result_type), intent(out) :: result
       type(iteration_type) :: last
       type(outside_type) :: outside
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
       logical :: whirls
-      result%case_index = case_index
-      result%model = model_mcge
-      last = equations%history(equations%iterations + 1)
-      result%message = ''
-      whirls = any(work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp)
-      select case (outcome)
-      case (outcome_converged)
-         result%status = result_converged
-         if (whirls) call warn_of_whirling(model%units, mesh, work, result)
-      case (outcome_outside)
-         call look_outside(model, mesh, work, worst, place)
-         result%status = result_not_converged
-         result%message = 'No equilibrium found within the hole: the string lies outside by '// &
-            to_text(worst, shown_clearances)//' clearances between two contact points, at '
-         call add_place(model, case_index, mesh%md(place), result%message)
-      case (outcome_singular)
-         result%status = result_not_converged
-         result%message = 'No unique equilibrium: the string can move freely, most at '
-         call add_place(model, case_index, equations%unbalanced_md, result%message)
-      case default
-         result%status = result_not_converged
-         if (last%residual_force < in_balance*equations%force_scale) then
-            result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
-         else
-            result%message = 'No equilibrium found: at the end '// &
-               in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
+      associate (mesh => solution%mesh, gaps => solution%gaps, equations => solution%equations, work => solution%work)
+         result%case_index = case_index
+         result%model = model_mcge
+         last = equations%history(equations%iterations + 1)
+         result%message = ''
+         whirls = any(work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp)
+         select case (outcome)
+         case (outcome_converged)
+            result%status = result_converged
+            if (whirls) call warn_of_whirling(model%units, mesh, work, result)
+         case (outcome_outside)
+            call look_outside(model, mesh, work, worst, place)
+            result%status = result_not_converged
+            result%message = 'No equilibrium found within the hole: the string lies outside by '// &
+               to_text(worst, shown_clearances)//' clearances between two contact points, at '
+            call add_place(model, case_index, mesh%md(place), result%message)
+         case (outcome_singular)
+            result%status = result_not_converged
+            result%message = 'No unique equilibrium: the string can move freely, most at '
             call add_place(model, case_index, equations%unbalanced_md, result%message)
+         case default
+            result%status = result_not_converged
+            if (last%residual_force < in_balance*equations%force_scale) then
+               result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
+            else
+               result%message = 'No equilibrium found: at the end '// &
+                  in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
+               call add_place(model, case_index, equations%unbalanced_md, result%message)
+            end if
+            if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
+         end select
+         call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
+         result%inclination = inclination_of(tangent)
+         result%hookload = work%hookload - surface_push(model, case_index)
+         ! a part of a string may be pushed by what is above it
+         if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
+             .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
+         if (outcome == outcome_converged .and. equations%gaps_taken_back) &
+            call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
+         if (outcome == outcome_converged) then
+            call measure_outside(model%trajectory, mesh, work, outside)
+            if (outside%elements > 0) call add_outside(model%units, outside, result)
          end if
-         if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
-      end select
-      call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
-      result%inclination = inclination_of(tangent)
-      result%hookload = work%hookload - surface_push(model, case_index)
-      ! a part of a string may be pushed by what is above it
-      if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
-          .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
-      if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-         call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
-      if (outcome == outcome_converged) then
-         call measure_outside(model%trajectory, mesh, work, outside)
-         if (outside%elements > 0) call add_outside(model%units, outside, result)
-      end if
-      result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
-      result%torque = work%top_torque
-      result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
-      result%iterations = equations%iterations
-      result%elements = mesh%elements
-      result%states = count_states(gaps)
-      result%flips = sum(gaps%flips)
-      result%moves = sum(gaps%moves)
-      call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
-      if (outcome == outcome_converged) &
-         call judge_balance(model%units, equations%force_scale, work%normal, whirls, result)
-      call recover_gaps(mesh, gaps, work, result%gaps)
-      call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
-      if (model%boundary%bit_centred) then
-         result%bit_side_force = side_force
-         result%bit_side_clock = side_clock
-      end if
-      result%history = equations%history(:equations%iterations + 1)
+         result%friction = buoyed_axial_weight(mesh) - solution%loads%wob - work%hookload
+         result%torque = work%top_torque
+         result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
+         result%iterations = equations%iterations
+         result%elements = mesh%elements
+         result%states = count_states(gaps)
+         result%flips = sum(gaps%flips)
+         result%moves = sum(gaps%moves)
+         call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
+         if (outcome == outcome_converged) &
+            call judge_balance(model%units, equations%force_scale, work%normal, whirls, result)
+         call recover_gaps(mesh, gaps, work, result%gaps)
+         call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
+         if (model%boundary%bit_centred) then
+            result%bit_side_force = side_force
+            result%bit_side_clock = side_clock
+         end if
+         result%history = equations%history(:equations%iterations + 1)
+      end associate
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.
