@@ -5,7 +5,7 @@ module dg_deck_tortuosity
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_list_type, error_type
-   use dg_text, only: append_text, to_text
+   use dg_text, only: append_text, either, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
    use dg_unit_kind, only: in_units, unit_curvature, unit_length
@@ -130,7 +130,7 @@ contains
             text = 'group &tortuosity in line '//to_text(line)//': laid on the path from '// &
                    to_text(section%md_top/units%length, digits)//' to '// &
                    in_units(units, unit_length, lower_end(section), digits)//': '// &
-                   trim(merge('random changes', 'a sine        ', section%random))//' of '// &
+                   either('random changes', 'a sine', section%random)//' of '// &
                    to_text(section%amplitude/degree, few_digits)//' deg every '// &
                    in_units(units, unit_length, section%period, few_digits)
             if (section%random) text = text//', seed '//to_text(section%seed)

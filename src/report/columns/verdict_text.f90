@@ -6,7 +6,7 @@ module dg_verdict_text
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_unit_kind, only: at_most_in_units, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
                            unit_pressure, unit_stress
    use dg_units, only: unit_system_type
@@ -97,7 +97,7 @@ contains
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             in_units(units, unit_length, verdict%buckled_length, shown)// &
-            trim(merge(' by formula', '           ', verdict%buckled_by_formula))
+            either(' by formula', '', verdict%buckled_by_formula)
          text = text//reserve_text(verdict)
       else
          text = 'No solution was found'
@@ -114,7 +114,7 @@ contains
       if (verdict%reserve_unknown) text = text//'. How much more friction is possible is not known, as the string turns in '// &
          'helical buckling: run it with more friction'
       if (verdict%friction_reserve%present) then
-         text = text//'. The answer becomes NO '//trim(merge('already', '       ', verdict%friction_reserve%value < little_reserve))
+         text = text//'. The answer becomes NO '//either('already', '', verdict%friction_reserve%value < little_reserve)
          text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
          if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
       end if
@@ -128,7 +128,7 @@ contains
       integer :: digits
       digits = merge(close_factor, shown_factor, abs(factor - 1.0_wp) < little_reserve - 1.0_wp)
       text = to_text(rounded_down(factor, digits), digits)//' times the '// &
-             trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
+             either('friction given', 'calibrated friction', verdict%friction == friction_given)
    end function times_text
 
    !> Push needed at surface by a string whose weight is too little.
@@ -157,7 +157,7 @@ contains
          case default; text = shown_title(limit)//' '//load_text(units, limit, excess)//' too much then'
          end select
       end associate
-      text = '. Not possible without '//trim(merge('overpull     ', 'weight on bit', load_case%wob < 0.0_wp))//' either: '//text
+      text = '. Not possible without '//either('overpull', 'weight on bit', load_case%wob < 0.0_wp)//' either: '//text
    end function without_load_text
 
    !> Remedy that makes the operation possible, as far as it is known; '' else.
@@ -182,7 +182,7 @@ contains
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)//'. Check it by a case operation = '''// &
-                trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
+                either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
@@ -222,7 +222,7 @@ contains
          text = 'No limit is known'
          return
       end if
-      text = trim(merge('Close to its limit:', 'Nearest limit:     ', verdict%used%value > close_to_limit))//' '// &
+      text = either('Close to its limit:', 'Nearest limit:', verdict%used%value > close_to_limit)//' '// &
              shown_title(verdict%limit)//place_text(units, verdict)//', '
       if (verdict%limit == limit_string_weight) then
          text = text//takers_text(load_case, verdict)//' '
@@ -252,7 +252,7 @@ contains
       if (verdict%packer_pushes) call add('pressure at the packer')
       if (verdict%pressure_pushes) call add('annulus pressure')
       if (text == '') text = 'WOB'                   ! of nothing
-      text = text//trim(merge(' take ', ' takes', index(text, ' and ') > 0))
+      text = text//either(' take', ' takes', index(text, ' and ') > 0)
 
    contains
 
@@ -366,7 +366,7 @@ contains
          if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
          names = names + 1
          if (names > most_names) cycle
-         text = text//trim(merge(' of', ',  ', names == 1))//' '//components(i)%name
+         text = text//either(' of', ',', names == 1)//' '//components(i)%name
       end do
       if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
    end function unrated_names

@@ -16,7 +16,7 @@ module dg_limits_table
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_text
-   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_text, only: append_text, either, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
@@ -121,8 +121,8 @@ contains
                           fixed_text(wholes(i)%sag_correction%value/units%angle, 3)// &
                           ' deg at the sensor, '// &
                           whole_depth(units, wholes(i)%sensor_md%value)// &
-                          trim(merge('                                         ', '. Surveys are taken at rest: use ''static''', &
-                                     model%cases(results(i)%case_index)%operation == operation_static)))
+                          either('', '. Surveys are taken at rest: use ''static''', &
+                                 model%cases(results(i)%case_index)%operation == operation_static))
       end do
       do i = 1, size(results)
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
@@ -264,7 +264,7 @@ contains
          if (whole%packer_force%present .and. abs(whole%packer_force%value) > 0.0_wp) &
             call append_text(lines, '  Force on the packer in '//load_case%name//': '// &
                              in_units(units, unit_force, abs(whole%packer_force%value), few)// &
-                             trim(merge(' down', ' up  ', whole%packer_force%value > 0.0_wp)))
+                             either(' down', ' up', whole%packer_force%value > 0.0_wp))
       end associate
    contains
       pure function shown(length) result(text)
@@ -296,7 +296,7 @@ contains
                label = 'Jar '
                if (lower_case(part%name) /= jar_kind) label = label//part%name//' '
                call append_text(lines, '  '//label//'in '//name//': '// &
-                                trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
+                                either('tension', 'compression', axial >= 0.0_wp)//' of '// &
                                 in_units(units, unit_force, abs(axial), few)//' at '// &
                                 whole_depth(units, md))
             end associate

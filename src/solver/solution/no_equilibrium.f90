@@ -5,7 +5,7 @@ module dg_no_equilibrium
    use dg_drillstring, only: component_at, component_tops
    use dg_model, only: model_type, string_index
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_trajectory, only: top_md
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
@@ -54,8 +54,8 @@ contains
       do i = 1, size(attempts)
          text = text//merge(' (', ', ', i == 1)
          if (attempts(i)%other_place) then
-            text = text//'gaps at '//trim(merge('the nodes     ', 'their extremum', &
-                                                other_location(model%numerics%gap_location) == gap_at_nodes))
+            text = text//'gaps at '//either('the nodes', 'their extremum', &
+                                            other_location(model%numerics%gap_location) == gap_at_nodes)
          else if (attempts(i)%spread) then
             text = text//'soft walls'
          else if (attempts(i)%reach > 1.0_wp) then

@@ -18,7 +18,7 @@ module dg_static_result
    use dg_rounding, only: rounded_up
    use dg_solution, only: solution_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
@@ -203,8 +203,8 @@ contains
          end if
       end if
       if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
-                                       trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
-                                                  mirrored))//text)
+                                       either('with coils that turn the other way,', 'on the low side of the hole,', &
+                                              mirrored)//text)
    end subroutine warn_of_range
 
    !> Says where a string slopes too much against its hole for the beam that gives the moments.
