@@ -4,7 +4,7 @@
 !> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
 module dg_case_without_load
    use dg_kinds, only: wp
-   use dg_arriving_weight, only: weight_that_arrives
+   use dg_weight_on_bit, only: weight_that_arrives
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
    use dg_load_case, only: block_way, rotates
    use dg_model, only: model_type

@@ -20,7 +20,7 @@ module dg_deck_parts
    use dg_shown_size, only: length_digits
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name, visit_numerics
    use dg_rig, only: rig_type, visit_rig
-   use dg_settings_check, only: check_numerics
+   use dg_range_check, only: check_numerics
    use dg_string_check, only: check_component
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
