@@ -18,7 +18,7 @@ module dg_run_deck
    use dg_run_pictures, only: run_pictures
    use dg_standard_output, only: flush_output
    use dg_study, only: phase_after, phase_first, phase_points, run_type
-   use dg_text, only: text_type, to_text
+   use dg_text, only: either, text_type, to_text
    use dg_whole_string, only: whole_string_type
    use dg_written_files, only: begin_files, end_files, other_records
    implicit none
@@ -123,7 +123,7 @@ contains
       end if
       if (job%parts == 0 .and. .not. (job%quiet .or. is_interrupted())) &
          call print_line('Results in '//job%output_dir// &
-                         trim(merge('; open report.html there', '                        ', job%plots)))
+                         either('; open report.html there', '', job%plots))
       call flush_output()
       if (job%plots .and. job%parts == 0) then
          if (is_interrupted()) then

@@ -56,7 +56,7 @@ contains
          call new_workspace(mesh, chain%work)
          chain%matrix = new_block_matrix(mesh%nodes)
          allocate (chain%state(6, mesh%nodes), chain%residual(6, mesh%nodes))
-         call predict(model, case_index, mesh, start_type(), chain%work%climb, chain%state, chain%gaps, chain%work%normal)
+         call predict(model, case_index, mesh, start_type(), chain%work%sideways, chain%state, chain%gaps, chain%work%normal)
       end associate
       chain%loads = load_type(wob=model%cases(case_index)%wob, top_support=support, bit_support=support)
       call survey_chain(model, chain)

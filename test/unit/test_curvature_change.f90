@@ -9,7 +9,7 @@ module dg_test_curvature_change
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static
    use dg_model, only: model_type
-   use dg_stiff_places, only: matters
+   use dg_assembly_elements, only: matters
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private

@@ -138,7 +138,7 @@ contains
       touch%couple_stiffness = 0.0_wp
       touch%axial = 0.3_wp
       touch%rotary = 0.2_wp
-      touch%climbing = 0.2_wp
+      touch%sideways = 0.2_wp
       touch%radius = radius
    end function touch_of
 

@@ -145,7 +145,7 @@ contains
       call curved_string(trajectory, mesh, gaps, loads, state)
       call new_workspace(mesh, work)
       do kind = 1, 2
-         if (kind == 2) work%climb = whirling
+         if (kind == 2) work%sideways = whirling
          matrix = new_block_matrix(mesh%nodes)
          spare = new_block_matrix(mesh%nodes)
          if (kind == 1) allocate (residual, plus, minus, mold=state)
@@ -194,7 +194,7 @@ contains
       allocate (residual, mold=state)
       do kind = 1, 2
          if (kind == 2) then
-            work%climb = whirling
+            work%sideways = whirling
             mesh%friction_along = 0.0_wp       ! along a curved axis its couple derives from no energy, if hardly so
          end if
          call assemble_at(trajectory, mesh, loads, gaps, state, .true., work, residual, matrix)
@@ -221,7 +221,7 @@ contains
       parts = new_block_matrix(mesh%nodes)
       allocate (residual, mold=state)
       do kind = 0, 4
-         work%climb = merge(whirling, 1.0_wp, kind == 0)
+         work%sideways = merge(whirling, 1.0_wp, kind == 0)
          if (kind > 1) mesh%friction_around = 0.0_wp
          if (kind > 2) state(4, :) = 0.0_wp
          if (kind > 3) mesh%friction_along = 0.0_wp
@@ -280,7 +280,7 @@ contains
       work%separate = .true.
       closed = 0
       do kind = 0, 2
-         work%climb = merge(whirling, 1.0_wp, kind == 0)
+         work%sideways = merge(whirling, 1.0_wp, kind == 0)
          if (kind > 1) mesh%friction_around = 0.0_wp
          work%normal = [(1000.0_wp + 100.0_wp*e, e=1, mesh%elements)]
          call assemble_at(trajectory, mesh, loads, gaps, state, .false., work, residual, ignored)

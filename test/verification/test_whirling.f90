@@ -148,7 +148,7 @@ contains
       gaps%xi = [(real(n - 1, wp)/(mesh%elements - 1), n=1, mesh%elements)]
       gaps%law%clearance = 0.95_wp*mesh%clearance
       gaps%state = state_elastic
-      work%climb = 0.0_wp
+      work%sideways = 0.0_wp
       loads%tob = 4.0e3_wp
       matrix = new_block_matrix(mesh%nodes)
       allocate (residual, mode, mold=state)

@@ -95,7 +95,7 @@ contains
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: element_length   !< [m]
       character(:), allocatable :: text
-      text = 'a larger element_length than '//trim(in_units(model%units, unit_length, element_length, digits))
+      text = 'a larger element_length than '//in_units(model%units, unit_length, element_length, digits)
       if (model%numerics%discrete_joints) text = text//', tool_joints = ''smeared'''
    end function finer_text
 

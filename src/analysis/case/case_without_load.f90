@@ -4,7 +4,7 @@
 !> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
 module dg_case_without_load
    use dg_kinds, only: wp
-   use dg_arriving_weight, only: weight_that_arrives
+   use dg_weight_on_bit, only: weight_that_arrives
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
    use dg_load_case, only: block_way, rotates
    use dg_model, only: model_type
@@ -41,7 +41,7 @@ contains
          if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
       end associate
       if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &
-         'Without a push '//trim(at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown))//' reach it')
+         'Without a push '//at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown)//' reach it')
    end subroutine solve_without_load
 
    !> The solution without weight on bit, and the factor of friction that it shows.

@@ -82,6 +82,6 @@ contains
       character(:), allocatable :: text
       text = 'a weight on bit of '
       if (load < 0.0_wp) text = 'a pull at the bit of '
-      text = text//trim(in_units(model%units, unit_force, abs(load), shown))
+      text = text//in_units(model%units, unit_force, abs(load), shown)
    end function load_text
 end module dg_confirm_lock_up

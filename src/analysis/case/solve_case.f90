@@ -92,7 +92,7 @@ contains
       real(wp) :: push
       push = surface_push(model, case_index)
       if (push > 0.0_wp) call add_message(result, 'Annulus pressure pushes the pipe up at surface with '// &
-         trim(in_units(model%units, unit_force, push, shown))//'. Hook load counts this. If the BOP or a stripper '// &
+         in_units(model%units, unit_force, push, shown)//'. Hook load counts this. If the BOP or a stripper '// &
          'carries it, add it to the hook load')
    end subroutine note_push
 
@@ -115,9 +115,9 @@ contains
          do i = 1, size(steps) - 1
             joint = minloc(abs(ends - steps(i)), dim=1)
             if (abs(ends(joint) - steps(i)) > close_to_step) cycle
-            call add_message(result, 'A tool joint ends at '//trim(in_units(model%units, unit_length, ends(joint), shown_depth))// &
+            call add_message(result, 'A tool joint ends at '//in_units(model%units, unit_length, ends(joint), shown_depth)// &
                ', where the hole changes its diameter. Moments there depend on which side the joint lies. Compare with a '// &
-               'bit_depth '//trim(in_units(model%units, unit_length, apart, shown))//' deeper')
+               'bit_depth '//in_units(model%units, unit_length, apart, shown)//' deeper')
             return
          end do
       end associate

@@ -6,7 +6,6 @@
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_arriving_weight, only: weight_that_arrives
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
@@ -28,7 +27,7 @@ module dg_find_verdict
                              limit_von_mises, part_limits, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, verdict_type
-   use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit
+   use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
    private

@@ -4,13 +4,13 @@
 !> (API TR 5C3, ISO 10400), whose formulas are fits to tests on steel, in psi.
 module dg_pipe_strength
    use dg_kinds, only: wp
+   use dg_constants, only: psi
    use dg_component, only: component_type, is_worn, tube_area, tube_inertia, worn_od
    implicit none
    private
    public :: yield_left, warmed
    public :: tensile_strength, torsional_strength, burst_strength, collapse_strength, collapses_as_steel, slip_share
 
-   real(wp), parameter :: psi = 6894.757293168_wp
    !> Wall of new pipe that mills vouch for, over the nominal one (API Spec 5CT, 5D).
    real(wp), parameter :: mill_wall = 0.875_wp
    !> Shear strength over yield strength, as API rounds von Mises' 1/sqrt(3).

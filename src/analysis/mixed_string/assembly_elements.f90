@@ -10,6 +10,7 @@ module dg_assembly_elements
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type
+   use dg_constants, only: degree
    use dg_curvature_change, only: change_type, curvature_changes
    use dg_drillstring, only: component_tops
    use dg_error, only: error_type
@@ -22,18 +23,30 @@ module dg_assembly_elements
    use dg_soft_string_loads, only: soft_string_at
    use dg_static_analysis, only: solve_static_analysis
    use dg_stopping, only: stop_type
-   use dg_stiff_places, only: matters, stiffer
    use dg_trajectory, only: cut_trajectory, top_md
    implicit none
    private
-   public :: solve_with_elements, join_depth
+   public :: solve_with_elements, join_depth, matters
 
    !> Pipe above the assembly that is beams too [m]. Tangency lengths of drill pipe are 10 to 20 m.
    real(wp), parameter :: reach = 100.0_wp
    !> Side load under which the string hangs free at the join [N/m]: nothing would hold its end, which is put on the axis then.
    real(wp), parameter :: least_side_load = 1.0_wp
+   !> Change of curvature that counts as sharp [1/m]: 15 deg in 30 m, where Payne & Abbassian (1997) see
+   !> stiff and soft strings part.
+   real(wp), parameter :: sharp_turn = 15.0_wp*degree/30.0_wp
+   !> Stiffness over that of the uppermost component above which a component is of the assembly [-]: round-off.
+   real(wp), parameter :: stiffer = 1.0_wp + 1.0e-6_wp
 
 contains
+
+   !> True if stiffness matters at a change of curvature.
+   elemental function matters(change, pipe) result(yes)
+      type(change_type), intent(in) :: change
+      real(wp), intent(in) :: pipe   !< E I of the uppermost component [N.m2]
+      logical :: yes
+      yes = change%forced .or. change%stiffness > stiffer*pipe .or. norm2(change%curvature) > sharp_turn
+   end function matters
 
    !> Depth of the join [m]: `reach` above the highest of the components next to the bit that are stiffer than the uppermost one.
    !> The first station, for all beams, where little more than `reach` of pipe would be left.

@@ -14,7 +14,7 @@
 module dg_mixed_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_assembly_elements, only: solve_with_elements
+   use dg_assembly_elements, only: matters, solve_with_elements
    use dg_case_result, only: case_result_type
    use dg_clock, only: seconds_between
    use dg_component, only: bending_stiffness
@@ -26,7 +26,6 @@ module dg_mixed_string
    use dg_rigid_string, only: solve_at_changes
    use dg_soft_string, only: check_string_case
    use dg_stopping, only: stop_type
-   use dg_stiff_places, only: matters
    implicit none
    private
    public :: solve_mixed_string

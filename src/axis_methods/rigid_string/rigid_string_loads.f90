@@ -67,7 +67,7 @@ contains
       piece = piece_above(model, layout, position, 1.0_wp)
       do i = size(md), 1, -1
          do while (position > md(i))
-            call climb(piece, changes, max(piece%top, md(i)), position, force, moment, totals)
+            call integrate_up(piece, changes, max(piece%top, md(i)), position, force, moment, totals)
             if (position > md(i)) piece = piece_above(model, layout, position, 1.0_wp)
          end do
          axial(i) = force
@@ -83,7 +83,7 @@ contains
 
    !> Integrates up a piece of string from `position` to `target`: weight as difference of vertical depth, friction
    !> and shear by the classical Runge-Kutta method, with short steps at changes of curvature.
-   pure subroutine climb(piece, changes, target, position, force, moment, sums)
+   pure subroutine integrate_up(piece, changes, target, position, force, moment, sums)
       type(piece_type), intent(inout) :: piece
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: target           !< [m]
@@ -127,7 +127,7 @@ contains
             position = target
          end if
       end do
-   end subroutine climb
+   end subroutine integrate_up
 
    !> Length of the next step up from `position` [m].
    pure function step_from(piece, changes, target, position) result(step)

@@ -124,12 +124,12 @@ contains
          result%normal_force = totals%normal_force
          result%elements = totals%steps
          result%status = result_converged
-         call range_warning(model, case_index, md, axial, warning)
+         call range_warning(model, case_index, md, axial, result%hookload, warning)
          result%message = warning
          if (totals%runaway) then
             result%status = result_locked_up
             result%message = 'Locked up: friction grows without bound in the bend that ends at '// &
-               trim(in_units(model%units, unit_length, totals%runaway_md, shown_depth))
+               in_units(model%units, unit_length, totals%runaway_md, shown_depth)
          end if
       end associate
       allocate (result%history(0))

@@ -102,7 +102,7 @@ contains
       call enter_piece(model, layout, position, loads, piece, place)
       do i = size(md), 1, -1
          do while (position > md(i))
-            call climb(piece, max(piece%top, md(i)), position, place, force, moment, sums)
+            call integrate_up(piece, max(piece%top, md(i)), position, place, force, moment, sums)
             if (position > md(i)) call enter_piece(model, layout, position, loads, piece, place)
          end do
          axial(i) = force
@@ -166,7 +166,7 @@ contains
 
    !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
    !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
-   pure subroutine climb(piece, target, position, place, force, moment, sums)
+   pure subroutine integrate_up(piece, target, position, place, force, moment, sums)
       type(piece_type), intent(inout) :: piece
       real(wp), intent(in) :: target             !< [m]
       real(wp), intent(inout) :: position        !< [m]
@@ -232,7 +232,7 @@ contains
          end if
          place = there
       end do
-   end subroutine climb
+   end subroutine integrate_up
 
    !> A place of the piece. What the load across the hole needs: its square is the sum of T^2 k.k, 2 T k.g and g.g. The curvature
    !> vector lies across the tangent, so that weight along it adds nothing.

@@ -3,7 +3,6 @@ module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_case_result, only: add_sentence, is_pushed, push_needed
-   use dg_fluid_pressure, only: surface_push
    use dg_model, only: model_type
    use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
@@ -19,11 +18,12 @@ module dg_string_range
 contains
 
    !> '' where the string can follow the hole, else what is out of range, where and by how much.
-   pure subroutine range_warning(model, case_index, md, axial, warning)
+   pure subroutine range_warning(model, case_index, md, axial, hookload, warning)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)       !< [m]
       real(wp), intent(in) :: axial(:)    !< tension > 0 [N]
+      real(wp), intent(in) :: hookload    !< [N]
       character(:), allocatable, intent(out) :: warning
       type(layout_type) :: layout
       type(piece_type) :: piece
@@ -42,9 +42,9 @@ contains
          worst_md = md(i)
       end do
       if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
-         trim(in_units(model%units, unit_length, worst_md, shown))// &
+         in_units(model%units, unit_length, worst_md, shown)// &
          ', outside the range of this model. Contact there is too low. Use model mcge'
-      if (is_pushed(axial(1) - surface_push(model, case_index), axial)) call add_sentence(warning, push_needed)
+      if (is_pushed(hookload, axial)) call add_sentence(warning, push_needed)
    end subroutine range_warning
 
    !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 where it is below it, or where nothing

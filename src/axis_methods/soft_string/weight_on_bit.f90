@@ -2,16 +2,17 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
+   use dg_case_result, only: case_result_type, result_locked_up
    use dg_component, only: axial_stiffness
    use dg_load_case, only: block_way
-   use dg_missing, only: given, optional_real
+   use dg_missing, only: given, is_missing, optional_real
    use dg_fluid_pressure, only: surface_push
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: bearable_strain, other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
+   public :: weight_that_arrives, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
 
    !> To this part of the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -26,6 +27,18 @@ module dg_weight_on_bit
    real(wp), parameter :: scales(2) = [0.1_wp, 4.0_wp], scale_tolerance = 1.0e-4_wp
 
 contains
+
+   !> Largest weight on bit that string weight brings [N], with the friction of coils and the factor that beams have beside the soft
+   !> string; not more than beams bear of a string that locks up.
+   pure function weight_that_arrives(model, result) result(most)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      real(wp) :: most
+      most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
+                                friction_scale=result%without_load%friction_scale)
+      if (result%status == result_locked_up .and. .not. is_missing(result%lock_up_load)) &
+         most = min(most, max(result%lock_up_load, 0.0_wp))
+   end function weight_that_arrives
 
    !> Greatest weight on bit [N] that leaves a hook load, or with `pushed` that a push at the top brings down which the pipe
    !> bears; 0 where none does. With `coiled`, friction of a coiled string counts: without it nothing limits a push.

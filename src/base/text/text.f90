@@ -7,7 +7,7 @@ module dg_text
    use dg_printable, only: printable
    implicit none
    private
-   public :: text_type, append_text, text_list, put_piece, joined, text_or_nothing
+   public :: text_type, append_text, text_list, put_piece, joined, either, text_or_nothing
    public :: name_shown
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
@@ -191,6 +191,15 @@ contains
       end if
    end function letter_end
 
+   !> One of two texts, the first where it is so.
+   pure function either(first, second, so) result(text)
+      character(*), intent(in) :: first, second
+      logical, intent(in) :: so
+      character(merge(len(first), len(second), so)) :: text
+      text = first
+      if (.not. so) text = second
+   end function either
+
    !> Least number of letters put in, left out, changed or swapped with a neighbour that turns `a` into
    !> `b` (optimal string alignment; Damerau 1964: these four slips make up nearly all misspellings).
    pure function edit_distance(a, b) result(distance)
@@ -321,7 +330,6 @@ contains
       integer :: n, exponent
       ! plain notation for 0.0001 up to ten million less one
       integer, parameter :: least_plain = -4, most_plain = 6
-
       length = 0
       if (.not. ieee_is_finite(number)) then     ! of an iteration that ran away
          call put_piece(text, length, 'beyond all numbers')

@@ -1,14 +1,13 @@
 !> Quantities of decks and results, and their units: one table, a row for each quantity, an entry for each system of units.
 !> Inside the program everything is SI. A new system is one more entry in each row, a new quantity one more row: the compiler
 !> refuses a table that lacks one.
-!> Exact factors (NIST SP 811): foot 0.3048 m, inch 0.0254 m, pound 0.45359237 kg, US gallon 231 in3, bar 1e5 Pa, pound-force =
-!> pound times standard gravity. Specific gravity counts from 1000 kg/m3.
+!> Specific gravity counts from 1000 kg/m3.
 module dg_quantity
    use dg_kinds, only: wp
-   use dg_constants, only: degree, pi, standard_gravity
+   use dg_constants, only: degree, foot, gallon, inch, pi, pound, pound_force, psi
    implicit none
    private
-   public :: unit_type, rows
+   public :: unit_type, rows, heaviest_mud
    public :: system_si, system_field, system_base, system_count, system_name, deck_systems
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_mass, quantity_density, &
       quantity_force, quantity_moment, quantity_line_load, quantity_modulus, quantity_stress, quantity_pressure, quantity_wall, &
@@ -58,21 +57,22 @@ module dg_quantity
       real(wp) :: factor = 1.0_wp        !< SI value of one
       character(14) :: alike = ''        !< a smaller unit that people write in its place; '': none
       real(wp) :: alike_count = 1.0_wp   !< so many of them are one
+      character(14) :: other = ''        !< another one, where the first would be more than the greatest of the quantity
+      real(wp) :: other_count = 1.0_wp
    end type unit_type
 
    !> A quantity in each system: SI, field, metric, base.
    type :: row_type
       integer :: quantity
       type(unit_type) :: units(system_count)
+      real(wp) :: greatest = huge(1.0_wp)   !< that a number in a smaller unit may be meant for [SI]
    end type row_type
 
+   !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
+   real(wp), parameter :: heaviest_mud = 2700.0_wp
+
    real(wp), parameter :: one = 1.0_wp, kilo = 1.0e3_wp, mega = 1.0e6_wp, giga = 1.0e9_wp
-   real(wp), parameter :: foot = 0.3048_wp
-   real(wp), parameter :: inch = 0.0254_wp
-   real(wp), parameter :: pound = 0.45359237_wp
-   real(wp), parameter :: gallon = 231.0_wp*inch**3, gallons_in_cubic_foot = 1728.0_wp/231.0_wp
-   real(wp), parameter :: pound_force = pound*standard_gravity
-   real(wp), parameter :: psi = pound_force/inch**2
+   real(wp), parameter :: gallons_in_cubic_foot = 1728.0_wp/231.0_wp
    real(wp), parameter :: bar = 1.0e5_wp, kilopascals = 100.0_wp
    real(wp), parameter :: ten_kilonewton = 1.0e4_wp
    real(wp), parameter :: rpm = 2.0_wp*pi/60.0_wp
@@ -102,8 +102,9 @@ module dg_quantity
       row_type(quantity_width, [unit_type('mm', 'mm', 1.0e-3_wp), in_inches, in_inches, metre]), &
       row_type(quantity_angle, [in_degrees, in_degrees, in_degrees, radian]), &
       row_type(quantity_mass, [kg_m, unit_type('lbm/ft', 'lbm_ft', pound/foot), kg_m, kg_m]), &
-      row_type(quantity_density, [kg_m3, unit_type('lbm/gal', 'lbm_gal', pound/gallon, 'pcf (lbm/ft3)', gallons_in_cubic_foot), &
-                                  unit_type('sg', 'sg', kilo, 'kg/m3', kilo), kg_m3]), &
+      row_type(quantity_density, [kg_m3, &
+         unit_type('lbm/gal', 'lbm_gal', pound/gallon, 'pcf (lbm/ft3)', gallons_in_cubic_foot, 'kg/m3', pound/gallon), &
+         unit_type('sg', 'sg', kilo, 'lbm/gal', kilo*gallon/pound, 'kg/m3', kilo), kg_m3], heaviest_mud), &
       row_type(quantity_force, [unit_type('kN', 'kN', kilo, 'N', kilo), unit_type('klbf', 'klbf', kilo*pound_force, 'lbf', kilo), &
                                 unit_type('kdaN', 'kdaN', ten_kilonewton, 'daN', kilo), unit_type('N', 'N', one)]), &
       row_type(quantity_moment, [kilonewton_metre, unit_type('kft.lbf', 'kftlbf', kilo*foot*pound_force, 'ft.lbf', kilo), &

@@ -7,23 +7,16 @@ module dg_unit_kind
       unit_pressure => quantity_pressure, unit_wall => quantity_wall, unit_rotation => quantity_rotation, &
       unit_speed => quantity_speed, unit_gravity => quantity_gravity, unit_curvature => quantity_curvature, &
       unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_wear => quantity_wear, &
-      unit_loss => quantity_loss, unit_type
+      unit_loss => quantity_loss, heaviest_mud, rows, unit_type
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud, lightest_mud
+   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
-
-   !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
-   real(wp), parameter :: heaviest_mud = 2700.0_wp
-   !> Lighter than any foam that is pumped: specific gravity, or another unit's number; and one lbm/gal [kg/m3].
-   real(wp), parameter :: lightest_mud = 300.0_wp, pound_per_gallon = 119.8264273_wp
-   !> Room for a number and the name of its unit.
-   integer, parameter :: told_width = 40
 
 contains
 
@@ -62,8 +55,8 @@ contains
       label = padded_label(units, quantity)
    end function unit_label
 
-   !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none. A density that
-   !> no mud has in that unit is one in kg/m3 or lbm/gal, if a mud has that.
+   !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none. It is the first
+   !> in which the number is at most the greatest of the quantity.
    pure subroutine smaller_unit(units, quantity, number, name, count)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
@@ -74,27 +67,40 @@ contains
       unit = unit_in(units, quantity)
       name = unit%alike
       count = unit%alike_count
-      if (quantity /= unit_density .or. name == '') return
-      if (name == 'kg/m3' .and. number*unit%factor/count < lightest_mud .and. number*pound_per_gallon <= heaviest_mud) then
-         name = 'lbm/gal'
-         count = unit%factor/pound_per_gallon
-         return
-      end if
-      if (number*unit%factor/count <= heaviest_mud) return
-      name = ''
-      if (number > heaviest_mud) return
-      name = 'kg/m3'
-      count = unit%factor
+      if (number*unit%factor/count <= rows(quantity)%greatest) return
+      name = unit%other
+      count = unit%other_count
+      if (number*unit%factor/count > rows(quantity)%greatest) name = ''
    end subroutine smaller_unit
 
-   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name and blanks behind it. Of a
-   !> fixed length, as threads call it (see to_text).
+   ! Before the functions that declare texts by them: gfortran asks for that.
+   pure function value_length(units, quantity, value, digits) result(length)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value
+      integer, intent(in) :: digits
+      integer :: length
+      length = len_trim(to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity))
+   end function value_length
+
+   !> The value itself, rounded down to so many digits in its unit where it is above 0.
+   pure function at_most(units, quantity, value, digits) result(least)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value
+      integer, intent(in) :: digits
+      real(wp) :: least
+      least = value
+      if (value > 0.0_wp) least = unit_factor(units, quantity)*rounded_down(value/unit_factor(units, quantity), digits)
+   end function at_most
+
+   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name.
    pure function in_units(units, quantity, value, digits) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(told_width) :: text
+      character(value_length(units, quantity, value, digits)) :: text
       text = to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity)
    end function in_units
 
@@ -104,9 +110,7 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(told_width) :: text
-      text = in_units(units, quantity, value, digits)
-      if (value > 0.0_wp) text = in_units(units, quantity, unit_factor(units, quantity)* &
-                                          rounded_down(value/unit_factor(units, quantity), digits), digits)
+      character(value_length(units, quantity, at_most(units, quantity, value, digits), digits)) :: text
+      text = in_units(units, quantity, at_most(units, quantity, value, digits), digits)
    end function at_most_in_units
 end module dg_unit_kind

@@ -4,7 +4,7 @@ module dg_case_deck
    use dg_imported_case, only: imported_case_type, imported_hole_type, imported_part_type, lined_up
    use dg_kinds, only: wp
    use dg_printable, only: printable
-   use dg_text, only: append_text, letter_end, plain_utf8, text_type, to_text
+   use dg_text, only: append_text, either, letter_end, plain_utf8, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
    implicit none
@@ -115,7 +115,7 @@ contains
             call put_text(lines, 'name', hole%name)
             call put_number(lines, 'md_top', hole%top/units%length, '')
             call put_number(lines, 'md_bottom', min(bottom, hole%bottom)/units%length, &
-                            trim(merge('end of the survey', '                 ', hole%bottom > bottom)))
+                            either('end of the survey', '', hole%bottom > bottom))
             call put_number(lines, 'diameter', hole%diameter/units%diameter, hole%remark)
             if (hole%friction > 0.0_wp .and. hole%friction <= roughest) then
                call put_number(lines, 'friction', hole%friction, '')
@@ -163,7 +163,7 @@ contains
       limit = narrowest
       if (part%kind /= 'bit' .and. width >= narrowest) limit = narrowest - play
       if (width <= limit) return
-      part%remark = 'GUESSED: '//trim(merge('1 mm narrower than the hole', 'as wide as the hole        ', limit < narrowest))// &
+      part%remark = 'GUESSED: '//either('1 mm narrower than the hole', 'as wide as the hole', limit < narrowest)// &
                     '. The file has '//to_text((width - limit)*1.0e3_wp, 3)//' mm more; a tool that opens has opened_od'
       part%od = min(part%od, limit)
       part%joint_od = min(part%joint_od, limit)

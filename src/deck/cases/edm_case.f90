@@ -1,7 +1,7 @@
 !> The case in an EDM export (Landmark): each row of a table is an element, its values are attributes in feet, inches, lbm/gal,
 !> lbm/ft, psi and ft.lbf, without a unit beside them.
 module dg_edm_case
-   use dg_constants, only: degree
+   use dg_constants, only: degree, foot, gallon, inch, pound, pound_force, psi
    use dg_edm_rows, only: choose_wellbore, get, is_of, pick
    use dg_imported_case, only: add_hole, add_part, imported_case_type, imported_hole_type, imported_part_type, kind_of_part, &
       one_of
@@ -13,12 +13,10 @@ module dg_edm_case
    private
    public :: read_edm_case
 
-   real(wp), parameter :: foot = 0.3048_wp, inch = 0.0254_wp, pound = 0.45359237_wp, gallon = 3.785411784e-3_wp
-   real(wp), parameter :: psi = 6894.757293168_wp, foot_pound = 1.3558179483_wp
    !> A yield above this is in lbf/ft2 [psi], a density above this in lbm/ft3 [lbm/gal].
    real(wp), parameter :: highest_yield = 1.0e6_wp, highest_density = 25.0_wp
    real(wp), parameter :: vertical = 0.01_wp*degree
-   real(wp), parameter :: square_foot = 144.0_wp, cubic_foot = 7.48051948_wp     ! in2, gal
+   real(wp), parameter :: square_foot = 144.0_wp, cubic_foot = 1728.0_wp/231.0_wp     ! in2, gal
 
 contains
 
@@ -266,7 +264,7 @@ contains
       call get(tree, row, 'length_tool_joint', foot, part%joint_length, failure)
       call get(tree, row, 'approximate_weight', pound/foot, part%mass, failure)
       call get(tree, row, 'min_yield_stress', psi, part%yield, failure)
-      call get(tree, row, 'makeup_torque', foot_pound, part%makeup_torque, failure)
+      call get(tree, row, 'makeup_torque', foot*pound_force, part%makeup_torque, failure)
       if (part%yield > highest_yield*psi) part%yield = part%yield/square_foot
       if (part%kind == 'stabilizer') then
          call get(tree, row, 'blade_od', inch, part%joint_od, failure)

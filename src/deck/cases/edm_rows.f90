@@ -3,7 +3,7 @@ module dg_edm_rows
    use dg_deck_number, only: read_real
    use dg_imported_case, only: is_meant, one_of
    use dg_kinds, only: wp
-   use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_text, only: append_text, either, lower_case, quoted, text_type, to_text
    use dg_xml_tree, only: attribute, xml_tree_type
    implicit none
    private
@@ -59,7 +59,7 @@ contains
                    'Export the wellbore with its survey'
       else if (size(choices) /= 1) then
          failure = 'holds these wellbores with a survey: '//one_of(names)//'. Name one by --well'
-         if (wanted /= '') failure = failure//'; '//trim(merge('several are called', 'none is called    ', size(choices) > 1))// &
+         if (wanted /= '') failure = failure//'; '//either('several are called', 'none is called', size(choices) > 1)// &
                                      ' '//quoted(wanted)
       else
          wellbore = choices(1)%text

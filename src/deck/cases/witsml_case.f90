@@ -1,6 +1,6 @@
 !> Hole, string and mud in WITSML documents (Energistics; 1.3.1, 1.4.1, 2.0, 2.1). Trajectories are read by dg_survey_file.
 module dg_witsml_case
-   use dg_constants, only: degree
+   use dg_constants, only: degree, foot, gallon, inch, pound, survey_foot
    use dg_deck_number, only: read_real
    use dg_imported_case, only: add_hole, add_part, imported_case_type, imported_hole_type, imported_part_type, is_meant, &
       kind_of_part, one_of
@@ -21,14 +21,14 @@ module dg_witsml_case
       real(wp) :: value = 0.0_wp
    end type unit_type
    type(unit_type), parameter :: lengths(8) = [unit_type('m', 1.0_wp), unit_type('mm', 1.0e-3_wp), unit_type('cm', 1.0e-2_wp), &
-      unit_type('in', 0.0254_wp), unit_type('ft', 0.3048_wp), unit_type('ftus', 1200.0_wp/3937.0_wp), &
-      unit_type('ft[us]', 1200.0_wp/3937.0_wp), unit_type('km', 1.0e3_wp)]
-   type(unit_type), parameter :: masses(4) = [unit_type('kg/m', 1.0_wp), unit_type('lbm/ft', 1.488163943569553_wp), &
-      unit_type('lb/ft', 1.488163943569553_wp), unit_type('g/m', 1.0e-3_wp)]
+      unit_type('in', inch), unit_type('ft', foot), unit_type('ftus', survey_foot), &
+      unit_type('ft[us]', survey_foot), unit_type('km', 1.0e3_wp)]
+   type(unit_type), parameter :: masses(4) = [unit_type('kg/m', 1.0_wp), unit_type('lbm/ft', pound/foot), &
+      unit_type('lb/ft', pound/foot), unit_type('g/m', 1.0e-3_wp)]
    type(unit_type), parameter :: densities(9) = [unit_type('kg/m3', 1.0_wp), unit_type('g/cm3', 1.0e3_wp), &
-      unit_type('kg/dm3', 1.0e3_wp), unit_type('kg/l', 1.0e3_wp), unit_type('lbm/galus', 119.8264273_wp), &
-      unit_type('lbm/gal', 119.8264273_wp), unit_type('lbm/gal[us', 119.8264273_wp), unit_type('lb/gal', 119.8264273_wp), &
-      unit_type('lbm/ft3', 16.01846337_wp)]
+      unit_type('kg/dm3', 1.0e3_wp), unit_type('kg/l', 1.0e3_wp), unit_type('lbm/galus', pound/gallon), &
+      unit_type('lbm/gal', pound/gallon), unit_type('lbm/gal[us', pound/gallon), unit_type('lb/gal', pound/gallon), &
+      unit_type('lbm/ft3', pound/foot**3)]
    type(unit_type), parameter :: angles(3) = [unit_type('dega', degree), unit_type('deg', degree), unit_type('rad', 1.0_wp)]
    type(unit_type), parameter :: numbers(3) = [unit_type('', 1.0_wp), unit_type('euc', 1.0_wp), unit_type('%', 0.01_wp)]
 

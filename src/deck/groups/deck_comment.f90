@@ -82,10 +82,10 @@ contains
          cut = index(line(first:last), ' ', back=.true.) + first - 1
          label = line(cut + 1:last)
          do unit = unit_length, unit_gravity
-            if (trim(unit_label(units, unit)) == label .and. trim(unit_label(other, unit)) /= label) exit
+            if (unit_label(units, unit) == label .and. unit_label(other, unit) /= label) exit
          end do
          if (unit > unit_gravity .or. label == '') cycle
-         new = scaled(line(first:cut), unit_factor(units, unit)/unit_factor(other, unit), .true.)//trim(unit_label(other, unit))
+         new = scaled(line(first:cut), unit_factor(units, unit)/unit_factor(other, unit), .true.)//unit_label(other, unit)
          line = line(:first - 1)//new//line(last + 1:)
       end do
    end subroutine convert_ranges

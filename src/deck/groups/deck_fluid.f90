@@ -87,7 +87,7 @@ contains
          mud%fluids(i)%md_top = measured_depth_at(trajectory, draft%fluids(i)%tvd_top)
          if (mud%fluids(i)%md_top <= bottom_md(trajectory)) cycle
          call add_fault(faults, draft%path, draft%fluids(i)%line_tvd, 'group &fluid: tvd_top = '// &
-                        trim(in_units(draft%units, unit_length, draft%fluids(i)%tvd_top, depth_digits))// &
+                        in_units(draft%units, unit_length, draft%fluids(i)%tvd_top, depth_digits)// &
                         ' is deeper than the hole; leave this fluid out')
       end do
       call check_fluid_order(mud%fluids, bottom_md(trajectory), found)
@@ -150,7 +150,7 @@ contains
                   said = buoyed_weight(part, density_at(model%mud, side_outside, md, bit), &
                                        density_at(model%mud, side_inside, md, bit), model%gravity) < 0.0_wp
                   if (said) call append_text(notes, 'group &fluid: load case '//quoted(model%cases(number)%name)//': '// &
-                     quoted(part%name)//' floats at '//trim(in_units(units, unit_length, depths(k), digits))// &
+                     quoted(part%name)//' floats at '//in_units(units, unit_length, depths(k), digits)// &
                      ': with what is in it it weighs less than the fluid outside that it displaces')
                end associate
                if (said) return
@@ -161,7 +161,7 @@ contains
       function pressed(pressure) result(text)
          real(wp), intent(in) :: pressure
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_pressure, pressure, digits))
+         text = in_units(units, unit_pressure, pressure, digits)
       end function pressed
    end subroutine note_fluids
 end module dg_deck_fluid

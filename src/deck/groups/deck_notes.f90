@@ -14,7 +14,7 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: in_units, lightest_mud, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus
    implicit none
    private
    public :: note_oddities
@@ -28,6 +28,8 @@ module dg_deck_notes
    real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
    !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
    real(wp), parameter :: sharpest = 310.0_wp*degree/30.0_wp
+   !> Lighter than any foam that is pumped [kg/m3]: a specific gravity, or a number of another unit.
+   real(wp), parameter :: lightest_mud = 300.0_wp
    !> Deeper than any hole so far [m]: feet among metres.
    real(wp), parameter :: deepest = 16.0e3_wp
    !> To compare with: water [kg/m3] and steel [Pa].
@@ -154,13 +156,13 @@ contains
                         (stations%md(i) - stations%md(before))
             if (curvature <= sharpest) cycle
             call append_text(notes, 'group &trajectory: between '//to_text(stations%md(before)/units%length, digits)//' and '// &
-                             trim(in_units(units, unit_length, stations%md(i), digits))//' the hole turns by '// &
-                             trim(in_units(units, unit_curvature, curvature, few_digits))// &
+                             in_units(units, unit_length, stations%md(i), digits)//' the hole turns by '// &
+                             in_units(units, unit_curvature, curvature, few_digits)// &
                              ', more than results were ever checked for; is a depth or an angle mistyped?')
             exit
          end do
          if (stations%md(size(stations%md)) > deepest) call append_text(notes, 'group &trajectory: the last station lies at '// &
-            trim(in_units(units, unit_length, stations%md(size(stations%md)), digits))// &
+            in_units(units, unit_length, stations%md(size(stations%md)), digits)// &
             ', deeper than any hole so far; mind the units')
       end associate
    end subroutine note_path
@@ -181,8 +183,8 @@ contains
          if (difference%direction <= sparse) return
          call append_text(notes, "group &trajectory: interpolation = 'spline' swings between sparse stations: it leaves "// &
             'minimum curvature by up to '//to_text(difference%direction/degree, angle_digits)//' deg in direction, near '// &
-            trim(in_units(units, unit_length, difference%direction_md, few_digits))//', and by up to '// &
-            trim(in_units(units, unit_length, difference%position, angle_digits))//' in position. It turns '// &
+            in_units(units, unit_length, difference%direction_md, few_digits)//', and by up to '// &
+            in_units(units, unit_length, difference%position, angle_digits)//' in position. It turns '// &
             'by '//to_text(difference%turns(1)/degree, angle_digits)//' deg in all instead of '// &
             to_text(difference%turns(2)/degree, angle_digits)//'; friction and moments go by that. Give stations where bends '// &
             "begin and end and between, or interpolation = 'minimum_curvature'")
@@ -198,14 +200,14 @@ contains
       real(wp) :: tube
       associate (part => item%component, units => draft%units)
          if (narrowest > widest_hole*closed_diameter(part)) call note('it is '// &
-            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//' wide in holes of '// &
-            trim(in_units(units, unit_diameter, narrowest, digits))//' and more; mind the units')
+            in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
+            in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units')
          if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
-            trim(in_units(units, unit_diameter, closed_diameter(part), digits))//', are wider than its centralizers, '// &
-            trim(in_units(units, unit_diameter, part%centralizer%od, digits))//': the centralizers do not touch; check both')
+            in_units(units, unit_diameter, closed_diameter(part), digits)//', are wider than its centralizers, '// &
+            in_units(units, unit_diameter, part%centralizer%od, digits)//': the centralizers do not touch; check both')
          if (has_blades(part) .and. .not. (part%joint_od > part%od .or. opens(part))) &
             call note('a stabilizer without joint_od touches at its od, '// &
-            trim(in_units(units, unit_diameter, part%od, digits))//', and bends as a pipe of that od; '// &
+            in_units(units, unit_diameter, part%od, digits)//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
          if (part%mass > 0.0_wp .and. (part%mass < merge(least_pipe_mass, least_mass, has_joints(part))*tube .or. &
@@ -216,7 +218,7 @@ contains
                   '; mind the units, and the density of what is not steel')
             else
                call note('it has no id. Stiffness and strength are those of a solid bar, which has '// &
-                  trim(in_units(units, unit_mass, tube, few_digits))//', not mass = '// &
+                  in_units(units, unit_mass, tube, few_digits)//', not mass = '// &
                   to_text(part%mass/units%mass_per_length, digits)//'. Give the inside diameter')
             end if
          end if
@@ -281,7 +283,7 @@ contains
       else if (below >= deepest_bit) then
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)// &
                           ' never enters the hole: the components below it are '// &
-                          trim(in_units(draft%units, unit_length, below, digits))//' long')
+                          in_units(draft%units, unit_length, below, digits)//' long')
       end if
    end subroutine note_unused
 
@@ -298,8 +300,8 @@ contains
          if (.not. opens(part) .or. .not. lower_end > 0.0_wp .or. is_open(part, upper_end)) return
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(part%name)// &
             ' counts as closed everywhere: a tool opens where its whole length is below opened_below = '// &
-            trim(in_units(units, unit_length, part%opened_below, digits))//', and its upper end comes to '// &
-            trim(in_units(units, unit_length, upper_end, digits)))
+            in_units(units, unit_length, part%opened_below, digits)//', and its upper end comes to '// &
+            in_units(units, unit_length, upper_end, digits))
       end associate
    end subroutine note_closed
 end module dg_deck_notes

@@ -2,6 +2,7 @@
 !> concern one group alone.
 module dg_deck_parts
    use dg_kinds, only: wp
+   use dg_constants, only: psi
    use dg_case_check, only: check_operation
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, is_whole, line_of, real_of, &
       logical_of, text_of, optional_of
@@ -19,7 +20,7 @@ module dg_deck_parts
    use dg_shown_size, only: length_digits
    use dg_numerics, only: numerics_type, gap_at_extremum, gap_at_nodes, settings_of, solver_name, visit_numerics
    use dg_rig, only: rig_type, visit_rig
-   use dg_settings_check, only: check_numerics
+   use dg_range_check, only: check_numerics
    use dg_string_check, only: check_component
    use dg_text, only: is_separator_free, quoted, to_text
    use dg_units, only: unit_system_type
@@ -28,7 +29,7 @@ module dg_deck_parts
    public :: draft_hole, draft_component, draft_case, draft_boundary, draft_numerics, draft_rig, draft_design
 
    !> Yield strength of tool joints where none is given [Pa]: 120 ksi, the least of API Spec 5DP.
-   real(wp), parameter :: usual_joint_yield = 120.0e3_wp*6894.757293168_wp
+   real(wp), parameter :: usual_joint_yield = 120.0e3_wp*psi
    !> Wall left by wear, in the order of the classes (API RP 7G-2).
    real(wp), parameter :: premium_wall = 0.8_wp, class_2_wall = 0.7_wp
 

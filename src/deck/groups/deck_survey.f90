@@ -153,13 +153,13 @@ contains
       character(:), allocatable :: message
       if (.not. begins_below(stations%md(1)) .or. begins_vertical(stations%inclination(1))) return
       if (text_of(group, 'tie_on', 'none') /= 'none') return
-      message = 'the first station is at '//trim(in_units(units, unit_length, stations%md(1), depth_digits))// &
+      message = 'the first station is at '//in_units(units, unit_length, stations%md(1), depth_digits)// &
                 ' and inclined by '//to_text(stations%inclination(1)/degree, few_digits)// &
                 ' deg. The hole above it is not known. '// &
                 "For a sidetrack give parent_file = 'FILE', the survey of the hole that it leaves. "// &
                 "For a slant well or a river crossing give tie_on = 'straight', the direction of the first station up to "// &
                 "surface. For a hole that is vertical at surface give tie_on = 'vertical', which makes "// &
-                trim(in_units(units, unit_curvature, stations%inclination(1)/stations%md(1), few_digits))// &
+                in_units(units, unit_curvature, stations%inclination(1)/stations%md(1), few_digits)// &
                 ' above the first station'
       call station_fault(group, stations, 1, message, sound, faults)
    end subroutine check_begin
@@ -306,7 +306,7 @@ contains
       words = to_text(n)//' stations of parent_file are taken, down to '//depth_words(units, parent%md(n))// &
               '. From there to the first one of the survey, at '//depth_words(units, first)// &
               ', the hole turns by '//to_text(turn/degree, angle_digits)//' deg, '// &
-              trim(in_units(units, unit_curvature, turn/(first - parent%md(n)), few_digits))
+              in_units(units, unit_curvature, turn/(first - parent%md(n)), few_digits)
       off = angle_to_parent()
       if (off > apart) words = words//'. There the parent points '//to_text(off/degree, angle_digits)// &
                                ' deg away from the first station'

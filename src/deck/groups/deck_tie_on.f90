@@ -82,10 +82,10 @@ contains
             end if
             text = text//'. From there to the first station it turns by '// &
                    to_text(stations%inclination(1)/degree, few_digits)//' deg, '// &
-                   trim(in_units(units, unit_curvature, stations%inclination(1)/length, few_digits))
+                   in_units(units, unit_curvature, stations%inclination(1)/length, few_digits)
             if (begins_vertical(stations%inclination(1)) .or. stations%inclination(1)/length <= sharpest_tie) return
             text = text//'. Warning: holes hardly turn by more than '// &
-                   trim(in_units(units, unit_curvature, sharpest_tie, few_digits))// &
+                   in_units(units, unit_curvature, sharpest_tie, few_digits)// &
                    ', so hook load and torque may be far off. For a sidetrack give parent_file, for a slant well '// &
                    "or a river crossing tie_on = 'straight'"
          end associate

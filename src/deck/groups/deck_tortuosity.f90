@@ -5,7 +5,7 @@ module dg_deck_tortuosity
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_list_type, error_type
-   use dg_text, only: append_text, to_text
+   use dg_text, only: append_text, either, to_text
    use dg_tortuosity, only: lay_tortuosity, lower_end, tortuosity_type, turning
    use dg_trajectory, only: new_trajectory, trajectory_type
    use dg_unit_kind, only: in_units, unit_curvature, unit_length
@@ -90,7 +90,7 @@ contains
       function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = trim(in_units(draft%units, unit_length, md, digits))
+         text = in_units(draft%units, unit_length, md, digits)
       end function depth
    end subroutine take_tortuosity
 
@@ -129,14 +129,14 @@ contains
          associate (units => draft%units)
             text = 'group &tortuosity in line '//to_text(line)//': laid on the path from '// &
                    to_text(section%md_top/units%length, digits)//' to '// &
-                   trim(in_units(units, unit_length, lower_end(section), digits))//': '// &
-                   trim(merge('random changes', 'a sine        ', section%random))//' of '// &
+                   in_units(units, unit_length, lower_end(section), digits)//': '// &
+                   either('random changes', 'a sine', section%random)//' of '// &
                    to_text(section%amplitude/degree, few_digits)//' deg every '// &
-                   trim(in_units(units, unit_length, section%period, few_digits))
+                   in_units(units, unit_length, section%period, few_digits)
             if (section%random) text = text//', seed '//to_text(section%seed)
             text = text//'. The hole turns there by '//to_text(turns(1)/degree, few_digits)//' deg in all instead of '// &
                    to_text(turns(2)/degree, few_digits)//', in the mean '// &
-                   trim(in_units(units, unit_curvature, turns(1)/length, few_digits))//' instead of '// &
+                   in_units(units, unit_curvature, turns(1)/length, few_digits)//' instead of '// &
                    to_text(turns(2)/length/units%curvature, few_digits)
          end associate
       end function note

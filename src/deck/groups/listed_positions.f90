@@ -64,7 +64,7 @@ contains
          words = words//verb(' agree')//' with those of the file within '//shown(same)
       else
          words = words//verb(' differ')//' from those of the file by up to '//shown(largest)//', '//trim(names(worst_k))//' at '// &
-                 trim(in_units(units, unit_length, stations%md(worst), depth_digits))
+                 in_units(units, unit_length, stations%md(worst), depth_digits)
          if (largest > far) words = words//'. Warning: check columns, units and the north of the azimuths'
       end if
 
@@ -80,7 +80,7 @@ contains
       function shown(length) result(text)
          real(wp), intent(in) :: length
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, length, few_digits))
+         text = in_units(units, unit_length, length, few_digits)
       end function shown
    end function position_words
 end module dg_listed_positions

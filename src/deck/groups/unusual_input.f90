@@ -61,7 +61,7 @@ contains
          associate (fluid => draft%fluids(i)%fluid)
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
             if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
-               trim(in_units(draft%units, unit_length, fluid%md_top, depth_digits))//' is below the hole, so that this fluid '// &
+               in_units(draft%units, unit_length, fluid%md_top, depth_digits)//' is below the hole, so that this fluid '// &
                'is nowhere. Give the depth where it begins')
          end associate
       end do
@@ -97,7 +97,7 @@ contains
             if (load_case%wob > 0.0_wp .and. (block_way(load_case%operation) > 0 .or. &
                                               load_case%operation == operation_rotate_off_bottom)) &
                call append_text(notes, what//quoted(load_case%name)//': wob = '// &
-               trim(in_units(draft%units, unit_force, load_case%wob, digits))//' pushes the bit in '// &
+               in_units(draft%units, unit_force, load_case%wob, digits)//' pushes the bit in '// &
                trim(operation_name(load_case%operation))//'. An overpull is a wob below 0')
             if (load_case%pump_pressure > 0.0_wp) &
                call note_range(draft%units, what//quoted(load_case%name), usual_pump, load_case%pump_pressure, notes)
@@ -116,11 +116,11 @@ contains
             call note_range(units, part_text(number), usual_joint_torsion, part%joint_torsion, notes)
             if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, &
                part_text(number)//': makeup_torque is above joint_torsion, '// &
-               trim(in_units(units, unit_moment, part%joint_torsion, digits))//': its joints would yield in make-up')
+               in_units(units, unit_moment, part%joint_torsion, digits)//': its joints would yield in make-up')
             if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
             if (index(lower_case(part%kind), 'rod') > 0) return
             call append_text(notes, part_text(number)//' is a solid bar of '// &
-                             trim(in_units(units, unit_mass, part%mass, digits))// &
+                             in_units(units, unit_mass, part%mass, digits)// &
                              ', as it has no id and no mass. Give the inside diameter')
          end associate
       end subroutine note_component
@@ -138,7 +138,7 @@ contains
       type(draft_type), intent(in) :: draft
       logical :: inches
       inches = .false.
-      if (size(draft%holes) == 0 .or. trim(unit_label(draft%units, unit_diameter)) /= 'mm') return
+      if (size(draft%holes) == 0 .or. unit_label(draft%units, unit_diameter) /= 'mm') return
       if (.not. (draft%has_stations .and. all(draft%holes%sound))) return
       inches = all(draft%holes%section%diameter < widest_of_inches) .and. &
                draft%stations%md(size(draft%stations%md)) > deepest_model
@@ -181,9 +181,9 @@ contains
             place = i
          end do
          if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
-            trim(in_units(units, unit_curvature, worst*usual_here, digits))//' at '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Usual in a hole of '// &
-            trim(in_units(units, unit_diameter, diameter_at(stations%md(place)), digits))//' is at most '// &
+            in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
+            in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
             to_text(usual_here/units%curvature, few_digits)// &
             '. Check depths, angles and their units')
          place = 0
@@ -197,7 +197,7 @@ contains
          end do
          if (place > 0) call append_text(notes, 'group &trajectory: inclination goes from '//degrees(place - 1)//' to '// &
             degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is that station mistyped?')
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Is that station mistyped?')
       end associate
    contains
       !> Angle between the directions of two stations [rad].
@@ -249,8 +249,8 @@ contains
          call append_text(notes, 'group &trajectory: inclination goes from '// &
             to_text(stations%inclination(place - 1)/degree, digits)//' to '// &
             to_text(stations%inclination(place)/degree, digits)//' deg over '// &
-            trim(in_units(units, unit_length, length, digits))//' without a station between, down to '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is one of them mistyped or missing?')
+            in_units(units, unit_length, length, digits)//' without a station between, down to '// &
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Is one of them mistyped or missing?')
       end associate
    end subroutine note_steps
 
@@ -339,8 +339,8 @@ contains
          length = sum(draft%components%component%length, mask=lowest == lowest(i))
          if (length <= depth + above_surface) cycle
          call append_text(notes, 'String '//quoted(draft%components(i)%string)//' is '// &
-                          trim(in_units(draft%units, unit_length, length, depth_digits))//' long, the hole ends at '// &
-                          trim(in_units(draft%units, unit_length, depth, depth_digits))// &
+                          in_units(draft%units, unit_length, length, depth_digits)//' long, the hole ends at '// &
+                          in_units(draft%units, unit_length, depth, depth_digits)// &
                           '. What stands above surface is left out. Leave out the length of the last component')
       end do
    end subroutine note_length

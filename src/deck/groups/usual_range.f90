@@ -2,7 +2,7 @@
 module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: pi
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: heaviest_mud, in_units, unit_force, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, &
                            unit_stress
    use dg_units, only: unit_system_type
@@ -56,7 +56,7 @@ contains
          if (value > high) range = 'at most '//value_text(high)
       end associate
       call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value)//' is unusual. Usual is '//range// &
-                       trim(merge('. Check the unit', '                ', number /= usual_friction)))
+                       either('. Check the unit', '', number /= usual_friction))
 
    contains
 
@@ -66,7 +66,7 @@ contains
          character(:), allocatable :: text
          text = to_text(number_in_si, digits)
          if (number == usual_density) text = to_text(number_in_si/units%density, digits)
-         if (usual(number)%unit /= unit_none) text = trim(in_units(units, usual(number)%unit, number_in_si, digits))
+         if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, digits)
       end function value_text
    end subroutine note_range
 end module dg_usual_range

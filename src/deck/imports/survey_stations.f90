@@ -5,7 +5,7 @@ module dg_survey_stations
    use dg_missing, only: is_missing, missing
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_azi, column_md, column_name, loose_rank
-   use dg_text, only: quoted, to_text
+   use dg_text, only: either, quoted, to_text
    implicit none
    private
    public :: station_list_type, order_stations, pick_stations, rival_words
@@ -164,7 +164,7 @@ contains
       pure function amount() result(text)
          character(:), allocatable :: text
          integer, parameter :: few_digits = 3
-         text = to_text(largest/unit, few_digits)//trim(merge(' m  ', ' deg', column == column_md))
+         text = to_text(largest/unit, few_digits)//either(' m', ' deg', column == column_md)
       end function amount
    end subroutine rival_words
 end module dg_survey_stations

@@ -1,14 +1,11 @@
 !> Units as people write them beside the name of a column: 'ft', '(ftKB)', '[m RKB]', 'deg TN', a degree sign.
 module dg_table_unit
    use dg_kinds, only: wp
-   use dg_constants, only: degree
+   use dg_constants, only: degree, foot, survey_foot
    use dg_text, only: lower_case
    implicit none
    private
    public :: plain_letters, read_unit, resembles_unit
-
-   !> Feet of 1959 and of the United States' surveys (NIST SP 811) [m].
-   real(wp), parameter :: foot = 0.3048_wp, survey_foot = 1200.0_wp/3937.0_wp
 
    !> From where depths count. Said beside a unit, written on to it, or alone; no unit.
    character(*), parameter :: datums(26) = [character(5) :: 'rkb', 'kb', 'rt', 'brt', 'bkb', 'brkb', 'df', 'bdf', 'gl', 'bgl', &

@@ -5,7 +5,7 @@ module dg_witsml_survey
    use dg_deck_number, only: read_real
    use dg_merge_sort, only: sorted_places
    use dg_table_unit, only: read_unit
-   use dg_text, only: lower_case, quoted, text_type, to_text
+   use dg_text, only: either, lower_case, quoted, text_type, to_text
    use dg_xml, only: read_tree
    use dg_xml_tree, only: attribute, text_at, xml_tree_type
    implicit none
@@ -137,7 +137,7 @@ contains
             known = .false.
             if (uom /= '') call read_unit(uom, is_angle(value), unit, known)
             if (.not. (known .and. unit > 0.0_wp)) call fail('the unit of '//trim(value_names(value))//', uom = '//quoted(uom)// &
-               ', is not known; '//trim(merge('deg and rad     ', 'm, ft and ft[US]', is_angle(value)))//' are')
+               ', is not known; '//either('deg and rad', 'm, ft and ft[US]', is_angle(value))//' are')
             if (element%text == '') return
             call read_real(element%text, station%values(value), station%has(value))
             if (.not. station%has(value)) &

@@ -128,7 +128,7 @@ contains
          advice = ''
       end if
       advice = advice//'legal: '//joined([(operation_name(i), i=1, operation_count)], ', ')// &
-         '; also pick_up, slack_off, pooh, rih, drilling, slide'
+         '; also '//joined(pack(operation_aliases%name, operation_aliases%is_listed), ', ')
    end function operation_advice
 
    !> Operations that have the nearest of all names. Of short names one slip counts, of long ones two; else a name that goes on
@@ -184,7 +184,7 @@ contains
       if (.not. legal .or. verify(text(length + 1:length + 1), ' ''"#%') > 0 .and. &
           scan(lower_case(text(length + 1:length + 1)), 'abcdefghijklmnopqrstuvwxyz') == 0) return
       advice = '; write the number alone'
-      if (rule%unit /= unit_none) advice = advice//'; its unit is '//trim(unit_label(units, rule%unit))
+      if (rule%unit /= unit_none) advice = advice//'; its unit is '//unit_label(units, rule%unit)
    end function value_advice
 
    !> Advice for a number out of its range that would be legal in a smaller unit.

@@ -250,7 +250,7 @@ contains
       integer :: node(2), i, n
       node = [1, mesh%nodes]
       torque = [at_top, -at_bit]
-      if (.not. any(work%climb < 1.0_wp)) then
+      if (.not. any(work%sideways < 1.0_wp)) then
          if (allocated(work%end_force)) then
             work%top_moment = at_top*work%d(:, 1)
             work%bit_moment = -at_bit*work%d(:, mesh%nodes)

@@ -35,7 +35,7 @@ module dg_gap_action
       real(wp) :: share(2)                  !< of both nodes in friction's torque; zero where the string does not rotate [-]
       real(wp) :: direction(3)              !< r' of the string
       real(wp) :: axial, rotary             !< friction coefficients
-      real(wp) :: climbing                  !< what stands for the rotary one in the force
+      real(wp) :: sideways                  !< what stands for the rotary one in the force
       real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
       logical :: sliding                    !< it is such a couple: the string slides without turning, and is near a helix
       type(turning_type) :: turning         !< friction's torque where the string whirls
@@ -64,9 +64,9 @@ contains
       contact%slope = hermite_slope(gaps%xi(e), mesh%length(e))
       contact%direction = contact%slope(3)*(mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))) &
                           + contact%slope(2)*work%d(:, e) + contact%slope(4)*work%d(:, e + 1)
-      contact%climbing = work%climb(e)*contact%rotary
+      contact%sideways = work%sideways(e)*contact%rotary
       contact%turning%lever = 0.0_wp
-      if (work%climb(e) < 1.0_wp) then
+      if (work%sideways(e) < 1.0_wp) then
          contact%turning%lever = contact%rotary*mesh%radius(e)
          contact%rotary = 0.0_wp
       end if
@@ -74,7 +74,7 @@ contains
       contact%share = 0.0_wp
       if (contact%rotary > 0.0_wp) contact%share = [1.0_wp - gaps%xi(e), gaps%xi(e)]
       ! Axial friction's moment as a couple, where a helix is near: as a plain moment it winds sliding helices up.
-      contact%sliding = work%climb(e) < 1.0_wp .and. .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
+      contact%sliding = work%sideways(e) < 1.0_wp .and. .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
       contact%normal = work%normal(e)
       if (contact%turning%lever > 0.0_wp) contact%turning = turning_type( &
@@ -113,7 +113,7 @@ contains
       real(wp), intent(out) :: force(3), moment(3), nodal(12), twisting(2)   !< [N, N.m]
       real(wp) :: push(3), bend(3)
       integer :: a
-      call contact_action(work%gap(:, e), work%axis_tangent(:, e), normal, contact%axial, contact%rotary, contact%climbing, &
+      call contact_action(work%gap(:, e), work%axis_tangent(:, e), normal, contact%axial, contact%rotary, contact%sideways, &
                           contact%radius, force, moment)
       call gap_nodal_force(contact%share, contact%shape, contact%slope, work%d(:, e), work%d(:, e + 1), contact%direction, force, &
                            moment, nodal, twisting)
@@ -177,7 +177,7 @@ contains
       touch%direction = contact%direction
       touch%axial = contact%axial
       touch%rotary = contact%rotary
-      touch%climbing = contact%climbing
+      touch%sideways = contact%sideways
       touch%radius = contact%radius
       touch%share = contact%share
       touch%shape = contact%shape

@@ -141,19 +141,19 @@ contains
       type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside
       character(:), allocatable, intent(out) :: text
-      text = trim(in_units(units, unit_diameter, outside%excess*outside%clearance, shown))//outside_place// &
-             trim(in_units(units, unit_length, outside%md, shown_depth))//', of '// &
-             trim(in_units(units, unit_diameter, outside%clearance, shown))//' clearance'
+      text = in_units(units, unit_diameter, outside%excess*outside%clearance, shown)//outside_place// &
+             in_units(units, unit_length, outside%md, shown_depth)//', of '// &
+             in_units(units, unit_diameter, outside%clearance, shown)//' clearance'
       if (outside%elements > 1) text = text//'. '//to_text(outside%elements)// &
          ' elements stand outside by more than a fifth of theirs'
       if (outside%gives_way) then
          text = 'The wall gives way: the string stands '//text
          if (outside%wall < default_wall) text = text//'. Set wall_stiffness to '// &
-            trim(in_units(units, unit_wall, default_wall, shown))//', the default, which is as good as rigid'
+            in_units(units, unit_wall, default_wall, shown)//', the default, which is as good as rigid'
       else
          text = 'Between its contact points the string stands '//text//'. Contact there may be off'
          if (outside%length > short) text = text//'. An element_length of '// &
-            trim(in_units(units, unit_length, advised*outside%length, shown))//' brings most strings inside'
+            in_units(units, unit_length, advised*outside%length, shown)//' brings most strings inside'
       end if
    end subroutine outside_message
 end module dg_outside_hole

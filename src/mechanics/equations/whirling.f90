@@ -31,7 +31,7 @@ module dg_whirling
    use dg_workspace, only: dof_twist
    implicit none
    private
-   public :: find_climb, turning_type, add_turning, turning_moment, add_end_torque, end_moment
+   public :: find_sideways, turning_type, add_turning, turning_moment, add_end_torque, end_moment
 
    !> Compression over the helical load from which a rotating string's friction climbs less, and from which not at all [-]: a string
    !> buckles sinusoidally from 0.71 = 1/sqrt(2) on, in bends and next to stabilizers at less.
@@ -51,22 +51,22 @@ module dg_whirling
 
 contains
 
-   !> Share of circumferential friction's force that climbs, by element [-]: less than 1 where the soft string is compressed near
+   !> Share of friction around the string that acts sideways, by element [-]: less than 1 where the soft string is compressed near
    !> buckling, and 0 in a vertical stretch of hole in which it is compressed at all, as no weight holds it to a side there: for a
    !> turning string in any such stretch, for another one in a hole that is vertical all along. Where it is less than 1 anywhere,
    !> torques at bit and top act semi-tangentially; for a string that slides without turning, which has no such force, that is all
    !> that it says. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft without
    !> friction keeps it: it buckles as Greenhill's (1883).
-   pure subroutine find_climb(model, case_index, mesh, compressed, climb)
+   pure subroutine find_sideways(model, case_index, mesh, compressed, sideways)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: compressed        !< largest compression of the soft string over its helical load [-]
-      real(wp), intent(out) :: climb(:)
+      real(wp), intent(out) :: sideways(:)
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
       logical :: vertical(mesh%nodes), straight_down
       integer :: e
-      climb = 1.0_wp
+      sideways = 1.0_wp
       vertical = mesh%frame(3, 1, :) > upright
       straight_down = all(vertical)
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
@@ -75,18 +75,18 @@ contains
          if (.not. (mesh%friction_around(e) > 0.0_wp .or. abs(mesh%friction_along(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
          ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%section(e)%ei, side, mesh%weight(e), mesh%clearance(e))
-         climb(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
-         if (straight_down .and. ratio > 0.0_wp) climb(e) = 0.0_wp
+         sideways(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
+         if (straight_down .and. ratio > 0.0_wp) sideways(e) = 0.0_wp
       end do
-      call free_vertical_stretches(vertical, axial, mesh%friction_around, climb)
-   end subroutine find_climb
+      call free_vertical_stretches(vertical, axial, mesh%friction_around, sideways)
+   end subroutine find_sideways
 
-   !> Lets nothing climb in a vertical stretch with compression in it.
-   pure subroutine free_vertical_stretches(vertical, axial, rotary, climb)
+   !> Leaves sideways friction out in vertical stretches with compression in them.
+   pure subroutine free_vertical_stretches(vertical, axial, rotary, sideways)
       logical, intent(in) :: vertical(:)        !< the hole, at the nodes
       real(wp), intent(in) :: axial(:)          !< of the soft string, at the nodes [N]
       real(wp), intent(in) :: rotary(:)         !< circumferential friction factor, by element [-]
-      real(wp), intent(inout) :: climb(:)
+      real(wp), intent(inout) :: sideways(:)
       integer :: first, last
       first = 1
       do while (first < size(vertical))
@@ -96,7 +96,7 @@ contains
             last = last + 1
          end do
          if (last > first .and. any(axial(first:last) < 0.0_wp)) &
-            where (rotary(first:last - 1) > 0.0_wp) climb(first:last - 1) = 0.0_wp
+            where (rotary(first:last - 1) > 0.0_wp) sideways(first:last - 1) = 0.0_wp
          first = last + 1
       end do
    end subroutine free_vertical_stretches

@@ -24,7 +24,7 @@ module dg_workspace
       real(wp), allocatable :: axial(:)             !< beam's axial force, tension > 0 (e) [N]
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
-      real(wp), allocatable :: climb(:)             !< share of circumferential friction's force, 0 where the string whirls (e) [-]
+      real(wp), allocatable :: sideways(:)          !< share of circumferential friction's force, 0 where the string whirls (e) [-]
       logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
       ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
       real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes, of all elements (6,nodes) [N, N.m]
@@ -48,7 +48,7 @@ contains
    pure subroutine new_start_room(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(out) :: work
-      allocate (work%climb(mesh%elements), source=1.0_wp)
+      allocate (work%sideways(mesh%elements), source=1.0_wp)
       allocate (work%normal(mesh%elements), source=0.0_wp)
    end subroutine new_start_room
 
@@ -59,7 +59,7 @@ contains
       integer :: n, m
       n = mesh%nodes
       m = mesh%elements
-      if (.not. allocated(work%climb)) call new_start_room(mesh, work)
+      if (.not. allocated(work%sideways)) call new_start_room(mesh, work)
       allocate (work%shift(3, n), work%d(3, n), source=0.0_wp)
       allocate (work%axial(m), work%torque(m), work%displacement(m), source=0.0_wp)
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)

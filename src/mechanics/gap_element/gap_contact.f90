@@ -32,7 +32,7 @@ module dg_gap_contact
       real(wp) :: normal = 0.0_wp, normal_stiffness = 0.0_wp       !< R and its derivative by |f| [N, N/m]
       real(wp) :: pressing = 0.0_wp, pressing_stiffness = 0.0_wp   !< Q and its derivative [N, N/m]
       real(wp) :: couple = 0.0_wp, couple_stiffness = 0.0_wp       !< r R a of a sliding string and its derivative [N.m, N]
-      real(wp) :: axial, rotary, climbing, radius                  !< as of contact_action
+      real(wp) :: axial, rotary, sideways, radius                  !< as of contact_action
       real(wp) :: share(2)            !< 1 - xi and xi, the part of either node in a moment along the string
       real(wp) :: shape(4), slope(4)  !< N and dN/dx at xi
    end type touch_type
@@ -49,20 +49,20 @@ module dg_gap_contact
 contains
 
    !> Force F(3) [N] and moment M(3) [N.m] on the string.
-   pure subroutine contact_action(gap, tangent, normal_force, axial, rotary, climbing, radius, force, moment)
+   pure subroutine contact_action(gap, tangent, normal_force, axial, rotary, sideways, radius, force, moment)
       real(wp), intent(in) :: gap(3)        !< f [m], not zero, across tangent
       real(wp), intent(in) :: tangent(3)    !< t of the hole axis at the foot
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: axial         !< a: > 0 pushes the string down the hole [-]
       real(wp), intent(in) :: rotary        !< m >= 0 [-]
-      real(wp), intent(in) :: climbing      !< what stands for m in the force: m, or 0 where the string whirls [-]
+      real(wp), intent(in) :: sideways      !< what stands for m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(in) :: radius        !< r [m]
       real(wp), intent(out) :: force(3)
       real(wp), intent(out) :: moment(3)
       real(wp) :: n(3), tau(3)
       n = gap*(1.0_wp/sqrt(gap(1)*gap(1) + gap(2)*gap(2) + gap(3)*gap(3)))
       tau = product_of(tangent, n)
-      force = normal_force*(-n + axial*tangent - climbing*tau)
+      force = normal_force*(-n + axial*tangent - sideways*tau)
       moment = -radius*normal_force*(axial*tau + rotary*tangent)
    end subroutine contact_action
 
@@ -77,9 +77,9 @@ contains
          by%n = touch%gap*by%reciprocal
          by%tau = product_of(t, by%n)
          by%chi = 1.0_wp/(1.0_wp - dot_product(k, touch%gap))
-         x = touch%pressing_stiffness*(touch%axial*t - touch%climbing*by%tau) - touch%normal_stiffness*by%n
-         y = by%reciprocal*(touch%pressing*touch%climbing*by%n - touch%normal*by%tau)
-         z = touch%pressing*by%chi*(touch%axial*k + touch%climbing*dot_product(k, by%tau)*t) &
+         x = touch%pressing_stiffness*(touch%axial*t - touch%sideways*by%tau) - touch%normal_stiffness*by%n
+         y = by%reciprocal*(touch%pressing*touch%sideways*by%n - touch%normal*by%tau)
+         z = touch%pressing*by%chi*(touch%axial*k + touch%sideways*dot_product(k, by%tau)*t) &
              - touch%normal*(1.0_wp - by%chi)*by%reciprocal*t
          do j = 1, 3
             by%force_by_point(:, j) = x*by%n(j) + y*by%tau(j) + z*t(j)

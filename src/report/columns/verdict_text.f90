@@ -7,7 +7,7 @@ module dg_verdict_text
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_unit_kind, only: at_most_in_units, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
                            unit_pressure, unit_stress
    use dg_units, only: unit_system_type
@@ -64,7 +64,7 @@ contains
             text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
             text = 'no load'
-            if (verdict%most_wob%value > 0.0_wp) text = trim(at_most_in_units(units, unit_force, verdict%most_wob%value, shown))
+            if (verdict%most_wob%value > 0.0_wp) text = at_most_in_units(units, unit_force, verdict%most_wob%value, shown)
             text = 'String weight alone brings '//text//' to the bit, '//force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
             text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
@@ -97,8 +97,8 @@ contains
              .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
-            trim(in_units(units, unit_length, verdict%buckled_length, shown))// &
-            trim(merge(' by formula', '           ', verdict%buckled_by_formula))
+            in_units(units, unit_length, verdict%buckled_length, shown)// &
+            either(' by formula', '', verdict%buckled_by_formula)
          text = text//reserve_text(verdict)
       else
          text = 'No solution was found'
@@ -115,7 +115,7 @@ contains
       if (verdict%reserve_unknown) text = text//'. How much more friction is possible is not known, as the string turns in '// &
          'helical buckling: run it with more friction'
       if (verdict%friction_reserve%present) then
-         text = text//'. The answer becomes NO '//trim(merge('already', '       ', verdict%friction_reserve%value < little_reserve))
+         text = text//'. The answer becomes NO '//either('already', '', verdict%friction_reserve%value < little_reserve)
          text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
          if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
       end if
@@ -129,7 +129,7 @@ contains
       integer :: digits
       digits = merge(close_factor, shown_factor, abs(factor - 1.0_wp) < little_reserve - 1.0_wp)
       text = to_text(rounded_down(factor, digits), digits)//' times the '// &
-             trim(merge('friction given     ', 'calibrated friction', verdict%friction == friction_given))
+             either('friction given', 'calibrated friction', verdict%friction == friction_given)
    end function times_text
 
    !> Push needed at surface by a string whose weight is too little.
@@ -158,7 +158,7 @@ contains
          case default; text = shown_title(limit)//' '//load_text(units, limit, excess)//' too much then'
          end select
       end associate
-      text = '. Not possible without '//trim(merge('overpull     ', 'weight on bit', load_case%wob < 0.0_wp))//' either: '//text
+      text = '. Not possible without '//either('overpull', 'weight on bit', load_case%wob < 0.0_wp)//' either: '//text
    end function without_load_text
 
    !> Remedy that makes the operation possible, as far as it is known; '' else.
@@ -174,7 +174,7 @@ contains
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
-                   trim(at_most_in_units(units, unit_length, verdict%reach%value, shown))//' by the soft string'
+                   at_most_in_units(units, unit_length, verdict%reach%value, shown)//' by the soft string'
          else
             text = text//'. No shallower bit depth is possible either'
          end if
@@ -182,8 +182,8 @@ contains
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
-                trim(in_units(units, unit_moment, verdict%turning_torque%value, shown))//'. Check it by a case operation = '''// &
-                trim(merge("rotary'                         ", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp))
+                in_units(units, unit_moment, verdict%turning_torque%value, shown)//'. Check it by a case operation = '''// &
+                either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
@@ -223,7 +223,7 @@ contains
          text = 'No limit is known'
          return
       end if
-      text = trim(merge('Close to its limit:', 'Nearest limit:     ', verdict%used%value > close_to_limit))//' '// &
+      text = either('Close to its limit:', 'Nearest limit:', verdict%used%value > close_to_limit)//' '// &
              shown_title(verdict%limit)//place_text(units, verdict)//', '
       if (verdict%limit == limit_string_weight) then
          text = text//takers_text(load_case, verdict)//' '
@@ -253,7 +253,7 @@ contains
       if (verdict%packer_pushes) call add('pressure at the packer')
       if (verdict%pressure_pushes) call add('annulus pressure')
       if (text == '') text = 'WOB'                   ! of nothing
-      text = text//trim(merge(' take ', ' takes', index(text, ' and ') > 0))
+      text = text//either(' take', ' takes', index(text, ' and ') > 0)
 
    contains
 
@@ -297,15 +297,15 @@ contains
       character(:), allocatable :: text
       select case (limit)
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
-         text = trim(in_units(units, unit_moment, load, shown))
+         text = in_units(units, unit_moment, load, shown)
       case (limit_joint_dogleg)
-         text = trim(in_units(units, unit_curvature, load, shown))
+         text = in_units(units, unit_curvature, load, shown)
       case (limit_von_mises, limit_joint_tension, limit_joint_compression)
-         text = trim(in_units(units, unit_stress, load, shown))
+         text = in_units(units, unit_stress, load, shown)
       case (limit_fatigue, limit_joint_fatigue)
          text = to_text(load/hour, shown)//' h'
       case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
-         text = trim(in_units(units, unit_pressure, load, shown))
+         text = in_units(units, unit_pressure, load, shown)
       case default
          text = force_text(units, load)
       end select
@@ -316,7 +316,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: force      !< [N]
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_force, force, shown))
+      text = in_units(units, unit_force, force, shown)
    end function force_text
 
    !> A depth.
@@ -324,7 +324,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: md         !< [m]
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_length, md, shown_depth))
+      text = in_units(units, unit_length, md, shown_depth)
    end function depth_text
 
    !> Where a limit is used most: ' at 2300 ft'; '' for the whole string, and for what is measured at surface alone.
@@ -371,7 +371,7 @@ contains
          if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
          names = names + 1
          if (names > most_names) cycle
-         text = text//trim(merge(' of', ',  ', names == 1))//' '//components(i)%name
+         text = text//either(' of', ',', names == 1)//' '//components(i)%name
       end do
       if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
    end function unrated_names

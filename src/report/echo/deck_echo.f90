@@ -15,7 +15,7 @@ module dg_deck_echo
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
    use dg_rig, only: rig_type
-   use dg_text, only: text_type, to_text
+   use dg_text, only: either, text_type, to_text
    use dg_tools_text, only: tools_text
    use dg_trajectory, only: position_at, top_md
    use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
@@ -82,7 +82,7 @@ contains
       line = 'rig         block '//quantity(rig%block_weight, units%force, unit_label(units, unit_force))
       if (.not. rig%sheave_efficiency < 1.0_wp) return
       line = line//', '//to_text(rig%lines)//' lines, sheaves of efficiency '//to_text(rig%sheave_efficiency, digits)// &
-         ', dead-line sheave '//trim(merge('active  ', 'inactive', rig%active_deadline_sheave))
+         ', dead-line sheave '//either('active', 'inactive', rig%active_deadline_sheave)
    end function rig_line
 
    !> Path, sections of the hole, mud.
@@ -215,7 +215,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(centralizer_type), intent(in) :: centralizer
       character(:), allocatable :: text
-      text = trim(merge('bow springs       ', 'rigid centralizers', centralizer%bow))//', od '// &
+      text = either('bow springs', 'rigid centralizers', centralizer%bow)//', od '// &
              quantity(centralizer%od, units%diameter, unit_label(units, unit_diameter))//', every '// &
              quantity(centralizer%spacing, units%length, unit_label(units, unit_length))//' from '// &
              quantity(centralizer%first, units%length, unit_label(units, unit_length))// &

@@ -64,7 +64,7 @@ contains
          integer, intent(in) :: quantity
          real(wp), intent(in) :: value
          character(:), allocatable :: words
-         words = trim(in_units(units, quantity, value, digits))
+         words = in_units(units, quantity, value, digits)
       end function shown
    end function tools_text
 end module dg_tools_text

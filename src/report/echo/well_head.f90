@@ -3,7 +3,7 @@ module dg_well_head
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_hwdp, is_pipe
    use dg_drillstring, only: component_tops, drillstring_type
-   use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
    use dg_friction_estimate, only: upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_minimum_curvature, only: dogleg_between
@@ -18,8 +18,6 @@ module dg_well_head
    private
    public :: deepest_bit, find_clearances, well_head
 
-   !> Longest piece whose fluids are those at its middle [m].
-   real(wp), parameter :: longest_piece = 5.0_wp
    integer, parameter :: few = 3, digits = 5
    !> Hole sections whose friction factors are listed one by one.
    integer, parameter :: most_listed = 4
@@ -46,10 +44,10 @@ contains
          deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
          call weigh(model, model%strings(i), deepest, air, mud, collars)
-         line = 'String'//name_of(i, ' ')//', bit at '//trim(in_units(units, unit_length, deepest, digits))//': '// &
-            trim(in_units(units, unit_force, air, few))//' in air, '//trim(in_units(units, unit_force, mud, few))//' in mud'
+         line = 'String'//name_of(i, ' ')//', bit at '//in_units(units, unit_length, deepest, digits)//': '// &
+            in_units(units, unit_force, air, few)//' in air, '//in_units(units, unit_force, mud, few)//' in mud'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
-            trim(in_units(units, unit_force, collars, few))//' of it below the drill pipe'
+            in_units(units, unit_force, collars, few)//' of it below the drill pipe'
          call append_text(lines, line)
          line = clearance_line(units, model, model%strings(i), deepest)
          if (line /= '') call append_text(lines, 'Least radial clearance'//name_of(i, ' of ')//' '//line)
@@ -81,8 +79,8 @@ contains
       where (is_bit(string%components)) clearances%present = .false.
       if (.not. any(clearances%present)) return
       part = minloc(clearances%value, mask=clearances%present, dim=1)
-      text = trim(in_units(units, unit_diameter, clearances(part)%value, few))// &
-             ': '//string%components(part)%name//' at '//trim(in_units(units, unit_length, places(part), digits))
+      text = in_units(units, unit_diameter, clearances(part)%value, few)// &
+             ': '//string%components(part)%name//' at '//in_units(units, unit_length, places(part), digits)
    end function clearance_line
 
    !> The least clearance of each component with the bit at a depth, absent of those above surface.
@@ -142,12 +140,12 @@ contains
             place = i
          end do
          i = size(path%md)
-         line = 'Well to '//trim(in_units(units, unit_length, path%md(i), digits))//', true vertical depth '// &
-            trim(in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits))//'. Largest inclination '// &
+         line = 'Well to '//in_units(units, unit_length, path%md(i), digits)//', true vertical depth '// &
+            in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits)//'. Largest inclination '// &
             to_text(path%inclination(steepest)/units%angle, few)//' deg at '// &
-            trim(in_units(units, unit_length, path%md(steepest), digits))
-         if (sharpest > 0.0_wp) line = line//', dogleg '//trim(in_units(units, unit_curvature, sharpest, few))//' at '// &
-            trim(in_units(units, unit_length, path%md(place), digits))
+            in_units(units, unit_length, path%md(steepest), digits)
+         if (sharpest > 0.0_wp) line = line//', dogleg '//in_units(units, unit_curvature, sharpest, few)//' at '// &
+            in_units(units, unit_length, path%md(place), digits)
       end associate
    end function path_line
 
@@ -211,30 +209,32 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth of the bit [m]
       real(wp), intent(out) :: air, mud, collars
-      real(wp) :: tops(size(string%components)), lower, length, piece, middle, weight
+      real(wp) :: tops(size(string%components)), lower, upper, piece, middle, weight
+      real(wp), allocatable :: breaks(:)   ! of the fluids [m]
       logical :: below_pipe
-      integer :: i, k, pieces
+      integer :: i, k
       air = 0.0_wp
       mud = 0.0_wp
       collars = 0.0_wp
       tops = component_tops(string, bit - top_md(model%trajectory))
+      allocate (breaks, source=[top_md(model%trajectory), fluid_tops(model%mud, bit), bit])
       below_pipe = .true.
       lower = bit
       do i = 1, size(tops)
          associate (part => string%components(i))
-            length = lower - (bit - tops(i))
-            pieces = max(1, ceiling(length/longest_piece))
-            piece = length/real(pieces, wp)
+            upper = bit - tops(i)
             below_pipe = below_pipe .and. (is_hwdp(part) .or. .not. is_pipe(part))
-            do k = 1, pieces
-               middle = lower - (real(k, wp) - 0.5_wp)*piece
+            do k = 1, size(breaks) - 1
+               piece = min(lower, breaks(k + 1)) - max(upper, breaks(k))
+               if (piece <= 0.0_wp) cycle
+               middle = max(upper, breaks(k)) + 0.5_wp*piece
                weight = piece*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &
                                             density_at(model%mud, side_inside, middle, bit), model%gravity)
                mud = mud + weight
                if (below_pipe) collars = collars + weight
             end do
-            air = air + length*part%mass*model%gravity
-            lower = bit - tops(i)
+            air = air + (lower - upper)*part%mass*model%gravity
+            lower = upper
          end associate
       end do
    end subroutine weigh

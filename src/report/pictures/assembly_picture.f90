@@ -15,7 +15,7 @@ module dg_assembly_picture
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_label
    implicit none
@@ -254,7 +254,7 @@ contains
             hides = any(abs(result%contacts%md - contact%md) < wide .and. result%contacts%force > contact%force .and. &
                         cos(result%contacts%clock)*side > 0.0_wp)
             if (hides) cycle
-            look = trim(merge('right offset -0.6,0', 'left offset 0.6,0  ', view%bit - contact%md < view%shown - wide))
+            look = either('right offset -0.6,0', 'left offset 0.6,0', view%bit - contact%md < view%shown - wide)
             call add_label(chart, to_text(contact%force/chart%units%force, 3), [x, side*(1.0_wp + 0.7_wp*air)], &
                            look//" font ',10' textcolor rgb '"//colour_of(2)//"' front", [.false., .false.])
          end associate

@@ -7,7 +7,7 @@ module dg_chart
    use dg_missing, only: is_missing, missing
    use dg_quantity, only: quantity_length, quantity_none
    use dg_readable, only: cut_text
-   use dg_text, only: text_type, to_text
+   use dg_text, only: either, text_type, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -166,7 +166,7 @@ contains
          allocate (depth%lines(0), depth%notes(0))
          high = name_height*deepest/((place(4) - place(3))*chart%height)
          most = int((place(2) - place(1))*chart%width/letter_width)
-         side = trim(merge('left ', 'right', left))//" offset 0,0.4 font ',9' textcolor rgb '#555555'"
+         side = either('left', 'right', left)//" offset 0,0.4 font ',9' textcolor rgb '#555555'"
          named = huge(named)
          do i = size(holes) - 1, 1, -1
             associate (md => holes(i)%md_bottom)

@@ -17,7 +17,7 @@ module dg_forces_picture
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type, side_above, state_free
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    implicit none
    private
    public :: forces_chart
@@ -150,8 +150,7 @@ contains
       call add_points(chart, arrows(:, pack([(i, i=1, many)], beyond)), &
                       "with vectors head filled size screen 0.006,20 lw 1 lc rgb '"//colour_grey//"'")
       call add_key(chart, "with lines lw 1 lc rgb '"//colour_grey//"'", &
-                   trim(merge('arrow: limit beyond the axis              ', &
-                              'arrow: buckling limits lie beyond the axis', some_shown)))
+                   either('arrow: limit beyond the axis', 'arrow: buckling limits lie beyond the axis', some_shown))
    end subroutine add_arrows
 
    !> On the length of a joint of pipe: what a joint carries that touches alone, and what stabilizers and edges press with,

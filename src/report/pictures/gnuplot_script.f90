@@ -11,7 +11,7 @@ module dg_gnuplot_script
    use dg_quantity, only: quantity_none
    use dg_readable, only: cut_text
    use dg_ten_digits, only: longest_number
-   use dg_text, only: append_text, plain_utf8, put_piece, text_type, to_text
+   use dg_text, only: append_text, either, plain_utf8, put_piece, text_type, to_text
    use dg_unit_kind, only: unit_label
    use dg_units, only: unit_system_type
    implicit none
@@ -115,8 +115,8 @@ contains
       end do
       do i = 1, size(panel%notes)
          associate (note => panel%notes(i))
-            call append_text(lines, 'set label '//spelled(note%text)//' at '//trim(merge('graph', 'first', note%of_panel(1)))// &
-                             ' '//to_text(note%at(1), digits)//', '//trim(merge('graph', 'first', note%of_panel(2)))//' '// &
+            call append_text(lines, 'set label '//spelled(note%text)//' at '//either('graph', 'first', note%of_panel(1))// &
+                             ' '//to_text(note%at(1), digits)//', '//either('graph', 'first', note%of_panel(2))//' '// &
                              to_text(note%at(2), digits)//' '//note%look)
          end associate
       end do
@@ -152,7 +152,7 @@ contains
       if (allocated(axis%rows)) tics = '('//row_tics(axis%rows, axis%room, width)//')'
       label = 'unset '//letter//'label'
       if (axis%label /= '') label = 'set '//letter//'label '//spelled(axis%label//unit_text())
-      call append_text(lines, label//'; set format '//letter//' '//spelled(trim(merge('% h', '   ', axis%numbered)))// &
+      call append_text(lines, label//'; set format '//letter//' '//spelled(either('% h', '', axis%numbered))// &
                        '; set '//letter//'range ['//ending(axis%ends(1))//':'//ending(axis%ends(2))//']; set '//letter// &
                        'tics '//tics)
    contains

@@ -12,7 +12,7 @@ module dg_hookload_picture
    use dg_missing, only: is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_rig, only: indicated_load
-   use dg_text, only: text_type
+   use dg_text, only: either, text_type
    use dg_verdict_text, only: mark_meaning, row_mark
    implicit none
    private
@@ -62,8 +62,8 @@ contains
       top = 1.0_wp - real(head_height, wp)/height
       chart = new_chart('hookload', 'Hook load of all cases', job%units, height_px, &
                         [top + 8.0_wp/height, 1.0_wp - 40.0_wp/height])
-      call add_rows(chart, place(), trim(merge('hook load as the rig shows it', 'hook load                    ', &
-                                               model%rig%given)), quantity_force, names, left)
+      call add_rows(chart, place(), either('hook load as the rig shows it', 'hook load', &
+                                           model%rig%given), quantity_force, names, left)
       chart%panels(1)%air(1) = 0.04_wp         ! no mark on the frame
       do i = 1, size(job%models)
          call add_marks(hookload(:, i), i, trim(model_name(job%models(i))))

@@ -15,7 +15,7 @@ module dg_strength_picture
    use dg_model, only: model_type, string_index
    use dg_path_picture, only: case_title
    use dg_profile, only: piece_depths
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    implicit none
    private
    public :: strength_chart
@@ -72,7 +72,7 @@ contains
                                  'design factor '//to_text(job%design%von_mises, 3), '')
             call fit_range(chart, most=max(most_of_least*least, most_factor))
          end if
-         call add_depth_panel(chart, place(), trim(merge('range of bending in a turn', 'bending stress            ', turns)), &
+         call add_depth_panel(chart, place(), either('range of bending in a turn', 'bending stress', turns), &
                               quantity_stress)
          do k = 1, size(results)
             call add(merge(2.0_wp, 1.0_wp, turns)*alongs(k)%bending_stress, units%stress, '', colour_of(k))

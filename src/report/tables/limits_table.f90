@@ -16,7 +16,7 @@ module dg_limits_table
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_number_text, only: fixed_text
-   use dg_text, only: append_text, lower_case, text_type, to_text
+   use dg_text, only: append_text, either, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
@@ -121,8 +121,8 @@ contains
                           fixed_text(wholes(i)%sag_correction%value/units%angle, 3)// &
                           ' deg at the sensor, '// &
                           whole_depth(units, wholes(i)%sensor_md%value)// &
-                          trim(merge('                                         ', '. Surveys are taken at rest: use ''static''', &
-                                     model%cases(results(i)%case_index)%operation == operation_static)))
+                          either('', '. Surveys are taken at rest: use ''static''', &
+                                 model%cases(results(i)%case_index)%operation == operation_static))
       end do
       do i = 1, size(results)
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
@@ -216,14 +216,14 @@ contains
       character(*), intent(in) :: head                 !< of the line
       type(fatigue_type), intent(in) :: fatigue
       character(:), allocatable :: text
-      text = '  '//head//': bending stress '//trim(in_units(units, unit_stress, fatigue%amplitude, few))//' at '// &
+      text = '  '//head//': bending stress '//in_units(units, unit_stress, fatigue%amplitude, few)//' at '// &
              whole_depth(units, fatigue%md)//', endurance limit '// &
-             trim(in_units(units, unit_stress, fatigue%permitted, few))
+             in_units(units, unit_stress, fatigue%permitted, few)
       if (.not. is_missing(fatigue%turns)) text = text//', '//to_text(fatigue%turns, few)//' turns until failure'
       call append_text(lines, text)
       text = ''
       if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg without fatigue '// &
-         trim(in_units(units, unit_curvature, fatigue%dogleg, few))
+         in_units(units, unit_curvature, fatigue%dogleg, few)
       if (.not. is_missing(fatigue%damage)) then
          if (text /= '') text = text//', '
          text = text//to_text(100.0_wp*fatigue%damage, few)//' % of life used'
@@ -239,9 +239,9 @@ contains
       type(groove_type), intent(in) :: groove
       character(:), allocatable :: left
       left = ''
-      if (.not. is_missing(groove%burst)) left = ', burst '//trim(in_units(units, unit_pressure, groove%burst, few))// &
-         ', collapse '//trim(in_units(units, unit_pressure, groove%collapse, few))
-      call append_text(lines, '  Casing wear in '//name//': '//trim(in_units(units, unit_diameter, groove%depth, few))//' at '// &
+      if (.not. is_missing(groove%burst)) left = ', burst '//in_units(units, unit_pressure, groove%burst, few)// &
+         ', collapse '//in_units(units, unit_pressure, groove%collapse, few)
+      call append_text(lines, '  Casing wear in '//name//': '//in_units(units, unit_diameter, groove%depth, few)//' at '// &
                        whole_depth(units, groove%md)//', '// &
                        to_text(100.0_wp*groove%wall_left, few)//' % of the wall left'//left)
    end subroutine append_groove
@@ -263,8 +263,8 @@ contains
          call append_text(lines, '    longer is positive, against '//reference)
          if (whole%packer_force%present .and. abs(whole%packer_force%value) > 0.0_wp) &
             call append_text(lines, '  Force on the packer in '//load_case%name//': '// &
-                             trim(in_units(units, unit_force, abs(whole%packer_force%value), few))// &
-                             trim(merge(' down', ' up  ', whole%packer_force%value > 0.0_wp)))
+                             in_units(units, unit_force, abs(whole%packer_force%value), few)// &
+                             either(' down', ' up', whole%packer_force%value > 0.0_wp))
       end associate
    contains
       pure function shown(length) result(text)
@@ -296,8 +296,8 @@ contains
                label = 'Jar '
                if (lower_case(part%name) /= jar_kind) label = label//part%name//' '
                call append_text(lines, '  '//label//'in '//name//': '// &
-                                trim(merge('tension    ', 'compression', axial >= 0.0_wp))//' of '// &
-                                trim(in_units(units, unit_force, abs(axial), few))//' at '// &
+                                either('tension', 'compression', axial >= 0.0_wp)//' of '// &
+                                in_units(units, unit_force, abs(axial), few)//' at '// &
                                 whole_depth(units, md))
             end associate
          end do

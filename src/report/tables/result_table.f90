@@ -9,7 +9,7 @@ module dg_result_table
    use dg_number_text, only: scientific_cell
    use dg_table_1, only: append_table_1
    use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
@@ -130,7 +130,7 @@ contains
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle
-         line = line//trim(merge('; shorter for', ',            ', number == 0))//' '// &
+         line = line//either('; shorter for', ',', number == 0)//' '// &
             trim(scale_name(i))//' ('//to_text(sum(results%shortened(i)))//')'
          number = number + 1
       end do

@@ -9,7 +9,7 @@ module dg_table_1
    use dg_missing, only: is_missing, optional_real
    use dg_number_text, only: append_wrapped, page_width, fixed_text
    use dg_summary_file, only: summary_row
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_yes, verdict_type
@@ -278,7 +278,7 @@ contains
             fixed_text(errors(worst)%value, 2)//' % ('//cases(worst)%name//'), '//to_text(n)
          if (n == 1) line = line//' case'
          if (n /= 1) line = line//' cases'
-         line = line//', '//fixed_text(abs(bias), 2)//' % too '//trim(merge('high', 'low ', bias > 0.0_wp))
+         line = line//', '//fixed_text(abs(bias), 2)//' % too '//either('high', 'low', bias > 0.0_wp)
          if (n > 1) line = line//' on average'
       else
          line = line//'no case solved'

@@ -6,7 +6,7 @@ module dg_verdict_table
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped, page_width
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          limit_title
    use dg_verdict_text, only: task_text, unchecked_text, verdict_sentences
@@ -105,7 +105,7 @@ contains
             if (.not. shown(i) .or. wholes(i)%verdict%answer /= answer) cycle
             names = names + 1
             if (names > most_names) cycle
-            part = part//trim(merge(':', ',', names == 1))//' '//model%cases(results(i)%case_index)%name
+            part = part//either(':', ',', names == 1)//' '//model%cases(results(i)%case_index)%name
          end do
          if (part == '') return
          if (names > most_names) part = part//' and '//to_text(names - most_names)//' more'

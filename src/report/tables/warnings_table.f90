@@ -4,7 +4,7 @@ module dg_warnings_table
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_number_text, only: append_wrapped, page_width
    implicit none
    private
@@ -64,7 +64,7 @@ contains
                   other = [other, order(i)]
                   cycle
                end if
-               if (head /= '') head = head//trim(merge(',', ';', size(job%models) == 1))//' '
+               if (head /= '') head = head//either(',', ';', size(job%models) == 1)//' '
                head = head//model%cases(result%case_index)%name
                if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
             end associate
@@ -86,7 +86,7 @@ contains
          if (allocated(model%path_notes)) then
             if (any([(model%path_notes(k)%text == job%notes(i)%text, k=1, size(model%path_notes))])) cycle
          end if
-         call append_text(notes, job%notes(i)%text//trim(merge(' ', '.', index('.?', last_of(job%notes(i)%text)) > 0)))
+         call append_text(notes, job%notes(i)%text//either('', '.', index('.?', last_of(job%notes(i)%text)) > 0))
       end do
    contains
       !> The last letter.

@@ -50,6 +50,7 @@ module dg_load_case
    type :: alias_type
       character(20) :: name = ''
       integer :: operation = 0
+      logical :: is_listed = .false.   !< by the error of an unknown operation
    end type alias_type
 
    !> Other names that a deck may use. Letter case, blanks, hyphens and underscores do not count: pick_up, pickup, PICK-UP.
@@ -59,17 +60,17 @@ module dg_load_case
       alias_type('down', operation_trip_in), &
       alias_type('rotary', operation_rotary_drilling), &
       alias_type('sliding', operation_sliding_drilling), &
-      alias_type('pick_up', operation_trip_out), &
+      alias_type('pick_up', operation_trip_out, .true.), &
       alias_type('picking_up', operation_trip_out), &
-      alias_type('pooh', operation_trip_out), &
+      alias_type('pooh', operation_trip_out, .true.), &
       alias_type('poh', operation_trip_out), &
       alias_type('pull_out', operation_trip_out), &
       alias_type('pull_out_of_hole', operation_trip_out), &
       alias_type('pulling_out', operation_trip_out), &
       alias_type('tripping_out', operation_trip_out), &
-      alias_type('slack_off', operation_trip_in), &
+      alias_type('slack_off', operation_trip_in, .true.), &
       alias_type('slacking_off', operation_trip_in), &
-      alias_type('rih', operation_trip_in), &
+      alias_type('rih', operation_trip_in, .true.), &
       alias_type('run_in', operation_trip_in), &
       alias_type('run_in_hole', operation_trip_in), &
       alias_type('running_in', operation_trip_in), &
@@ -79,11 +80,11 @@ module dg_load_case
       alias_type('rob', operation_rotate_off_bottom), &
       alias_type('rotating_off_bottom', operation_rotate_off_bottom), &
       alias_type('drill', operation_rotary_drilling), &
-      alias_type('drilling', operation_rotary_drilling), &
+      alias_type('drilling', operation_rotary_drilling, .true.), &
       alias_type('rotate_on_bottom', operation_rotary_drilling), &
       alias_type('rotating_on_bottom', operation_rotary_drilling), &
       alias_type('rotate_drilling', operation_rotary_drilling), &
-      alias_type('slide', operation_sliding_drilling), &
+      alias_type('slide', operation_sliding_drilling, .true.), &
       alias_type('slide_drilling', operation_sliding_drilling), &
       alias_type('reaming', operation_ream), &
       alias_type('backreaming', operation_backream)]

@@ -8,7 +8,7 @@ module dg_case_check
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_opening_check, only: check_open_passage, opening_advice
-   use dg_text, only: quoted, suggestion
+   use dg_text, only: either, quoted, suggestion
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -149,7 +149,7 @@ contains
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
             call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
                                 ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
-                                '; needs a diameter '//trim(merge('<=', '< ', is_bit(components(k))))//' '// &
+                                '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '// &
                                 wide(holes(h)%diameter)//opening_advice(components(k), holes, lowest, units))
          end do
          if (components(k)%length <= 0.0_wp) return

@@ -16,8 +16,7 @@ module dg_checked_model
    use dg_numerics, only: settings_of
    use dg_opening_check, only: set_opened_depth
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
-      check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
-   use dg_settings_check, only: check_numerics
+      check_numerics, check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
    use dg_string_check, only: check_centralizer, check_component, check_in_string
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
    use dg_text, only: name_shown, quoted, to_text

@@ -22,7 +22,7 @@ module dg_range_check
    private
    public :: ranges_type, take_ranges, check_range, is_zero
    public :: check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, check_case_ranges, &
-             check_numerics_ranges, check_rig_ranges
+             check_numerics_ranges, check_numerics, check_rig_ranges
 
    !> Digits of a number that is out of range.
    integer, parameter :: digits = 9
@@ -105,7 +105,7 @@ contains
          else if (rule%unit == unit_none) then
             fault = ' = '//to_text(number, digits)//' is out of range'
          else
-            fault = ' = '//trim(in_units(units, rule%unit, number, digits))//' is out of range'
+            fault = ' = '//in_units(units, rule%unit, number, digits)//' is out of range'
          end if
       end associate
       call add_part_fault(found, ranges%part, ranges%place, key, name//fault//needed)
@@ -244,7 +244,21 @@ contains
       end subroutine check_choice
    end subroutine check_numerics_ranges
 
-   !> The same for the rig.
+   !> A free gap yields more than a wall, an elastic wall no less than a rigid one, and contact begins before the wall is rigid.
+   subroutine check_numerics(numerics, found)
+      type(numerics_type), intent(in) :: numerics
+      type(error_list_type), intent(inout) :: found
+      if (numerics%gk_min >= numerics%gk_contact) call fault('gk_min', 'gk_min must be smaller than gk_contact')
+      if (numerics%gk_contact > numerics%gk_max) call fault('gk_max', 'gk_max must be at least gk_contact')
+      if (numerics%eps_n0 >= numerics%eps_nmax) call fault('eps_n0', 'eps_n0 must be smaller than eps_nmax')
+   contains
+      subroutine fault(key, message)
+         character(*), intent(in) :: key, message
+         call add_part_fault(found, 'solver', 0, key, message)
+      end subroutine fault
+   end subroutine check_numerics
+
+   !> Notes numbers of the rig beyond the ranges.
    subroutine check_rig_ranges(rig, units, found)
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units

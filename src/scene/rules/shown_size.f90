@@ -18,7 +18,7 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: depth          !< [m]
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_length, depth, depth_digits))
+      text = in_units(units, unit_length, depth, depth_digits)
    end function depth_words
 
    !> A diameter with its unit.
@@ -27,6 +27,6 @@ contains
       real(wp), intent(in) :: diameter       !< [m]
       integer, intent(in) :: digits
       character(:), allocatable :: text
-      text = trim(in_units(units, unit_diameter, diameter, digits))
+      text = in_units(units, unit_diameter, diameter, digits)
    end function diameter_words
 end module dg_shown_size

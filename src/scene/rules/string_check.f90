@@ -72,7 +72,7 @@ contains
          if (allocated(component%name)) name = ' of '//quoted(component%name)
          call fault(key, key//name//' is '//depth_words(units, length)//', shorter than the shortest contact, '// &
                     diameter_words(units, shortest_contact, length_digits)//'. Give '// &
-                    trim(in_units(units, unit_length, shortest_contact, length_digits))//' or more')
+                    in_units(units, unit_length, shortest_contact, length_digits)//' or more')
       end subroutine check_shortest
 
       function wide(diameter) result(text)
@@ -107,7 +107,7 @@ contains
       function dense(density) result(text)
          real(wp), intent(in) :: density
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_density, density, diameter_digits))
+         text = in_units(units, unit_density, density, diameter_digits)
       end function dense
 
       !> Advice on a mud in a smaller unit than that of the deck.
@@ -159,7 +159,7 @@ contains
       function far(length) result(text)
          real(wp), intent(in) :: length
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, length, length_digits))
+         text = in_units(units, unit_length, length, length_digits)
       end function far
    end subroutine check_centralizer
 end module dg_string_check

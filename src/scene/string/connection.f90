@@ -1,7 +1,7 @@
 !> Rotary shouldered connections: dimensions by API Spec 7-2, and the torque at which one yields by API RP 7G, appendix A.8.
 module dg_connection
    use dg_kinds, only: wp
-   use dg_constants, only: degree, pi
+   use dg_constants, only: degree, inch, pi
    implicit none
    private
    public :: connection_name, find_connection, connection_torsion, makeup_share
@@ -25,7 +25,7 @@ module dg_connection
    real(wp), parameter :: makeup_share = 0.6_wp
 
    ! Dimensions as the standard prints them [in]: pitch diameter, taper [in/ft], length of the pin, counterbore of the box.
-   real(wp), parameter :: inch = 0.0254_wp, inch_per_foot = 1.0_wp/12.0_wp
+   real(wp), parameter :: inch_per_foot = 1.0_wp/12.0_wp
    real(wp), parameter :: dimensions(4, connection_count) = reshape([ &
       2.355_wp, 2.0_wp, 3.0_wp, 2.625_wp, &
       2.668_wp, 2.0_wp, 3.0_wp, 2.9375_wp, &

@@ -10,6 +10,7 @@
 !> it the amplitude falls with the turns to the power -1/m, m the exponent that a test gives (Basquin).
 module dg_fatigue_curve
    use dg_kinds, only: wp
+   use dg_constants, only: psi
    implicit none
    private
    public :: fatigue_curve_type, permitted_amplitude, turns_to_failure
@@ -19,7 +20,6 @@ module dg_fatigue_curve
    !> Names in decks, in the order of the numbers above.
    character(*), parameter :: fatigue_curve_name(4) = [character(4) :: 'none', 'E75', 'S135', 'own']
 
-   real(wp), parameter :: psi = 6894.757293168_wp
    !> Least amplitude that counts as borne [Pa]: a pipe under more tension than its curve reaches bears next to none.
    real(wp), parameter :: least = 100.0_wp*psi
 

@@ -28,119 +28,105 @@ module dg_equilibrium
    use dg_equations, only: equations_type
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
-   use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
+   use dg_gap_table, only: keep_gaps, take_gaps_back
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
                                  place_and_survey, rigid
    use dg_line_search, only: search_along
-   use dg_mesh, only: mesh_type
    use dg_outcome, only: outcome_converged, outcome_damped, outcome_exhausted, outcome_open, outcome_outside, outcome_stalled, &
                          outcome_stopped
    use dg_outside_hole, only: measure_outside, outside_type
+   use dg_solution, only: solution_type
    use dg_step, only: find_step
    use dg_stopping, only: is_stopped
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: workspace_type
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, find_equilibrium
 
 contains
 
-   !> Iterates `state` and the contact forces in `work` to a stable equilibrium; it%outcome tells.
-   subroutine find_equilibrium(it, equations, trajectory, mesh, gaps, state, work)
+   !> Iterates the state and the contact forces of a solution to a stable equilibrium; it%outcome tells.
+   subroutine find_equilibrium(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      work%separate = .true.
-      equations%gaps_taken_back = .false.
-      gaps%followed = .false.
-      call keep_gaps(gaps, it%kept)
-      call place_and_survey(trajectory, mesh, gaps, state, work)
-      call judge_gaps(it, trajectory, mesh, .true., gaps, work)
-      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
+      solution%work%separate = .true.
+      solution%equations%gaps_taken_back = .false.
+      solution%gaps%followed = .false.
+      call keep_gaps(solution%gaps, it%kept)
+      call place_and_survey(trajectory, solution)
+      call judge_gaps(it, trajectory, .true., solution)
+      call measure_here(it, trajectory, .false., solution)
       do
-         call enter_row(it, equations, gaps, work)
-         call settle_gaps(it, equations, trajectory, mesh, gaps, state, work)
-         if (it%outcome == outcome_open) call judge_progress(it, equations, trajectory, mesh, gaps, state, work)
-         if (it%outcome == outcome_open) call find_step(it, equations, trajectory, mesh, gaps, state, work)
+         call enter_row(it, solution)
+         call settle_gaps(it, trajectory, solution)
+         if (it%outcome == outcome_open) call judge_progress(it, trajectory, solution)
+         if (it%outcome == outcome_open) call find_step(it, trajectory, solution)
          if (it%outcome /= outcome_open) exit
-         call search_along(it, equations, trajectory, mesh, gaps, state, work)
-         call judge_step(it, equations, trajectory, mesh, gaps, state, work)
+         call search_along(it, trajectory, solution)
+         call judge_step(it, trajectory, solution)
          if (it%damping > damping_most .or. .not. it%before < huge(it%before)) then
             it%outcome = outcome_damped
             exit
          end if
       end do
-      call enter_row(it, equations, gaps, work)
+      call enter_row(it, solution)
       associate (load => it%problem%load(:3, :))
-         equations%unbalanced_md = mesh%md(maxloc(maxval(abs(load), dim=1), dim=1))
+         solution%equations%unbalanced_md = solution%mesh%md(maxloc(maxval(abs(load), dim=1), dim=1))
       end associate
    end subroutine find_equilibrium
 
    !> Residual and tangent where the string is. Where the step before began next to an equilibrium forces are measured alone at
    !> first: most such states are the last, and need no tangent. The stability of a damped string is judged by its tangent.
-   pure subroutine measure_here(it, equations, trajectory, mesh, gaps, state, stepped, work)
+   pure subroutine measure_here(it, trajectory, stepped, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: stepped       !< a step has just been taken
-      type(workspace_type), intent(inout) :: work
       logical :: forces_first
-      forces_first = .not. it%damped .and. it%before < it%numerics%tuning%near*equations%force_scale .and. .not. it%growth < rigid
+      forces_first = .not. (it%damped .or. it%growth < rigid) .and. &
+                     it%before < it%numerics%tuning%near*solution%equations%force_scale
       if (forces_first) then
-         call measure(it, equations, trajectory, mesh, gaps, state, .true., stepped, work)
-         if (is_within(it, equations, 0.0_wp)) return
+         call measure(it, trajectory, .true., stepped, solution)
+         if (is_within(it, solution%equations, 0.0_wp)) return
       end if
-      call measure(it, equations, trajectory, mesh, gaps, state, .false., stepped, work)
-      if (it%damped) call keep_symmetric(equations%matrix, it%energy)
+      call measure(it, trajectory, .false., stepped, solution)
+      if (it%damped) call keep_symmetric(solution%equations%matrix, it%energy)
    end subroutine measure_here
 
    !> Enters the present row in the history.
-   pure subroutine enter_row(it, equations, gaps, work)
+   pure subroutine enter_row(it, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
-      type(gap_table_type), intent(in) :: gaps
-      type(workspace_type), intent(in) :: work
-      it%row%hookload = work%hookload
-      it%row%contacts = count(gaps%state /= state_free)
-      it%row%iteration = equations%iterations
-      it%row%negative_pivots = equations%solver%negative_pivots
-      equations%history(equations%iterations + 1) = it%row
+      type(solution_type), intent(inout) :: solution
+      it%row%hookload = solution%work%hookload
+      it%row%contacts = count(solution%gaps%state /= state_free)
+      it%row%iteration = solution%equations%iterations
+      it%row%negative_pivots = solution%equations%solver%negative_pivots
+      solution%equations%history(solution%equations%iterations + 1) = it%row
       if (it%before < it%least) then
          it%least = it%before
-         it%least_at = equations%iterations
+         it%least_at = solution%equations%iterations
       end if
    end subroutine enter_row
 
    !> Near an equilibrium: ends the run there, or where elements are to be cut, or moves gaps. Farther off Newton's steps change too
    !> much for that.
-   subroutine settle_gaps(it, equations, trajectory, mesh, gaps, state, work)
+   subroutine settle_gaps(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       logical :: there, stable, moved
-      do while (is_within(it, equations, it%numerics%tuning%nearly))
-         there = is_within(it, equations, 0.0_wp)
-         if (there .and. it%damped) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(mesh%clearance)
+      do while (is_within(it, solution%equations, it%numerics%tuning%nearly))
+         there = is_within(it, solution%equations, 0.0_wp)
+         if (there .and. it%damped) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(solution%mesh%clearance)
          if (there) then
-            call judge_stability(it, mesh, gaps, work, stable)
+            call judge_stability(it, solution, stable)
             if (.not. stable) return
          end if
-         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) call find_outside(it, trajectory, mesh, work)
+         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) call find_outside(it, trajectory, solution)
          if (it%outcome == outcome_outside) return
-         moved = may_move(it, equations, there)
-         if (moved) call move_to_deepest(it, equations, trajectory, mesh, gaps, there, state, work, moved)
+         moved = may_move(it, solution%equations, there)
+         if (moved) call move_to_deepest(it, trajectory, there, solution, moved)
          if (moved) cycle
          if (there) it%outcome = outcome_converged
          return
@@ -148,83 +134,75 @@ contains
    end subroutine settle_gaps
 
    !> Marks the elements that stand outside the hole and may be cut; the run ends where there are any.
-   pure subroutine find_outside(it, trajectory, mesh, work)
+   pure subroutine find_outside(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work
+      type(solution_type), intent(in) :: solution
       type(outside_type) :: outside
-      call measure_outside(trajectory, mesh, work, outside, it%outside)
-      it%outside = it%outside .and. mesh%length >= it%cut_from
+      call measure_outside(trajectory, solution%mesh, solution%work, outside, it%outside)
+      it%outside = it%outside .and. solution%mesh%length >= it%cut_from
       if (any(it%outside)) it%outcome = outcome_outside
    end subroutine find_outside
 
    !> Moves gaps to where the string is deepest, and measures there. After the last round they are taken back instead.
-   subroutine move_to_deepest(it, equations, trajectory, mesh, gaps, there, state, work, moved)
+   subroutine move_to_deepest(it, trajectory, there, solution, moved)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
       logical, intent(in) :: there           !< in equilibrium
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       logical, intent(out) :: moved          !< a gap wanted another place
       type(move_rule_type) :: rule
       associate (tuning => it%numerics%tuning)
          rule = move_rule_type(least=merge(0.0_wp, tuning%astray, it%rounds < tuning%most_moves), closed=.true., closely=.true.)
-         call keep_gaps(gaps, it%kept)
-         call move_gaps(it, trajectory, mesh, rule, gaps, work)
+         call keep_gaps(solution%gaps, it%kept)
+         call move_gaps(it, trajectory, rule, solution)
          moved = it%row%moves > 0
          if (.not. moved) return
          if (it%rounds == tuning%most_moves + tuning%more_moves) then      ! moving did not help
-            call take_back(it, equations, trajectory, mesh, gaps, state, work)
+            call take_back(it, trajectory, solution)
             return
          end if
          if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
-            it%settled = state                   ! an equilibrium, or where gaps first touched
-            it%settled_force = work%normal
+            it%settled = solution%state                   ! an equilibrium, or where gaps first touched
+            it%settled_force = solution%work%normal
             call keep_gaps(it%kept, it%settled_gaps)
          end if
          it%rounds = it%rounds + 1
-         it%round_start = equations%iterations
-         if (any(abs(gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = tuning%growth
+         it%round_start = solution%equations%iterations
+         if (any(abs(solution%gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = tuning%growth
       end associate
-      call judge_gaps(it, trajectory, mesh, .false., gaps, work)
-      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
+      call judge_gaps(it, trajectory, .false., solution)
+      call measure_here(it, trajectory, .false., solution)
    end subroutine move_to_deepest
 
    !> Ends a run that does not get on. Gaps that moved and lead to no equilibrium are taken back: in time for the run to go on, or
    !> at its end, where the string was in equilibrium before they moved.
-   subroutine judge_progress(it, equations, trajectory, mesh, gaps, state, work)
+   subroutine judge_progress(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      it%outcome = ending(it, equations)
-      if (it%rounds == 0 .or. equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
+      it%outcome = ending(it, solution)
+      if (it%rounds == 0 .or. solution%equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
       if (it%outcome /= outcome_open .and. it%rounds > it%numerics%tuning%most_moves) then
-         call take_back(it, equations, trajectory, mesh, gaps, state, work)
-         if (is_within(it, equations, 0.0_wp)) it%outcome = outcome_converged
-      else if (it%outcome == outcome_open .and. equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
-         call take_back(it, equations, trajectory, mesh, gaps, state, work)
+         call take_back(it, trajectory, solution)
+         if (is_within(it, solution%equations, 0.0_wp)) it%outcome = outcome_converged
+      else if (it%outcome == outcome_open .and. &
+               solution%equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
+         call take_back(it, trajectory, solution)
       end if
    end subroutine judge_progress
 
    !> Why a run without equilibrium ends here; outcome_open: it goes on.
-   function ending(it, equations) result(outcome)
+   function ending(it, solution) result(outcome)
       type(equilibrium_type), intent(in) :: it
-      type(equations_type), intent(in) :: equations
+      type(solution_type), intent(in) :: solution
       integer :: outcome
       outcome = outcome_open
-      if (is_stopped(it%stop)) then
+      if (is_stopped(solution%stop)) then
          outcome = outcome_stopped
-      else if (equations%iterations >= it%numerics%max_iterations) then
+      else if (solution%equations%iterations >= it%numerics%max_iterations) then
          outcome = outcome_exhausted
-      else if (equations%iterations - it%least_at > it%numerics%tuning%longest_stall) then
+      else if (solution%equations%iterations - it%least_at > it%numerics%tuning%longest_stall) then
          outcome = outcome_stalled
       end if
    end function ending
@@ -242,24 +220,20 @@ contains
    end function may_move
 
    !> Back to where the string was before its gaps last moved. From here on no gap moves.
-   subroutine take_back(it, equations, trajectory, mesh, gaps, state, work)
+   subroutine take_back(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      state = it%settled
-      work%normal = it%settled_force
-      call take_gaps_back(it%settled_gaps, gaps)
+      solution%state = it%settled
+      solution%work%normal = it%settled_force
+      call take_gaps_back(it%settled_gaps, solution%gaps)
       call take_gaps_back(it%settled_gaps, it%kept)
-      equations%gaps_taken_back = .true.
+      solution%equations%gaps_taken_back = .true.
       it%growth = rigid
-      call place_and_survey(trajectory, mesh, gaps, state, work)
-      call judge_gaps(it, trajectory, mesh, .false., gaps, work)
+      call place_and_survey(trajectory, solution)
+      call judge_gaps(it, trajectory, .false., solution)
       it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
-      call measure_here(it, equations, trajectory, mesh, gaps, state, .false., work)
+      call measure_here(it, trajectory, .false., solution)
    end subroutine take_back
 
    !> True if an equilibrium is within `part` of the force scale. The residual and the forces of gaps that opened or closed count,
@@ -274,44 +248,38 @@ contains
    end function is_within
 
    !> Stability of the equilibrium; a string without damping counts as stable.
-   subroutine judge_stability(it, mesh, gaps, work, stable)
+   subroutine judge_stability(it, solution, stable)
       type(equilibrium_type), intent(inout) :: it
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(workspace_type), intent(inout) :: work
+      type(solution_type), intent(inout) :: solution
       logical, intent(out) :: stable
       stable = .true.
       if (.not. it%damped) return
-      call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
-      it%problem%closed = gaps%state /= state_free
-      call is_definite(it%energy, it%lump, it%problem, margin_of(it, mesh), stable)
+      call weigh_string(it%numerics%tuning, solution%mesh, solution%work, it%soft, it%lump)
+      it%problem%closed = solution%gaps%state /= state_free
+      call is_definite(it%energy, it%lump, it%problem, margin_of(solution), stable)
    end subroutine judge_stability
 
    !> Accepts the step if energy or residual decreases; otherwise restores the state and raises the damping.
-   subroutine judge_step(it, equations, trajectory, mesh, gaps, state, work)
+   subroutine judge_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       logical :: taken
       associate (tuning => it%numerics%tuning)
          taken = .not. it%damped .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
                  it%trial < it%before
          ! a string that hangs free may start with no residual but round-off, which no step makes less
-         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*equations%force_scale
+         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*solution%equations%force_scale
          if (taken) then
             it%row%judged = judged_whole
             if (it%damped) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
-            call measure_here(it, equations, trajectory, mesh, gaps, state, .true., work)
+            call measure_here(it, trajectory, .true., solution)
             call ease_damping(tuning, it%raised <= tuning%until_definite, it%damping)
             it%raised = tuning%until_definite
          else
             it%growth = it%old_growth
-            call go_back(it, trajectory, mesh, gaps, state, work)
-            call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
+            call go_back(it, trajectory, solution)
+            call measure_contacts(solution%mesh, solution%loads, solution%gaps, it%soft*it%growth, solution%work, it%problem)
             it%row%flips = 0
             it%row%judged = judged_refused
             it%damping = max(it%damping, tuning%damping_start)*it%raised

@@ -6,7 +6,6 @@ module dg_iteration_state
    use dg_contact_problem, only: add_pushes, contact_problem_type, measure_contacts, new_contact_problem
    use dg_equations, only: energy_tangent, equations_type, find_tangent, forces_alone, whole_tangent
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
-   use dg_gap_action, only: load_type
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: move_rule_type, relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
@@ -15,9 +14,10 @@ module dg_iteration_state
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_outcome, only: outcome_open
    use dg_round_wall, only: smooth_room
-   use dg_stopping, only: stop_type
+   use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_2, dof_twist, place_nodes, workspace_type
+   use dg_walls, only: tolerance_at
+   use dg_workspace, only: dof_lateral_1, dof_lateral_2, dof_slope_2, dof_twist, place_nodes
    implicit none
    private
    public :: equilibrium_type, new_equilibrium, make_room_to_damp, measure, margin_of, energy_slope, place_and_survey, go_back
@@ -33,8 +33,6 @@ module dg_iteration_state
    !> One run of the iteration: what it is asked for, and its state.
    type :: equilibrium_type
       type(numerics_type) :: numerics
-      type(load_type) :: loads
-      type(stop_type) :: stop
       real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
       real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
       logical :: damped = .false.             !< damping keeps the energy's tangent positive definite
@@ -77,30 +75,26 @@ module dg_iteration_state
 
 contains
 
-   !> A run on a mesh.
-   pure subroutine new_equilibrium(mesh, loads, numerics, tolerance, pressing, damped, it)
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
+   !> A run from where the string is.
+   pure subroutine new_equilibrium(solution, numerics, it)
+      type(solution_type), intent(in) :: solution
       type(numerics_type), intent(in) :: numerics
-      real(wp), intent(in) :: tolerance(2)
-      real(wp), intent(in) :: pressing       !< largest expected contact load over its clearance [N/m2]
-      logical, intent(in) :: damped
       type(equilibrium_type), intent(out) :: it
       real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
-      it%numerics = numerics
-      it%loads = loads
-      it%tolerance = tolerance
-      it%soft = max(pressing, least)/numerics%tuning%soft_penetration
-      it%raised = numerics%tuning%until_definite
-      it%growth = numerics%tuning%growth
-      it%damped = damped
-      call new_contact_problem(mesh, it%problem)
-      allocate (it%residual(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
-                it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
-      allocate (it%outside(mesh%elements), source=.false.)
-      allocate (it%room(0))
-      allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
-      if (damped) call make_room_to_damp(mesh, it)
+      associate (mesh => solution%mesh)
+         it%numerics = numerics
+         it%tolerance = tolerance_at(numerics, mesh, solution%gaps, solution%loads, solution%equations%force_scale)
+         it%soft = max(solution%pressing, least)/numerics%tuning%soft_penetration
+         it%raised = numerics%tuning%until_definite
+         it%growth = numerics%tuning%growth
+         call new_contact_problem(mesh, it%problem)
+         allocate (it%residual(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
+                   it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
+         allocate (it%outside(mesh%elements), source=.false.)
+         allocate (it%room(0))
+         allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
+         if (solution%compressed > numerics%tuning%damped_share) call make_room_to_damp(mesh, it)
+      end associate
    end subroutine new_equilibrium
 
    !> Room for the energy's tangent and damping.
@@ -115,45 +109,43 @@ contains
 
    !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
    !> that are too deep. The tangent of a damped string is that of its energy. Without damping walls get stiffer here after a step.
-   pure subroutine measure(it, equations, trajectory, mesh, gaps, state, forces_only, stepped, work)
+   pure subroutine measure(it, trajectory, forces_only, stepped, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps     !< some may no longer follow
-      real(wp), contiguous, intent(in) :: state(:, :)
       logical, intent(in) :: forces_only     !< without the tangent
       logical, intent(in) :: stepped         !< a step has just been taken
-      type(workspace_type), intent(inout) :: work
       real(wp) :: force, moment
       integer :: wanted
-      wanted = merge(energy_tangent, whole_tangent, it%damped)
-      if (forces_only) wanted = forces_alone
-      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, wanted, work, it%residual)
-      if (it%damped .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
-         call hold_turn(state, it%held, equations%matrix, it%residual)
-      if (it%rounds > 0) call measure_followers(trajectory, mesh, it%loads, it%numerics%relocation, gaps, work, &
-                                                it%problem%followers)
-      if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%damped, equations%matrix)
-      call find_largest(it%residual, force, moment)
-      it%unbalanced = max(force, moment)
-      if (stepped .and. .not. it%damped) call stiffen_walls(it, equations, gaps, it%unbalanced)
-      call measure_contacts(mesh, it%loads, gaps, it%soft*it%growth, work, it%problem)
-      call add_place_forces(it%problem%followers, it%residual)
-      call add_pushes(gaps, it%residual, it%problem)
-      call find_largest(it%problem%load, it%row%residual_force, it%row%residual_moment)
-      it%before = max(it%row%residual_force, it%row%residual_moment)
+      associate (mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, work => solution%work, &
+                 equations => solution%equations, state => solution%state)
+         wanted = merge(energy_tangent, whole_tangent, it%damped)
+         if (forces_only) wanted = forces_alone
+         call find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, it%residual)
+         if (it%damped .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+            call hold_turn(state, it%held, equations%matrix, it%residual)
+         if (it%rounds > 0) call measure_followers(trajectory, mesh, loads, it%numerics%relocation, gaps, work, &
+                                                   it%problem%followers)
+         if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%damped, equations%matrix)
+         call find_largest(it%residual, force, moment)
+         it%unbalanced = max(force, moment)
+         if (stepped .and. .not. it%damped) call stiffen_walls(it, it%unbalanced, solution)
+         call measure_contacts(mesh, loads, gaps, it%soft*it%growth, work, it%problem)
+         call add_place_forces(it%problem%followers, it%residual)
+         call add_pushes(gaps, it%residual, it%problem)
+         call find_largest(it%problem%load, it%row%residual_force, it%row%residual_moment)
+         it%before = max(it%row%residual_force, it%row%residual_moment)
+      end associate
    end subroutine measure
 
    !> rho grows after a step in which few gaps changed and that leaves a small residual.
-   pure subroutine stiffen_walls(it, equations, gaps, left)
+   pure subroutine stiffen_walls(it, left, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(in) :: equations
-      type(gap_table_type), intent(in) :: gaps
+      type(solution_type), intent(in) :: solution
       real(wp), intent(in) :: left           !< largest residual [N, N.m]
       associate (tuning => it%numerics%tuning)
-         if (it%row%flips <= nint(tuning%few*count(gaps%state /= state_free)) .and. left < tuning%calm*equations%force_scale) &
-            it%growth = it%growth*tuning%growth
+         if (it%row%flips <= nint(tuning%few*count(solution%gaps%state /= state_free)) .and. &
+             left < tuning%calm*solution%equations%force_scale) it%growth = it%growth*tuning%growth
          if (it%growth >= tuning%stiff) it%growth = rigid
       end associate
    end subroutine stiffen_walls
@@ -194,11 +186,10 @@ contains
    end subroutine hold_turn
 
    !> Damping that an equilibrium of this string may need and still count as stable [-].
-   pure function margin_of(it, mesh) result(margin)
-      type(equilibrium_type), intent(in) :: it
-      type(mesh_type), intent(in) :: mesh
+   pure function margin_of(solution) result(margin)
+      type(solution_type), intent(in) :: solution
       real(wp) :: margin
-      margin = merge(stable_twisted, stable, any(mesh%friction_around > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp)
+      margin = merge(stable_twisted, stable, any(solution%mesh%friction_around > 0.0_wp) .or. abs(solution%loads%tob) > 0.0_wp)
    end function margin_of
 
    !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow
@@ -218,75 +209,68 @@ contains
    end function energy_slope
 
    !> Places the nodes and measures the gaps.
-   pure subroutine place_and_survey(trajectory, mesh, gaps, state, work)
+   pure subroutine place_and_survey(trajectory, solution)
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), contiguous, intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      call place_nodes(mesh, state, work)
-      call survey_gaps(trajectory, mesh, gaps, work)
+      type(solution_type), intent(inout) :: solution
+      call place_nodes(solution%mesh, solution%state, solution%work)
+      call survey_gaps(trajectory, solution%mesh, solution%gaps, solution%work)
    end subroutine place_and_survey
 
    !> Back to places, contact forces and gaps before the step. Hook load, axial forces and torque stay those of the trial until the
    !> next measurement.
-   pure subroutine go_back(it, trajectory, mesh, gaps, state, work)
+   pure subroutine go_back(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      state = it%old
-      work%normal = it%old_force
-      call take_gaps_back(it%kept, gaps)
-      call place_and_survey(trajectory, mesh, gaps, state, work)
+      type(solution_type), intent(inout) :: solution
+      solution%state = it%old
+      solution%work%normal = it%old_force
+      call take_gaps_back(it%kept, solution%gaps)
+      call place_and_survey(trajectory, solution)
    end subroutine go_back
 
    !> Which gaps are closed where the string is; row%flips counts those that changed since the step began. A gap closes
    !> when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho. Both by more than the
    !> thresholds of Eqs. 7 and 8.
-   pure subroutine judge_gaps(it, trajectory, mesh, relocate, gaps, work)
+   pure subroutine judge_gaps(it, trajectory, relocate, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
+      type(solution_type), intent(inout) :: solution
       logical, intent(in) :: relocate        !< gaps may move
-      type(gap_table_type), intent(inout) :: gaps
-      type(workspace_type), intent(inout) :: work   !< placed and surveyed
       real(wp) :: deep
       integer :: e, next
-      it%row%moves = 0
-      if (relocate) call move_gaps(it, trajectory, mesh, move_rule_type(most=it%numerics%tuning%gently, closed=it%row%flips == 0), &
-                                   gaps, work)
-      it%row%flips = 0
-      it%flipped = 0.0_wp
-      do e = 1, mesh%elements
-         associate (law => gaps%law(e), force => work%normal(e))
-            deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
-            next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%soft*mesh%length(e))
-            if (next /= it%kept%state(e)) then
-               it%row%flips = it%row%flips + 1
-               it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
-            end if
-            if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
-            gaps%state(e) = next
-            if (next == state_free) force = 0.0_wp
-         end associate
-      end do
+      associate (mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
+         it%row%moves = 0
+         if (relocate) call move_gaps(it, trajectory, move_rule_type(most=it%numerics%tuning%gently, &
+                                                                     closed=it%row%flips == 0), solution)
+         it%row%flips = 0
+         it%flipped = 0.0_wp
+         do e = 1, mesh%elements
+            associate (law => gaps%law(e), force => work%normal(e))
+               deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
+               next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%soft*mesh%length(e))
+               if (next /= it%kept%state(e)) then
+                  it%row%flips = it%row%flips + 1
+                  it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
+               end if
+               if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
+               gaps%state(e) = next
+               if (next == state_free) force = 0.0_wp
+            end associate
+         end do
+      end associate
    end subroutine judge_gaps
 
    !> Moves gaps to where the string is deepest (Eq. 2), by a rule whose threshold is that of the deck.
-   pure subroutine move_gaps(it, trajectory, mesh, rule, gaps, work)
+   pure subroutine move_gaps(it, trajectory, rule, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
+      type(solution_type), intent(inout) :: solution
       type(move_rule_type), intent(in) :: rule
-      type(gap_table_type), intent(inout) :: gaps
-      type(workspace_type), intent(inout) :: work
       type(move_rule_type) :: ours
       it%row%moves = 0
       ours = rule
       ours%threshold = it%numerics%relocation
-      if (it%numerics%gap_location == gap_at_extremum) call relocate_gaps(trajectory, mesh, ours, gaps, work, it%row%moves)
+      if (it%numerics%gap_location == gap_at_extremum) &
+         call relocate_gaps(trajectory, solution%mesh, ours, solution%gaps, solution%work, it%row%moves)
    end subroutine move_gaps
 end module dg_iteration_state

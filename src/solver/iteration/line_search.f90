@@ -7,12 +7,12 @@ module dg_line_search
    use dg_followed_gaps, only: follow_extrema
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
-   use dg_gap_table, only: gap_table_type, keep_gaps, take_gaps_back
+   use dg_gap_table, only: keep_gaps, take_gaps_back
    use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, stiffen_walls
-   use dg_mesh, only: mesh_type
    use dg_node_moves, only: move_across, slide_along, slide_on
+   use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
-   use dg_workspace, only: dof_twist, place_node, place_nodes, workspace_type
+   use dg_workspace, only: dof_twist, place_node, place_nodes
    implicit none
    private
    public :: search_along
@@ -22,42 +22,38 @@ contains
    !> Takes the step. A damped string has its step shortened at first, until the slope along it is no longer uphill or
    !> the residual is less than before it. Where it is not, steps are taken as they are: of 394 cases one needs more
    !> iterations this way, 12 instead of 10.
-   pure subroutine search_along(it, equations, trajectory, mesh, gaps, state, work)
+   pure subroutine search_along(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       real(wp) :: part
       integer :: search
       it%old_growth = it%growth
-      it%old = state
-      it%old_force = work%normal
-      call keep_gaps(gaps, it%kept)
-      equations%iterations = equations%iterations + 1
-      call find_lengths(equations, mesh, work, state, it%length, it%longer)
+      it%old = solution%state
+      it%old_force = solution%work%normal
+      call keep_gaps(solution%gaps, it%kept)
+      solution%equations%iterations = solution%equations%iterations + 1
+      call find_lengths(solution, it%length, it%longer)
       if (it%damped) then
-         it%slope = slope_at_start(it, equations, work%normal)
+         it%slope = slope_at_start(it, solution%equations, solution%work%normal)
          associate (tuning => it%numerics%tuning)
             do search = 0, tuning%most_searches
-               call try_step(it, equations, trajectory, mesh, gaps, state, work)
+               call try_step(it, trajectory, solution)
                if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
                    search == tuning%most_searches .or. it%trial < it%before) exit
-               call go_back(it, trajectory, mesh, gaps, state, work)
+               call go_back(it, trajectory, solution)
                part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
                it%share = part*it%share
-               equations%step = part*equations%step
+               solution%equations%step = part*solution%equations%step
                it%longer = part*it%longer
                it%slope = part*it%slope
             end do
          end associate
       else
-         call move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
+         call move_and_survey(it, trajectory, solution)
       end if
-      call take_step(it, equations, trajectory, mesh, gaps, work)
-      if (it%damped) call stiffen_walls(it, equations, gaps, it%trial)
+      call take_step(it, trajectory, solution)
+      if (it%damped) call stiffen_walls(it, it%trial, solution)
    end subroutine search_along
 
    !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
@@ -78,97 +74,90 @@ contains
 
    !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
    !> problem has there, and softly on what is off it.
-   pure subroutine try_step(it, equations, trajectory, mesh, gaps, state, work)
+   pure subroutine try_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       real(wp) :: soft, deep, linear
       integer :: e
-      call move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
-      associate (problem => it%problem)
-         do e = 1, mesh%elements
-            soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
-            deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
-            if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
-               linear = problem%deep(e) + it%share*problem%moved(e)
-               work%normal(e) = max(0.0_wp, it%old_force(e) + problem%penalty(e)*linear + soft*(deep - linear))
-            else
-               work%normal(e) = max(0.0_wp, soft*deep)
-            end if
-            gaps%state(e) = merge(state_elastic, state_free, work%normal(e) > 0.0_wp)
-         end do
+      associate (equations => solution%equations, mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, &
+                 state => solution%state, work => solution%work)
+         call move_and_survey(it, trajectory, solution)
+         associate (problem => it%problem)
+            do e = 1, mesh%elements
+               soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
+               deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
+               if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
+                  linear = problem%deep(e) + it%share*problem%moved(e)
+                  work%normal(e) = max(0.0_wp, it%old_force(e) + problem%penalty(e)*linear + soft*(deep - linear))
+               else
+                  work%normal(e) = max(0.0_wp, soft*deep)
+               end if
+               gaps%state(e) = merge(state_elastic, state_free, work%normal(e) > 0.0_wp)
+            end do
+         end associate
+         call find_tangent(equations, trajectory, mesh, loads, gaps, state, forces_alone, work, it%problem%load)
+         it%slope_after = energy_slope(equations, it%problem%load)
+         it%trial = maxval(abs(it%problem%load))
       end associate
-      call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, forces_alone, work, it%problem%load)
-      it%slope_after = energy_slope(equations, it%problem%load)
-      it%trial = maxval(abs(it%problem%load))
    end subroutine try_step
 
    !> Moves the string by the step, gaps that follow with it, and measures gaps there.
-   pure subroutine move_and_survey(it, equations, trajectory, mesh, gaps, state, work)
+   pure subroutine move_and_survey(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
-      type(equations_type), intent(in) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      real(wp), contiguous, intent(inout) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
-      call move_string(it, equations, trajectory, mesh, work, state)
-      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
-      call survey_gaps(trajectory, mesh, gaps, work)
+      call move_string(it, trajectory, solution)
+      call follow_extrema(it%problem%followers, solution%equations%step, it%share, it%kept%xi, solution%gaps%xi)
+      call survey_gaps(trajectory, solution%mesh, solution%gaps, solution%work)
    end subroutine move_and_survey
 
    !> state <- state + step, along the wall where the string is damped. A lateral step makes elements longer by its square, which
    !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
    !> problem, and so its axial forces.
-   pure subroutine move_string(it, equations, trajectory, mesh, work, state)
+   pure subroutine move_string(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
-      type(equations_type), intent(in) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(inout) :: work       !< placed at `state`, before and after
-      real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: slide, chord(3), tangent(3), curvature(3)
       integer :: n, e
-      call move_across(it%damped, it%room, it%offset, it%share, it%across, state)
-      slide = 0.0_wp
-      do n = 1, mesh%nodes
-         state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
-         call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
-         if (.not. it%numerics%tuning%keep_lengths) cycle
-         call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
-         if (n == 1) cycle
-         e = n - 1
-         chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
-         slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, n))
-         call slide_on(trajectory, mesh, n, slide, tangent, curvature, state(:, n))
-      end do
-      call place_nodes(mesh, state, work)
+      associate (equations => solution%equations, mesh => solution%mesh, work => solution%work, state => solution%state)
+         call move_across(it%damped, it%room, it%offset, it%share, it%across, state)
+         slide = 0.0_wp
+         do n = 1, mesh%nodes
+            state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
+            call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
+            if (.not. it%numerics%tuning%keep_lengths) cycle
+            call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
+            if (n == 1) cycle
+            e = n - 1
+            chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
+            slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, n))
+            call slide_on(trajectory, mesh, n, slide, tangent, curvature, state(:, n))
+         end do
+         call place_nodes(mesh, state, work)
+      end associate
    end subroutine move_string
 
    !> Lengths of the elements that axial forces go by, and their change by the step to first order [m].
-   pure subroutine find_lengths(equations, mesh, work, state, length, longer)
-      type(equations_type), intent(in) :: equations
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work       !< placed at `state`
-      real(wp), contiguous, intent(in) :: state(:, :)
+   pure subroutine find_lengths(solution, length, longer)
+      type(solution_type), intent(in) :: solution
       real(wp), intent(out) :: length(:), longer(:)
       real(wp) :: chord(3), moved(6), before(6)
       integer :: e, n
-      before = 0.0_wp
-      do n = 1, mesh%nodes
-         call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), equations%step(:, n), moved)
-         if (n > 1) then
-            e = n - 1
-            chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
-            before(1:3) = moved(1:3) - before(1:3)
-            call membrane_step(chord, work%d(:, e), work%d(:, n), before(1:3), before(4:6), moved(4:6), length(e), longer(e))
-         end if
-         before = moved
-      end do
+      associate (equations => solution%equations, mesh => solution%mesh, work => solution%work, state => solution%state)
+         before = 0.0_wp
+         do n = 1, mesh%nodes
+            call move_in_space(mesh%frame(:, :, n), work%d(:, n), state(:, n), equations%step(:, n), moved)
+            if (n > 1) then
+               e = n - 1
+               chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
+               before(1:3) = moved(1:3) - before(1:3)
+               call membrane_step(chord, work%d(:, e), work%d(:, n), before(1:3), before(4:6), moved(4:6), length(e), longer(e))
+            end if
+            before = moved
+         end do
+      end associate
    end subroutine find_lengths
 
    !> Motion of a node by a step of its unknowns and, to first order, that of its director: (6), in space axes.
@@ -186,26 +175,25 @@ contains
    end subroutine move_in_space
 
    !> Gives a string that has been moved that share of the change of contact forces that the linear problem has.
-   pure subroutine take_step(it, equations, trajectory, mesh, gaps, work)
+   pure subroutine take_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(in) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(inout) :: gaps
-      type(workspace_type), intent(inout) :: work
       logical :: whole
       integer :: e
-      call take_gaps_back(it%kept, gaps)
-      call follow_extrema(it%problem%followers, equations%step, it%share, it%kept%xi, gaps%xi)
-      whole = .not. it%share < 1.0_wp
-      do e = 1, mesh%elements
-         work%normal(e) = it%old_force(e) + it%share*(it%problem%wanted(e) - it%old_force(e))
-         if (whole .and. (it%problem%closed(e) .neqv. gaps%state(e) /= state_free)) then
-            gaps%state(e) = merge(state_elastic, state_free, it%problem%closed(e))
-            gaps%flips(e) = gaps%flips(e) + 1
-         end if
-         if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
-      end do
-      call judge_gaps(it, trajectory, mesh, it%growth < it%numerics%tuning%stiff, gaps, work)
+      associate (mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
+         call take_gaps_back(it%kept, gaps)
+         call follow_extrema(it%problem%followers, solution%equations%step, it%share, it%kept%xi, gaps%xi)
+         whole = .not. it%share < 1.0_wp
+         do e = 1, mesh%elements
+            work%normal(e) = it%old_force(e) + it%share*(it%problem%wanted(e) - it%old_force(e))
+            if (whole .and. (it%problem%closed(e) .neqv. gaps%state(e) /= state_free)) then
+               gaps%state(e) = merge(state_elastic, state_free, it%problem%closed(e))
+               gaps%flips(e) = gaps%flips(e) + 1
+            end if
+            if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
+         end do
+         call judge_gaps(it, trajectory, it%growth < it%numerics%tuning%stiff, solution)
+      end associate
    end subroutine take_step
 end module dg_line_search

@@ -2,15 +2,14 @@
 !> energy, is positive definite where a string is stable.
 module dg_stability
    use dg_kinds, only: wp
-   use dg_assembly, only: assemble, load_type
+   use dg_assembly, only: assemble
    use dg_beam_element, only: beam_stress_tangent
    use dg_block_matrix, only: add_symmetric, block_matrix_type, new_block_matrix
    use dg_director, only: director_curvature
-   use dg_equations, only: equations_type
-   use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_positive_definite, only: block_positive_definite
    use dg_scatter, only: clear_element, clear_top, element_type, scatter_element
+   use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -25,43 +24,40 @@ contains
    !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
    !> definite when so many times Ksigma of the compressed elements (Eq. 10) is added. Contact forces are left as they are. A coil
    !> or a snake that may be shifted along the hole without work has 0. The room of the equations is used for it.
-   pure subroutine find_stability_margin(equations, trajectory, mesh, loads, gaps, state, work, margin)
-      type(equations_type), intent(inout) :: equations
+   pure subroutine find_stability_margin(trajectory, solution, margin)
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(load_type), intent(in) :: loads
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: margin
       type(block_matrix_type) :: compression
-      real(wp) :: low, high, added, forces(mesh%elements), residual(6, mesh%nodes)
+      real(wp) :: low, high, added, forces(solution%mesh%elements), residual(6, solution%mesh%nodes)
       logical :: definite
       integer :: i
-      forces = work%normal
-      work%separate = .false.        ! the stiffness of the walls belongs to this tangent
-      call assemble(trajectory, mesh, loads, gaps, state, .true., work, residual, equations%matrix)
-      work%separate = .true.
-      work%normal = forces
-      call assemble_compression(mesh, work, compression)
-      equations%step = 0.0_wp        ! nothing besides
-      low = 0.0_wp
-      high = 1.0_wp
-      margin = high
-      added = 0.0_wp
-      do i = 0, margin_halvings
-         call add_symmetric(margin - added, compression, equations%matrix)
-         added = margin
-         call block_positive_definite(equations%matrix, 0.0_wp, equations%step, definite)
-         if (definite) then
-            low = margin
-            if (i == 0) return
-         else
-            high = margin
-         end if
-         margin = 0.5_wp*(low + high)
-      end do
-      margin = low
+      associate (equations => solution%equations, mesh => solution%mesh, work => solution%work)
+         forces = work%normal
+         work%separate = .false.        ! the stiffness of the walls belongs to this tangent
+         call assemble(trajectory, mesh, solution%loads, solution%gaps, solution%state, .true., work, residual, equations%matrix)
+         work%separate = .true.
+         work%normal = forces
+         call assemble_compression(mesh, work, compression)
+         equations%step = 0.0_wp        ! nothing besides
+         low = 0.0_wp
+         high = 1.0_wp
+         margin = high
+         added = 0.0_wp
+         do i = 0, margin_halvings
+            call add_symmetric(margin - added, compression, equations%matrix)
+            added = margin
+            call block_positive_definite(equations%matrix, 0.0_wp, equations%step, definite)
+            if (definite) then
+               low = margin
+               if (i == 0) return
+            else
+               high = margin
+            end if
+            margin = 0.5_wp*(low + high)
+         end do
+         margin = low
+      end associate
    end subroutine find_stability_margin
 
    !> Ksigma of the elements in compression.

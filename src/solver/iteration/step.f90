@@ -5,17 +5,15 @@ module dg_step
    use dg_block_matrix, only: copy_symmetric, keep_symmetric
    use dg_case_result, only: judged_start
    use dg_contact_problem, only: damp_until_definite, solve_problem
-   use dg_equations, only: add_gap_rigidity, energy_tangent, equations_type, find_tangent
+   use dg_equations, only: add_gap_rigidity, energy_tangent, find_tangent
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness
    use dg_gap_state, only: state_free
-   use dg_gap_table, only: gap_table_type
    use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_damp, margin_of, rigid
-   use dg_mesh, only: mesh_type
    use dg_node_moves, only: split_step
    use dg_outcome, only: outcome_open, outcome_singular
+   use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
    use dg_damping, only: add_damping, weigh_string
-   use dg_workspace, only: workspace_type
    implicit none
    private
    public :: find_step
@@ -26,108 +24,108 @@ contains
    !> from the first step that is too long or leads up the energy's slope. Next to an equilibrium that slope says nothing: friction
    !> and round-off decide its sign. A string that starts in equilibrium, as straight in a vertical hole, has no slope, and is
    !> damped.
-   subroutine find_step(it, equations, trajectory, mesh, gaps, state, work)
+   subroutine find_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), contiguous, intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       real(wp) :: reach
       logical :: uphill
       integer :: fault
-      it%problem%closed = gaps%state /= state_free
-      if (.not. it%damped) then
-         call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
-         call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, fault)
-         if (fault /= 0) then
-            it%outcome = outcome_singular
-            return
+      associate (equations => solution%equations, mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
+         it%problem%closed = gaps%state /= state_free
+         if (.not. it%damped) then
+            call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
+            call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, &
+                               fault)
+            if (fault /= 0) then
+               it%outcome = outcome_singular
+               return
+            end if
+            call find_reach(it, trajectory, solution, reach)
+            uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
+                     (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
+            if (reach > it%numerics%step_limit .or. uphill) then
+               call make_room_to_damp(mesh, it)
+               call find_tangent(equations, trajectory, mesh, solution%loads, gaps, solution%state, energy_tangent, work, &
+                                 it%residual)
+               call add_place_forces(it%problem%followers, it%residual)
+               call add_place_stiffness(it%problem%followers, .true., .false., equations%matrix)
+               call keep_symmetric(equations%matrix, it%energy)
+            end if
          end if
-         call find_reach(it, equations, trajectory, mesh, work, reach)
-         uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
-                  (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
-         if (reach > it%numerics%step_limit .or. uphill) then
-            call make_room_to_damp(mesh, it)
-            call find_tangent(equations, trajectory, mesh, it%loads, gaps, state, energy_tangent, work, it%residual)
-            call add_place_forces(it%problem%followers, it%residual)
-            call add_place_stiffness(it%problem%followers, .true., .false., equations%matrix)
-            call keep_symmetric(equations%matrix, it%energy)
-         end if
-      end if
-      if (it%damped) call find_damped_step(it, equations, trajectory, mesh, gaps, state, work, reach)
-      if (it%outcome /= outcome_open) return
-      it%row%damping = it%damping
-      it%row%lateral_step = maxval(abs(it%across(1:2, :)))
-      it%share = 1.0_wp/max(1.0_wp, reach)
-      if (.not. it%share < 1.0_wp) return
-      equations%step = it%share*equations%step
+         if (it%damped) call find_damped_step(it, trajectory, solution, reach)
+         if (it%outcome /= outcome_open) return
+         it%row%damping = it%damping
+         it%row%lateral_step = maxval(abs(it%across(1:2, :)))
+         it%share = 1.0_wp/max(1.0_wp, reach)
+         if (.not. it%share < 1.0_wp) return
+         equations%step = it%share*equations%step
+      end associate
    end subroutine find_step
 
    !> The step of a damped string. Damping is raised while a node moves too far. It is also raised while gaps with full
    !> wall stiffness do not settle: in a linear problem that is nearly indefinite a gap may pull when closed and be in the wall when
    !> open. Such a problem has no solution, and the string would stay where it is.
-   subroutine find_damped_step(it, equations, trajectory, mesh, gaps, state, work, reach)
+   subroutine find_damped_step(it, trajectory, solution, reach)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(inout) :: equations
+      type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      real(wp), contiguous, intent(in) :: state(:, :)
-      type(workspace_type), intent(inout) :: work
       real(wp), intent(out) :: reach           !< of the step
       real(wp) :: margin
       logical :: live          ! friction follows the contact forces within the step
       logical :: settled       ! every gap is open or closed in the linear problem's solution, or walls are soft
       integer :: hold, fault
-      call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
-      it%problem%closed = gaps%state /= state_free
-      associate (tuning => it%numerics%tuning)
-         margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
-         if (it%before < tuning%near*equations%force_scale) margin = margin_of(it, mesh)
-         live = any(abs(mesh%friction_along) > 0.0_wp) .or. any(mesh%friction_around > 0.0_wp) .or. abs(it%loads%tob) > 0.0_wp
-         do hold = 0, tuning%most_raises
-            call damp_until_definite(tuning, it%energy, it%lump, it%problem, margin, it%damping)
-            do
-               call copy_symmetric(it%energy, equations%matrix)
-               if (live) then
-                  call add_unsymmetric_part(mesh, it%loads, gaps, state, work, equations%matrix)
-                  call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
-               end if
-               call add_damping(it%damping, it%lump, equations%matrix)
-               call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
-               call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
-               if (fault /= 0) then
-                  it%outcome = outcome_singular
-                  reach = 0.0_wp
-                  return
-               end if
-               if (.not. live .or. energy_slope(equations, it%problem%load) < 0.0_wp) exit
-               live = .false.          ! friction's tangent leads uphill: its forces are left as they are
-               it%problem%closed = gaps%state /= state_free
+      associate (equations => solution%equations, mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, &
+                 work => solution%work)
+         call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
+         it%problem%closed = gaps%state /= state_free
+         associate (tuning => it%numerics%tuning)
+            margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
+            if (it%before < tuning%near*equations%force_scale) margin = margin_of(solution)
+            live = any(abs(mesh%friction_along) > 0.0_wp) .or. any(mesh%friction_around > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
+            do hold = 0, tuning%most_raises
+               call damp_until_definite(tuning, it%energy, it%lump, it%problem, margin, it%damping)
+               do
+                  call copy_symmetric(it%energy, equations%matrix)
+                  if (live) then
+                     call add_unsymmetric_part(mesh, loads, gaps, solution%state, work, equations%matrix)
+                     call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
+                  end if
+                  call add_damping(it%damping, it%lump, equations%matrix)
+                  call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
+                  call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
+                  if (fault /= 0) then
+                     it%outcome = outcome_singular
+                     reach = 0.0_wp
+                     return
+                  end if
+                  if (.not. live .or. energy_slope(equations, it%problem%load) < 0.0_wp) exit
+                  live = .false.          ! friction's tangent leads uphill: its forces are left as they are
+                  it%problem%closed = gaps%state /= state_free
+               end do
+               call find_reach(it, trajectory, solution, reach)
+               settled = it%problem%unsettled == 0 .or. it%growth < rigid
+               if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_raises) exit
+               it%damping = max(it%damping, tuning%damping_start)*tuning%raise_damping
             end do
-            call find_reach(it, equations, trajectory, mesh, work, reach)
-            settled = it%problem%unsettled == 0 .or. it%growth < rigid
-            if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_raises) exit
-            it%damping = max(it%damping, tuning%damping_start)*tuning%raise_damping
-         end do
+         end associate
       end associate
    end subroutine find_damped_step
 
    !> Largest move of a node across the hole by the step, over its clearance [-]; the step is taken apart for it.
-   pure subroutine find_reach(it, equations, trajectory, mesh, work, reach)
+   pure subroutine find_reach(it, trajectory, solution, reach)
       type(equilibrium_type), intent(inout) :: it
-      type(equations_type), intent(in) :: equations
+      type(solution_type), intent(in) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      type(workspace_type), intent(in) :: work       !< nodes placed where the step begins
       real(wp), intent(out) :: reach
       integer :: n
-      reach = 0.0_wp
-      do n = 1, mesh%nodes
-         call split_step(trajectory, mesh, work, n, equations%step(:, n), it%offset(:, n), it%slide(n), it%across(:, n))
-         reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
-      end do
+      associate (mesh => solution%mesh)
+         reach = 0.0_wp
+         do n = 1, mesh%nodes
+            call split_step(trajectory, mesh, solution%work, n, solution%equations%step(:, n), it%offset(:, n), it%slide(n), &
+                            it%across(:, n))
+            reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
+         end do
+      end associate
    end subroutine find_reach
 end module dg_step

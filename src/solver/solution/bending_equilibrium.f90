@@ -2,7 +2,7 @@
 module dg_bending_equilibrium
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, length_of
-   use dg_bending_layout, only: lying_type
+   use dg_bending_layout, only: solved_string_type
    use dg_bending_nodes, only: shape_at
    use dg_bending_rows, only: alike
    use dg_bending_solution, only: solve_bending
@@ -26,24 +26,24 @@ contains
 
    !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string. Walls are no stiffer than
    !> Newton's steps bear.
-   subroutine solve_anchored(mesh, lying, beam, y, settled, found)
+   subroutine solve_anchored(mesh, solved, beam, y, settled, found)
       type(mesh_type), intent(in) :: mesh
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(in) :: settled
       logical, intent(out) :: found
-      if (lying%anchored) then
-         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, lying%y, beam%md))
+      if (solved%anchored) then
+         call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, solved%y, beam%md))
       else
          call solve_bending(beam, y, settled, found)
       end if
    end subroutine solve_anchored
 
    !> Goes on from an equilibrium until nothing changes, against the true walls. Where that finds no end the shape stays.
-   subroutine settle_firmly(mesh, lying, beam, y)
+   subroutine settle_firmly(mesh, solved, beam, y)
       type(mesh_type), intent(in) :: mesh
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
       type(bending_beam_type) :: firmer
@@ -51,8 +51,8 @@ contains
       logical :: found
       closer = y
       firmer = beam
-      call move_walls(lying%firm, closer, firmer)
-      call solve_anchored(mesh, lying, firmer, closer, firmly, found)
+      call move_walls(solved%firm, closer, firmer)
+      call solve_anchored(mesh, solved, firmer, closer, firmly, found)
       if (.not. found) return
       y = closer
       beam = firmer
@@ -61,9 +61,9 @@ contains
    !> True if the beam is at the string of the analysis: at the nodes of the mesh where the string is compressed. In tension a
    !> string has one equilibrium, unless friction or a large torque make another. Next to a free end in a vertical hole nothing says
    !> on which side the string lies: there the beam may lie anywhere with the same moment.
-   pure function is_near(mesh, lying, nodes, y, moments) result(is)
+   pure function is_near(mesh, solved, nodes, y, moments) result(is)
       type(mesh_type), intent(in) :: mesh
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       real(wp), intent(in) :: nodes(:), y(:, :)     !< of the beam, the mesh's nodes among them (n), (4,n) [m, -]
       real(wp), intent(in) :: moments(:)            !< at its nodes (n) [N.m]
       logical :: is
@@ -73,9 +73,9 @@ contains
       do n = 1, size(nodes)
          if (nodes(n) < mesh%md(m)) cycle
          e = min(m, mesh%elements)
-         if (lying%axial(m) < 0.0_wp) is = is .and. (length_of(y(1:2, n) - lying%y(1:2, m)) <= &
+         if (solved%axial(m) < 0.0_wp) is = is .and. (length_of(y(1:2, n) - solved%y(1:2, m)) <= &
                                            farthest*max(least_room, maxval(mesh%clearance(max(m - 1, 1):e))) .or. &
-                                           abs(moments(n) - lying%bending(m)) <= alike*maxval(moments))
+                                           abs(moments(n) - solved%bending(m)) <= alike*maxval(moments))
          m = min(m + 1, mesh%nodes)
       end do
    end function is_near

@@ -12,7 +12,7 @@ module dg_bending_layout
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: lying_type, find_lying, find_breaks, stands_alone, new_beam
+   public :: solved_string_type, read_solved_string, find_breaks, stands_alone, new_beam
 
    !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
@@ -38,7 +38,7 @@ module dg_bending_layout
    real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
 
    !> The string of the analysis as it lies: at the nodes of its mesh, in the frame of the hole where a node now is.
-   type :: lying_type
+   type :: solved_string_type
       real(wp), allocatable :: slide(:)      !< how far a node has moved down the hole (n) [m]
       real(wp), allocatable :: y(:, :)       !< offset and slope against the hole axis (4,n) [m, -]
       real(wp), allocatable :: axial(:)      !< tension positive (n) [N]
@@ -47,52 +47,52 @@ module dg_bending_layout
       logical, allocatable :: bends(:)       !< whether an element is bent again (e)
       real(wp) :: firm = firm                !< stiffness of its walls at one place of contact during Newton's steps [N/m]
       logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
-   end type lying_type
+   end type solved_string_type
 
 contains
 
    !> Reads off an analysis where its string lies, and which of its elements are bent again.
-   pure subroutine find_lying(model, mesh, work, profile, lying)
+   pure subroutine read_solved_string(model, mesh, work, profile, solved)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(profile_type), intent(in) :: profile
-      type(lying_type), intent(out) :: lying
+      type(solved_string_type), intent(out) :: solved
       real(wp) :: point(3), gap(3), t(3), n_1(3), n_2(3), unused(3), offset, slope, length
       integer :: n, e, arc, first, last
-      allocate (lying%slide(mesh%nodes), lying%y(node_unknowns, mesh%nodes), lying%load(mesh%elements), &
-                lying%bends(mesh%elements))
-      lying%axial = profile%axial
-      lying%bending = profile%bending
+      allocate (solved%slide(mesh%nodes), solved%y(node_unknowns, mesh%nodes), solved%load(mesh%elements), &
+                solved%bends(mesh%elements))
+      solved%axial = profile%axial
+      solved%bending = profile%bending
       do n = 1, mesh%nodes
          arc = mesh%arc(n)
          point = mesh%base(:, n) + work%shift(:, n)
          call closest_point(model%trajectory, arc, point, offset, gap, t, unused)
-         lying%slide(n) = model%trajectory%arcs(arc)%md + offset - mesh%md(n)
+         solved%slide(n) = model%trajectory%arcs(arc)%md + offset - mesh%md(n)
          call frame_on_arc(model%trajectory%arcs(arc), offset, t, n_1, n_2)
-         lying%y(1:2, n) = [dot_product(gap, n_1), dot_product(gap, n_2)]
+         solved%y(1:2, n) = [dot_product(gap, n_1), dot_product(gap, n_2)]
          slope = max(dot_product(work%d(:, n), t), steepest)
-         lying%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
+         solved%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
       end do
       ! the bit's support in the analysis gives way by micrometres; the beam has none
-      if (model%boundary%bit_centred) lying%y(1:2, mesh%nodes) = 0.0_wp
+      if (model%boundary%bit_centred) solved%y(1:2, mesh%nodes) = 0.0_wp
       do e = 1, mesh%elements
          first = max(e - 1, 1)
          last = min(e + 1, mesh%elements)
          length = sum(mesh%length(first:last))
-         lying%load(e) = max(sum(work%normal(first:last)), 0.0_wp)/length
-         lying%bends(e) = max(norm2(lying%y(3:4, e)), norm2(lying%y(3:4, e + 1))) < steepest
+         solved%load(e) = max(sum(work%normal(first:last)), 0.0_wp)/length
+         solved%bends(e) = max(norm2(solved%y(3:4, e)), norm2(solved%y(3:4, e + 1))) < steepest
       end do
-   end subroutine find_lying
+   end subroutine read_solved_string
 
    !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, where
    !> a bend begins or ends beside the string as it has slid, and where contacts stand alone. With the longest element that each of
    !> them asks for.
-   pure subroutine find_breaks(model, mesh, gaps, lying, alone, breaks, longest)
+   pure subroutine find_breaks(model, mesh, gaps, solved, alone, breaks, longest)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       logical, intent(in) :: alone                       !< contacts that stand alone are among them
       real(wp), allocatable, intent(out) :: breaks(:)    !< increasing [m]
       real(wp), allocatable, intent(out) :: longest(:)   !< huge where a break asks for nothing [m]
@@ -117,12 +117,12 @@ contains
             e = min(n, mesh%elements)
             k = max(n - 1, 1)
             if (n == 1 .or. n == mesh%nodes) then
-               longest(count) = layer_share*bending_length(mesh%section(e)%ei, lying%axial(n), mesh%clearance(e), &
-                                                           max(lying%load(e), mesh%weight(e)))
+               longest(count) = layer_share*bending_length(mesh%section(e)%ei, solved%axial(n), mesh%clearance(e), &
+                                                           max(solved%load(e), mesh%weight(e)))
             else if (differ(mesh%section(e)%ei, mesh%section(k)%ei) .or. differ(mesh%clearance(e), mesh%clearance(k))) then
                longest(count) = layer_share*min( &
-                  bending_length(mesh%section(e)%ei, lying%axial(n), mesh%clearance(e), max(lying%load(e), mesh%weight(e))), &
-                  bending_length(mesh%section(k)%ei, lying%axial(n), mesh%clearance(k), max(lying%load(k), mesh%weight(k))))
+                  bending_length(mesh%section(e)%ei, solved%axial(n), mesh%clearance(e), max(solved%load(e), mesh%weight(e))), &
+                  bending_length(mesh%section(k)%ei, solved%axial(n), mesh%clearance(k), max(solved%load(k), mesh%weight(k))))
             end if
             if (is_edge(mesh, n)) longest(count) = min(longest(count), edge_length)
             if (n == mesh%nodes) exit
@@ -136,15 +136,15 @@ contains
             before = count
             do while (arc < size(arcs))
                place = arcs(arc + 1)%md
-               if (place > mesh%md(n + 1) + lying%slide(n + 1)) exit
+               if (place > mesh%md(n + 1) + solved%slide(n + 1)) exit
                arc = arc + 1
-               if (place < mesh%md(n) + lying%slide(n)) cycle
+               if (place < mesh%md(n) + solved%slide(n)) cycle
                jump = mesh%section(n)%ei*norm2(bends(:, arc) - bends(:, arc - 1))
-               share = (place - mesh%md(n) - lying%slide(n))/(mesh%length(n) + lying%slide(n + 1) - lying%slide(n))
+               share = (place - mesh%md(n) - solved%slide(n))/(mesh%length(n) + solved%slide(n + 1) - solved%slide(n))
                place = mesh%md(n) + share*mesh%length(n)
                scale = huge(1.0_wp)
                if (jump > jump_share*largest) scale = layer_share*min( &
-                  sqrt(mesh%section(n)%ei/max(abs(lying%axial(n)), abs(lying%axial(n + 1)), least_force)), &
+                  sqrt(mesh%section(n)%ei/max(abs(solved%axial(n)), abs(solved%axial(n + 1)), least_force)), &
                   sqrt(mesh%clearance(n)*mesh%section(n)%ei/jump))
                if (place - breaks(count) < sliver) then
                   longest(count) = min(longest(count), scale)
@@ -233,12 +233,12 @@ contains
    end function curvature_in_frame
 
    !> The beam on given nodes. All breaks (find_breaks) between the first and the last of them must be among them.
-   pure subroutine new_beam(model, mesh, gaps, work, lying, nodes, beam)
+   pure subroutine new_beam(model, mesh, gaps, work, solved, nodes, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       real(wp), intent(in) :: nodes(:)     !< depths along the string, increasing [m]
       type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
@@ -260,19 +260,19 @@ contains
             o = o + 1
          end do
          share = (nodes(e) - mesh%md(o))/mesh%length(o)
-         beam%axial(e) = (1.0_wp - share)*lying%axial(o) + share*lying%axial(o + 1)
-         place = nodes(e) + (1.0_wp - share)*lying%slide(o) + share*lying%slide(o + 1)
+         beam%axial(e) = (1.0_wp - share)*solved%axial(o) + share*solved%axial(o + 1)
+         place = nodes(e) + (1.0_wp - share)*solved%slide(o) + share*solved%slide(o + 1)
          beam%place(e) = place
          arc = arc_at(model%trajectory, place, near=arc)
          call frame_on_arc(model%trajectory%arcs(arc), place - model%trajectory%arcs(arc)%md, t, n_1, n_2)
          beam%down(:, e) = [dot_product(down, n_1), dot_product(down, n_2)]
-         if (.not. lying%bends(o)) beam%held(e) = .true.
-         if (e > 1) beam%held(e) = beam%held(e) .or. .not. lying%bends(beam%owner(e - 1))
+         if (.not. solved%bends(o)) beam%held(e) = .true.
+         if (e > 1) beam%held(e) = beam%held(e) .or. .not. solved%bends(beam%owner(e - 1))
          if (e == n) exit
          beam%owner(e) = o
          beam%torque(e) = -work%torque(o)
          beam%viscous(e:e + 1) = beam%viscous(e:e + 1) &
-            + min(lying%axial(o), lying%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%section(o)%ei)*0.5_wp*(nodes(e + 1) - nodes(e))
+            + min(solved%axial(o), solved%axial(o + 1), 0.0_wp)**2/(4.0_wp*mesh%section(o)%ei)*0.5_wp*(nodes(e + 1) - nodes(e))
          beam%weight(e) = mesh%weight(o)
          beam%element(e)%section = mesh%section(o)
          if (allocated(mesh%bend)) &
@@ -293,7 +293,7 @@ contains
             end if
          end if
          beam%element(e)%lever = mesh%radius(o)*mesh%friction_along(o)
-         beam%element(e)%around = mesh%friction_around(o)*work%climb(o)
+         beam%element(e)%around = mesh%friction_around(o)*work%sideways(o)
       end do
       arc = 1
       do e = 1, n - 1
@@ -304,7 +304,7 @@ contains
       call set_elements(beam)
       allocate (beam%point_law(size(beam%point)))
       beam%point_law = gaps%law(beam%point_owner)
-      call soften_walls(huge(1.0_wp), lying%firm, beam)
+      call soften_walls(huge(1.0_wp), solved%firm, beam)
       beam%centred(1) = model%boundary%top_centred .and. nodes(1) <= mesh%md(1)
       beam%centred(n) = model%boundary%bit_centred .and. nodes(n) >= mesh%md(mesh%nodes)
       if (nodes(1) <= mesh%md(1)) call hold_free_end(1, beam)

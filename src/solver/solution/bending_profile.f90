@@ -15,7 +15,7 @@ module dg_bending_profile
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
    use dg_bending_element, only: moments_of_shape
    use dg_bending_equilibrium, only: is_near, settle_firmly, solve_anchored
-   use dg_bending_layout, only: find_breaks, find_lying, lying_type, new_beam, stands_alone
+   use dg_bending_layout, only: find_breaks, read_solved_string, solved_string_type, new_beam, stands_alone
    use dg_bending_nodes, only: graded_nodes, halved_nodes, shape_at, shortening_of
    use dg_bending_rows, only: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
    use dg_bending_solution, only: least_moment
@@ -73,32 +73,32 @@ contains
       type(workspace_type), intent(in) :: work          !< assembled at the solution
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam; equal: none [m]
-      type(lying_type) :: lying
+      type(solved_string_type) :: solved
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
       real(wp), allocatable :: breaks(:), longest(:), nodes(:), other(:), scale(:)
       integer :: attempt, e
       result%moment_error = missing
-      call find_lying(model, mesh, work, result%profile, lying)
+      call read_solved_string(model, mesh, work, result%profile, solved)
       steep = 0.0_wp
-      if (.not. all(lying%bends)) steep = [mesh%md(findloc(lying%bends, .false., dim=1)), &
-                                           mesh%md(findloc(lying%bends, .false., dim=1, back=.true.) + 1)]
-      if (.not. any(lying%bends)) return
-      call find_breaks(model, mesh, gaps, lying, .true., breaks, longest)
+      if (.not. all(solved%bends)) steep = [mesh%md(findloc(solved%bends, .false., dim=1)), &
+                                           mesh%md(findloc(solved%bends, .false., dim=1, back=.true.) + 1)]
+      if (.not. any(solved%bends)) return
+      call find_breaks(model, mesh, gaps, solved, .true., breaks, longest)
       allocate (nodes, source=graded_nodes(breaks, longest))
       if (any(stands_alone(mesh, gaps, [(e, e=1, mesh%elements)]))) then
-         call find_breaks(model, mesh, gaps, lying, .false., breaks, longest)
+         call find_breaks(model, mesh, gaps, solved, .false., breaks, longest)
          allocate (other, source=graded_nodes(breaks, longest))
          if (size(other) == size(nodes)) deallocate (other)       ! none of them has a node of its own
       end if
-      deallocate (breaks, longest, lying%load)
+      deallocate (breaks, longest, solved%load)
       do attempt = 1, merge(8, 4, allocated(other))
-         lying%anchored = mod(attempt, 2) == 0
-         lying%firm = merge(firm, less_firm, mod(attempt - 1, 4) < 2)
+         solved%anchored = mod(attempt, 2) == 0
+         solved%firm = merge(firm, less_firm, mod(attempt - 1, 4) < 2)
          if (attempt == 5) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
-         call bend_again(model, mesh, gaps, work, lying, nodes, beam, bent, result%moment_error)
+         call bend_again(model, mesh, gaps, work, solved, nodes, beam, bent, result%moment_error)
          if (is_missing(result%moment_error)) cycle
-         call compare_contact(mesh, lying%bends, work%normal, beam, bent, result%unlike_contact)
+         call compare_contact(mesh, solved%bends, work%normal, beam, bent, result%unlike_contact)
          if (result%unlike_contact%share <= most_unlike) exit
          result%moment_error = missing
       end do
@@ -108,7 +108,7 @@ contains
       call take_bit(model%trajectory, mesh, beam, bent, result)
       call take_sag(model, beam, bent, result)
       result%shortening = shortening_of(beam%place, bent%y)
-      scale = contact_scale(lying%bends, work%normal, beam, bent)
+      scale = contact_scale(solved%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
       call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
    end subroutine bend_profile
@@ -175,12 +175,12 @@ contains
 
    !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
    !> or one that is not the analysis' string.
-   subroutine bend_again(model, mesh, gaps, work, lying, start, beam, bent, error)
+   subroutine bend_again(model, mesh, gaps, work, solved, start, beam, bent, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       real(wp), intent(in) :: start(:)                          !< nodes to begin with [m]
       type(bending_beam_type), intent(out) :: beam
       type(bent_type), intent(out) :: bent
@@ -190,39 +190,39 @@ contains
       logical :: found
       integer :: round, pass
       error = missing
-      allocate (y, source=shape_at(mesh%md, lying%y, start))
-      call new_beam(model, mesh, gaps, work, lying, start, beam)
-      call solve_anchored(mesh, lying, beam, y, roughly, found)
+      allocate (y, source=shape_at(mesh%md, solved%y, start))
+      call new_beam(model, mesh, gaps, work, solved, start, beam)
+      call solve_anchored(mesh, solved, beam, y, roughly, found)
       if (.not. found) return
       call recover_moments(beam, y, bent, moments, differences)
       do pass = 1, most_passes
          do round = 1, most_rounds
             marked = to_be_halved(beam%md, moments, differences, largest_of(beam, moments))
             if (.not. any(marked)) exit
-            call halve(model, mesh, gaps, work, lying, marked, beam, y)
+            call halve(model, mesh, gaps, work, solved, marked, beam, y)
             call recover_moments(beam, y, bent, moments, differences)
          end do
          if (pass > 1 .and. round == 1) exit      ! the whole string asks for no more
-         call solve_anchored(mesh, lying, beam, y, settled, found)
+         call solve_anchored(mesh, solved, beam, y, settled, found)
          if (.not. found) return
          call recover_moments(beam, y, bent, moments, differences)
       end do
-      call settle_firmly(mesh, lying, beam, y)
+      call settle_firmly(mesh, solved, beam, y)
       call recover_moments(beam, y, bent, moments, differences)
-      if (.not. is_near(mesh, lying, beam%md, y, moments)) return
+      if (.not. is_near(mesh, solved, beam%md, y, moments)) return
       error = maxval(differences)/largest_of(beam, moments)
-      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
+      if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, solved, beam, y, bent, moments, error)
    end subroutine bend_again
 
    !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
    !> of the largest, or `most_proofs` times. `error` is the last change. It is missing where no equilibrium was found, or one that
    !> is not the analysis' string.
-   subroutine prove(model, mesh, gaps, work, lying, beam, y, bent, moments, error)
+   subroutine prove(model, mesh, gaps, work, solved, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(inout) :: beam
       real(wp), allocatable, intent(inout) :: y(:, :)
       type(bent_type), intent(inout) :: bent
@@ -242,14 +242,14 @@ contains
          kept = [1, (n + 1 + count(marked(:n)), n=1, size(marked))]
          allocate (shape, source=shape_at(beam%md, y, finer))
          call move_alloc(shape, y)
-         call new_beam(model, mesh, gaps, work, lying, finer, beam)
-         call solve_anchored(mesh, lying, beam, y, settled, found)
+         call new_beam(model, mesh, gaps, work, solved, finer, beam)
+         call solve_anchored(mesh, solved, beam, y, settled, found)
          error = missing
          if (.not. found) return
-         call settle_firmly(mesh, lying, beam, y)
+         call settle_firmly(mesh, solved, beam, y)
          call move_alloc(moments, before)
          call recover_moments(beam, y, bent, moments, differences)
-         if (.not. is_near(mesh, lying, beam%md, y, moments)) return
+         if (.not. is_near(mesh, solved, beam%md, y, moments)) return
          error = maxval(abs(moments(kept) - before))/largest_of(beam, moments)
          if (error <= proven) return
       end do
@@ -257,12 +257,12 @@ contains
 
    !> Halves elements, and solves the beam again about them: each neighbourhood by itself, between nodes that are held. Where one
    !> finds no equilibrium, the shape there stays that of the longer elements.
-   subroutine halve(model, mesh, gaps, work, lying, marked, beam, y)
+   subroutine halve(model, mesh, gaps, work, solved, marked, beam, y)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      type(lying_type), intent(in) :: lying
+      type(solved_string_type), intent(in) :: solved
       logical, intent(in) :: marked(:)                  !< elements to be halved
       type(bending_beam_type), intent(inout) :: beam
       real(wp), allocatable, intent(inout) :: y(:, :)   !< (4,n) [m, -]
@@ -290,16 +290,16 @@ contains
          end do
          top = place(max(first - margin, 1))
          bottom = place(min(last + 1 + margin, size(beam%md)))
-         call new_beam(model, mesh, gaps, work, lying, finer(top:bottom), part)
+         call new_beam(model, mesh, gaps, work, solved, finer(top:bottom), part)
          part%held(1) = part%held(1) .or. top > 1
          part%held(size(part%held)) = part%held(size(part%held)) .or. bottom < size(finer)
          own = shape(:, top:bottom)
-         call solve_anchored(mesh, lying, part, own, settled, found)
+         call solve_anchored(mesh, solved, part, own, settled, found)
          if (found) shape(:, top:bottom) = own
          if (last == size(marked)) exit
       end do
       call move_alloc(shape, y)
-      call new_beam(model, mesh, gaps, work, lying, finer, beam)
+      call new_beam(model, mesh, gaps, work, solved, finer, beam)
    end subroutine halve
 
    !> The largest moment, or what counts as none where all are smaller [N.m]; never 0.

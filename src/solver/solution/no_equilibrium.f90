@@ -5,7 +5,7 @@ module dg_no_equilibrium
    use dg_drillstring, only: component_at, component_tops
    use dg_model, only: model_type, string_index
    use dg_numerics, only: gap_at_nodes, numerics_type, other_location
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_trajectory, only: top_md
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
@@ -27,7 +27,7 @@ contains
       real(wp), allocatable :: tops(:)
       real(wp) :: bit
       bit = model%cases(case_index)%bit_depth
-      text = text//trim(in_units(model%units, unit_length, md, shown_depth))
+      text = text//in_units(model%units, unit_length, md, shown_depth)
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          associate (part => string%components(component_at(tops, bit - md)))
@@ -50,12 +50,12 @@ contains
       else
          text = ''
       end if
-      text = text//'elements up to '//trim(in_units(model%units, unit_length, longest, shown))
+      text = text//'elements up to '//in_units(model%units, unit_length, longest, shown)
       do i = 1, size(attempts)
          text = text//merge(' (', ', ', i == 1)
          if (attempts(i)%other_place) then
-            text = text//'gaps at '//trim(merge('the nodes     ', 'their extremum', &
-                                                other_location(model%numerics%gap_location) == gap_at_nodes))
+            text = text//'gaps at '//either('the nodes', 'their extremum', &
+                                            other_location(model%numerics%gap_location) == gap_at_nodes)
          else if (attempts(i)%spread) then
             text = text//'soft walls'
          else if (attempts(i)%reach > 1.0_wp) then

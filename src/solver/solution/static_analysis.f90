@@ -11,18 +11,16 @@
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_assembly, only: load_type
    use dg_bending_profile, only: bend_profile
    use dg_bent_start, only: pressing_of_bend
-   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged, scale_count
+   use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
    use dg_clock, only: seconds_between
    use dg_end_supports, only: force_scale, set_loads
-   use dg_equations, only: end_iterations, equations_type, make_room, release_room
+   use dg_equations, only: end_iterations, make_room, release_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
-   use dg_gap_table, only: gap_table_type
-   use dg_mesh, only: mesh_type, new_mesh
+   use dg_mesh, only: new_mesh
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
@@ -34,6 +32,7 @@ module dg_static_analysis
    use dg_profile_rows, only: part_rows
    use dg_recovery, only: recover_profile
    use dg_refinement, only: take_over
+   use dg_solution, only: solution_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, warn_of_range, &
@@ -43,9 +42,9 @@ module dg_static_analysis
    use dg_text, only: to_text
    use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
-   use dg_walls, only: lay_out_gaps, softness, tolerance_at
-   use dg_whirling, only: find_climb
-   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace, workspace_type
+   use dg_walls, only: lay_out_gaps, softness
+   use dg_whirling, only: find_sideways
+   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace
    implicit none
    private
    public :: solve_static_analysis
@@ -68,20 +67,6 @@ module dg_static_analysis
    real(wp), parameter :: same = 1.0e-9_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
-
-   !> A load case on a mesh, and where its string is.
-   type :: string_type
-      type(mesh_type) :: mesh
-      type(gap_table_type) :: gaps
-      type(workspace_type) :: work
-      type(load_type) :: loads
-      type(equations_type) :: equations
-      real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, -]
-      real(wp) :: compressed = 0.0_wp            !< largest compression over the helical load [-]
-      real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
-      integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
-      type(stop_type) :: stop
-   end type string_type
 
 contains
 
@@ -129,7 +114,7 @@ contains
          call add_tried(model, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
          call add_message(result, 'Converged with elements of at most '// &
-                          trim(in_units(model%units, unit_length, length, shown))//'. Others found no equilibrium in '// &
+                          in_units(model%units, unit_length, length, shown)//'. Others found no equilibrium in '// &
                           to_text(size(history))//' iterations')
       end if
       by_elements = result%moment_error
@@ -202,170 +187,152 @@ contains
       type(iteration_type), intent(in) :: history(:)
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(out) :: result
-      type(string_type) :: string
+      type(solution_type) :: solution
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
       real(wp) :: margin, strained
       integer :: most                     ! iterations of all attempts
       integer :: tried                    ! attempts made before
       integer :: i, last, outcome
-      associate (equations => string%equations, mesh => string%mesh, moments => wanted(1), profile => wanted(2))
-         call mesh_for_case(model, case_index, element_length, mesh, totals, string%compressed, strained, string%pressing, &
-                            string%shortened)
+      associate (equations => solution%equations, mesh => solution%mesh, moments => wanted(1), profile => wanted(2))
+         call mesh_for_case(model, case_index, element_length, mesh, totals, solution%compressed, strained, solution%pressing, &
+                            solution%shortened)
          if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
             call result_of_lock_up(model, case_index, strained, result)
             return
          end if
          most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))
-         call prepare(model, case_index, string)
-         string%stop = stop
+         call prepare(model, case_index, solution)
+         solution%stop = stop
          equations%iterations = size(history)
          equations%history(:size(history)) = history
          tried = maxval([0, history%attempt])
          last = attempts(1) - 1
          do i = attempts(1), min(attempts(2), model%numerics%tuning%most_attempts)
             last = i
-            numerics = settings_of_attempt(model%numerics, i, string%compressed > coiled)
+            numerics = settings_of_attempt(model%numerics, i, solution%compressed > coiled)
             numerics%max_iterations = min(most, equations%iterations + numerics%max_iterations)
             call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - attempts(1), &
-                              string, outcome)
+                              solution, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
          if (is_stopped(stop)) outcome = outcome_stopped       ! what an attempt that was cut short led to does not count
          margin = missing
-         if (outcome == outcome_converged .and. string%compressed > buckling_share) &
-            call find_stability_margin(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work, &
-                                       margin)
-         call end_iterations(equations, model%trajectory, mesh, string%loads, string%gaps, string%state, string%work)
-         call fill_result(model, case_index, mesh, string%gaps, equations, string%loads, outcome, string%work, result)
+         if (outcome == outcome_converged .and. solution%compressed > buckling_share) &
+            call find_stability_margin(model%trajectory, solution, margin)
+         call end_iterations(equations, model%trajectory, mesh, solution%loads, solution%gaps, solution%state, solution%work)
+         call fill_result(model, case_index, solution, outcome, result)
          if (profile .and. result%status == result_converged) &
-            call recover_profile(model%trajectory, mesh, string%gaps, string%work, result%profile)
+            call recover_profile(model%trajectory, mesh, solution%gaps, solution%work, result%profile)
          result%stability_margin = margin
-         result%coiled = string%compressed > coiled
-         result%shortened = string%shortened
+         result%coiled = solution%compressed > coiled
+         result%shortened = solution%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
          call add_remarks(model%units, mesh, model%numerics, numerics, result)
          if (.not. (result%status == result_converged .and. moments)) return
-         deallocate (string%state)
-         call keep_for_moments(string%work)
-         call find_moments(model, mesh, string%gaps, string%work, result)
+         deallocate (solution%state)
+         call keep_for_moments(solution%work)
+         call find_moments(model, solution, result)
       end associate
    end subroutine solve_on_mesh
 
    !> Moments along the string on elements short enough for them. A message says where no equilibrium was found on such elements.
-   subroutine find_moments(model, mesh, gaps, work, result)
+   subroutine find_moments(model, solution, result)
       type(model_type), intent(in) :: model
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(workspace_type), intent(in) :: work
+      type(solution_type), intent(in) :: solution
       type(case_result_type), intent(inout) :: result
       type(outside_type) :: outside
       real(wp) :: steep(2)
-      call bend_profile(model, mesh, gaps, work, result, steep)
-      call measure_rows(mesh, result%profile, outside)
+      call bend_profile(model, solution%mesh, solution%gaps, solution%work, result, steep)
+      call measure_rows(solution%mesh, result%profile, outside)
       if (outside%elements > 0) call add_outside(model%units, outside, result)
       if (is_missing(result%moment_error)) then
          call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
-                          trim(in_units(model%units, unit_length, maxval(mesh%length), shown))// &
+                          in_units(model%units, unit_length, maxval(solution%mesh%length), shown)// &
                           ', as short elements found no equilibrium near this one. How far they are off is not known')
       end if
       if (is_missing(result%moment_error)) return
-      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(mesh%length), result)
+      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(solution%mesh%length), result)
       call warn_of_contact(model%units, result)
    end subroutine find_moments
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
    !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
-   subroutine make_attempt(model, case_index, numerics, attempt, number, string, outcome)
+   subroutine make_attempt(model, case_index, numerics, attempt, number, solution, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
       type(attempt_type), intent(in) :: attempt
       integer, intent(in) :: number        !< of the attempt
-      type(string_type), intent(inout) :: string
+      type(solution_type), intent(inout) :: solution
       integer, intent(out) :: outcome
       type(equilibrium_type) :: it
       type(start_type) :: start
       real(wp) :: fraction, worst
       integer :: increment, place, cut
-      call lay_out_gaps(numerics, string%mesh, string%gaps)
-      call release_room(string%equations)       ! of the attempt before
+      call lay_out_gaps(numerics, solution%mesh, solution%gaps)
+      call release_room(solution%equations)       ! of the attempt before
       do increment = 1, numerics%load_steps
          fraction = real(increment, wp)/numerics%load_steps
-         call set_loads(model, model%cases(case_index), fraction, string%loads)
-         start = start_type(fraction, softness(numerics%tuning%soft_penetration, string%mesh, string%pressing), attempt%spread)
+         call set_loads(model, model%cases(case_index), fraction, solution%loads)
+         start = start_type(fraction, softness(numerics%tuning%soft_penetration, solution%mesh, solution%pressing), attempt%spread)
          if (increment == 1) then
-            call predict(model, case_index, string%mesh, start, string%work%climb, string%state, string%gaps, string%work%normal)
-            string%pressing = max(string%pressing, pressing_of_bend(string%mesh, string%work%normal))
-            if (.not. allocated(string%work%shift)) call new_workspace(string%mesh, string%work)
-            call make_room(string%equations, numerics%linear_solver, string%mesh%nodes)
+            call predict(model, case_index, solution%mesh, start, solution%work%sideways, solution%state, solution%gaps, &
+                         solution%work%normal)
+            solution%pressing = max(solution%pressing, pressing_of_bend(solution%mesh, solution%work%normal))
+            if (.not. allocated(solution%work%shift)) call new_workspace(solution%mesh, solution%work)
+            call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
          end if
          do cut = 0, numerics%tuning%most_cuts
-            call new_iteration(numerics, string, it)
+            call new_equilibrium(solution, numerics, it)
             it%growth = attempt%growth
             it%row%increment = increment
             it%row%attempt = number
             it%row%stage = 1 + cut
             if (increment == numerics%load_steps .and. cut < numerics%tuning%most_cuts) it%cut_from = 2.0_wp*shortest_cut
-            call find_equilibrium(it, string%equations, model%trajectory, string%mesh, string%gaps, string%state, string%work)
+            call find_equilibrium(it, model%trajectory, solution)
             outcome = it%outcome
             if (outcome /= outcome_outside) exit
-            call refine(model, case_index, numerics, it%outside, string)
+            call refine(model, case_index, numerics, it%outside, solution)
          end do
          if (outcome /= outcome_converged) return
       end do
-      call look_outside(model, string%mesh, string%work, worst, place)
+      call look_outside(model, solution%mesh, solution%work, worst, place)
       if (worst > largest_excess) outcome = outcome_outside
    end subroutine make_attempt
 
-   !> A run of the iteration from where the string is.
-   subroutine new_iteration(numerics, string, it)
-      type(numerics_type), intent(in) :: numerics
-      type(string_type), intent(inout) :: string
-      type(equilibrium_type), intent(out) :: it
-      associate (equations => string%equations)
-         call new_equilibrium(string%mesh, string%loads, numerics, tolerance_at(numerics, string%mesh, string%gaps, &
-                              string%loads, equations%force_scale), string%pressing, &
-                              string%compressed > numerics%tuning%damped_share, it)
-         it%stop = string%stop
-      end associate
-   end subroutine new_iteration
-
    !> Cuts the elements that are marked, and lays the string on the finer mesh as it is.
-   subroutine refine(model, case_index, numerics, marked, string)
+   subroutine refine(model, case_index, numerics, marked, solution)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics
       logical, intent(in) :: marked(:)
-      type(string_type), intent(inout) :: string
-      type(mesh_type) :: fine
-      type(gap_table_type) :: gaps
-      type(workspace_type) :: work
-      real(wp), allocatable :: state(:, :)
-      call new_mesh(model, model%cases(case_index), cut_elements(model, string%mesh, marked), fine)
-      call new_workspace(fine, work)
-      call find_climb(model, case_index, fine, string%compressed, work%climb)
-      call lay_out_gaps(numerics, fine, gaps)
-      allocate (state(6, fine%nodes))
-      call take_over(model%trajectory, string%mesh, string%work, string%gaps, string%state, fine, state, gaps, work%normal)
-      string%mesh = fine
-      string%gaps = gaps
-      string%work = work
-      call move_alloc(state, string%state)
-      call make_room(string%equations, numerics%linear_solver, fine%nodes)
+      type(solution_type), intent(inout) :: solution
+      type(solution_type) :: finer
+      call new_mesh(model, model%cases(case_index), cut_elements(model, solution%mesh, marked), finer%mesh)
+      call new_workspace(finer%mesh, finer%work)
+      call find_sideways(model, case_index, finer%mesh, solution%compressed, finer%work%sideways)
+      call lay_out_gaps(numerics, finer%mesh, finer%gaps)
+      allocate (finer%state(6, finer%mesh%nodes))
+      call take_over(model%trajectory, solution, finer)
+      solution%mesh = finer%mesh
+      solution%gaps = finer%gaps
+      solution%work = finer%work
+      call move_alloc(finer%state, solution%state)
+      call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
    end subroutine refine
 
    !> Room for the start, and the iteration's scales.
-   subroutine prepare(model, case_index, string)
+   subroutine prepare(model, case_index, solution)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(string_type), intent(inout) :: string
-      associate (numerics => model%numerics, equations => string%equations, mesh => string%mesh, &
+      type(solution_type), intent(inout) :: solution
+      associate (numerics => model%numerics, equations => solution%equations, mesh => solution%mesh, &
                  load_case => model%cases(case_index))
-         call new_start_room(mesh, string%work)
-         call find_climb(model, case_index, mesh, string%compressed, string%work%climb)
-         allocate (string%state(6, mesh%nodes))
+         call new_start_room(mesh, solution%work)
+         call find_sideways(model, case_index, mesh, solution%compressed, solution%work%sideways)
+         allocate (solution%state(6, mesh%nodes))
          allocate (equations%history(numerics%max_iterations + 1))
          equations%force_scale = force_scale(model, load_case, mesh)
       end associate

@@ -1,12 +1,10 @@
 !> The result of an analysis by beams with contact gap elements.
 module dg_static_result
    use dg_kinds, only: wp
-   use dg_assembly, only: load_type
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
                              result_locked_up, result_not_converged
-   use dg_equations, only: equations_type
    use dg_gap_survey, only: node_offset
-   use dg_gap_table, only: count_states, gap_table_type
+   use dg_gap_table, only: count_states
    use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
@@ -18,8 +16,9 @@ module dg_static_result
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_rounding, only: rounded_up
+   use dg_solution, only: solution_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
@@ -57,81 +56,79 @@ module dg_static_result
 contains
 
    !> The result of the last state, converged or not; its profile is recover_profile's.
-   subroutine fill_result(model, case_index, mesh, gaps, equations, loads, outcome, work, result)
+   subroutine fill_result(model, case_index, solution, outcome, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(mesh_type), intent(in) :: mesh
-      type(gap_table_type), intent(in) :: gaps
-      type(equations_type), intent(in) :: equations
-      type(load_type), intent(in) :: loads
+      type(solution_type), intent(in) :: solution
       integer, intent(in) :: outcome
-      type(workspace_type), intent(in) :: work
       type(case_result_type), intent(out) :: result
       type(iteration_type) :: last
       type(outside_type) :: outside
       real(wp) :: position(3), tangent(3), worst, side_force, side_clock
       integer :: place
       logical :: whirls
-      result%case_index = case_index
-      result%model = model_mcge
-      last = equations%history(equations%iterations + 1)
-      result%message = ''
-      whirls = any(work%climb < 1.0_wp .and. mesh%friction_around > 0.0_wp)
-      select case (outcome)
-      case (outcome_converged)
-         result%status = result_converged
-         if (whirls) call warn_of_whirling(model%units, mesh, work, result)
-      case (outcome_outside)
-         call look_outside(model, mesh, work, worst, place)
-         result%status = result_not_converged
-         result%message = 'No equilibrium found within the hole: the string lies outside by '// &
-            to_text(worst, shown_clearances)//' clearances between two contact points, at '
-         call add_place(model, case_index, mesh%md(place), result%message)
-      case (outcome_singular)
-         result%status = result_not_converged
-         result%message = 'No unique equilibrium: the string can move freely, most at '
-         call add_place(model, case_index, equations%unbalanced_md, result%message)
-      case default
-         result%status = result_not_converged
-         if (last%residual_force < in_balance*equations%force_scale) then
-            result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
-         else
-            result%message = 'No equilibrium found: at the end '// &
-               trim(in_units(model%units, unit_force, last%residual_force, shown_residual))//' were out of balance at '
+      associate (mesh => solution%mesh, gaps => solution%gaps, equations => solution%equations, work => solution%work)
+         result%case_index = case_index
+         result%model = model_mcge
+         last = equations%history(equations%iterations + 1)
+         result%message = ''
+         whirls = any(work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp)
+         select case (outcome)
+         case (outcome_converged)
+            result%status = result_converged
+            if (whirls) call warn_of_whirling(model%units, mesh, work, result)
+         case (outcome_outside)
+            call look_outside(model, mesh, work, worst, place)
+            result%status = result_not_converged
+            result%message = 'No equilibrium found within the hole: the string lies outside by '// &
+               to_text(worst, shown_clearances)//' clearances between two contact points, at '
+            call add_place(model, case_index, mesh%md(place), result%message)
+         case (outcome_singular)
+            result%status = result_not_converged
+            result%message = 'No unique equilibrium: the string can move freely, most at '
             call add_place(model, case_index, equations%unbalanced_md, result%message)
+         case default
+            result%status = result_not_converged
+            if (last%residual_force < in_balance*equations%force_scale) then
+               result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
+            else
+               result%message = 'No equilibrium found: at the end '// &
+                  in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
+               call add_place(model, case_index, equations%unbalanced_md, result%message)
+            end if
+            if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
+         end select
+         call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
+         result%inclination = inclination_of(tangent)
+         result%hookload = work%hookload - surface_push(model, case_index)
+         ! a part of a string may be pushed by what is above it
+         if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
+             .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
+         if (outcome == outcome_converged .and. equations%gaps_taken_back) &
+            call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
+         if (outcome == outcome_converged) then
+            call measure_outside(model%trajectory, mesh, work, outside)
+            if (outside%elements > 0) call add_outside(model%units, outside, result)
          end if
-         if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
-      end select
-      call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
-      result%inclination = inclination_of(tangent)
-      result%hookload = work%hookload - surface_push(model, case_index)
-      ! a part of a string may be pushed by what is above it
-      if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
-          .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
-      if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-         call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
-      if (outcome == outcome_converged) then
-         call measure_outside(model%trajectory, mesh, work, outside)
-         if (outside%elements > 0) call add_outside(model%units, outside, result)
-      end if
-      result%friction = buoyed_axial_weight(mesh) - loads%wob - work%hookload
-      result%torque = work%top_torque
-      result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
-      result%iterations = equations%iterations
-      result%elements = mesh%elements
-      result%states = count_states(gaps)
-      result%flips = sum(gaps%flips)
-      result%moves = sum(gaps%moves)
-      call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
-      if (outcome == outcome_converged) &
-         call judge_balance(model%units, equations%force_scale, work%normal, whirls, result)
-      call recover_gaps(mesh, gaps, work, result%gaps)
-      call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
-      if (model%boundary%bit_centred) then
-         result%bit_side_force = side_force
-         result%bit_side_clock = side_clock
-      end if
-      result%history = equations%history(:equations%iterations + 1)
+         result%friction = buoyed_axial_weight(mesh) - solution%loads%wob - work%hookload
+         result%torque = work%top_torque
+         result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
+         result%iterations = equations%iterations
+         result%elements = mesh%elements
+         result%states = count_states(gaps)
+         result%flips = sum(gaps%flips)
+         result%moves = sum(gaps%moves)
+         call check_equilibrium(mesh, gaps, work, result%equilibrium_force, result%equilibrium_moment)
+         if (outcome == outcome_converged) &
+            call judge_balance(model%units, equations%force_scale, work%normal, whirls, result)
+         call recover_gaps(mesh, gaps, work, result%gaps)
+         call recover_bit(model%trajectory, mesh, work, side_force, side_clock, result%bit_tilt, result%bit_tilt_clock)
+         if (model%boundary%bit_centred) then
+            result%bit_side_force = side_force
+            result%bit_side_clock = side_clock
+         end if
+         result%history = equations%history(:equations%iterations + 1)
+      end associate
    end subroutine fill_result
 
    !> Says of a string that whirls how much of it does, and what that leaves open.
@@ -141,9 +138,9 @@ contains
       type(workspace_type), intent(in) :: work
       type(case_result_type), intent(inout) :: result
       real(wp) :: friction, length
-      friction = maxval(mesh%friction_around, mask=work%climb < 1.0_wp)
-      length = sum(mesh%length, mask=work%climb < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
-      call add_message(result, 'Over '//trim(in_units(units, unit_length, length, shown_range))// &
+      friction = maxval(mesh%friction_around, mask=work%sideways < 1.0_wp)
+      length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
+      call add_message(result, 'Over '//in_units(units, unit_length, length, shown_range)// &
                        ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
                        'contact force and friction torque there may be up to '// &
                        to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown_clearances)//' % low')
@@ -165,12 +162,12 @@ contains
       if (.not. (part > most_out_of_balance .or. pulling > max(most_pulled, part)*force_scale)) return
       result%status = result_not_converged
       if (part > most_out_of_balance) then
-         result%message = 'Forces are '//trim(in_units(units, unit_force, result%equilibrium_force, shown))// &
+         result%message = 'Forces are '//in_units(units, unit_force, result%equilibrium_force, shown)// &
                           ' out of balance, '//to_text(100.0_wp*part, shown_clearances)//' % of weight and bit load'
       else
-         result%message = 'Walls pull the string with '//trim(in_units(units, unit_force, pulling, shown))// &
+         result%message = 'Walls pull the string with '//in_units(units, unit_force, pulling, shown)// &
                           ' in all, as gaps open from r_n0 on. Set r_n0 to '// &
-                          trim(in_units(units, unit_force, usual%r_n0, shown))//', its default'
+                          in_units(units, unit_force, usual%r_n0, shown)//', its default'
       end if
    end subroutine judge_balance
 
@@ -197,7 +194,7 @@ contains
       text = ''
       largest = max(abs(result%hookload), maxval(abs(result%profile%axial)))
       if (abs(other%hookload - result%hookload) > worth_telling*largest) &
-         text = ' the hook load is '//trim(in_units(units, unit_force, other%hookload, shown))
+         text = ' the hook load is '//in_units(units, unit_force, other%hookload, shown)
       if (.not. (is_missing(result%moment_error) .or. is_missing(other%moment_error))) then
          moment = maxval(result%profile%bending)
          other_moment = maxval(other%profile%bending)
@@ -205,12 +202,12 @@ contains
                                                         /max(moment, 1.0e-3_wp*other_moment, least_moment))
          if (abs(other_moment - moment) > moments_worth_telling*moment) then
             if (text /= '') text = text//' and'
-            text = text//' the largest bending moment is '//trim(in_units(units, unit_moment, other_moment, shown))
+            text = text//' the largest bending moment is '//in_units(units, unit_moment, other_moment, shown)
          end if
       end if
       if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
-                                       trim(merge('with coils that turn the other way,', 'on the low side of the hole,       ', &
-                                                  mirrored))//text)
+                                       either('with coils that turn the other way,', 'on the low side of the hole,', &
+                                              mirrored)//text)
    end subroutine warn_of_range
 
    !> Says where a string slopes too much against its hole for the beam that gives the moments.
@@ -220,10 +217,10 @@ contains
       real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
       type(case_result_type), intent(inout) :: result
       call add_message(result, 'Bending moments and stresses may be off by tens of per cent between '// &
-                       trim(in_units(units, unit_length, md(1), shown_depth))//' and '// &
-                       trim(in_units(units, unit_length, md(2), shown_depth))//'. The string slopes by more than a tenth '// &
+                       in_units(units, unit_length, md(1), shown_depth)//' and '// &
+                       in_units(units, unit_length, md(2), shown_depth)//'. The string slopes by more than a tenth '// &
                        'against its hole there, and they are those of elements of up to '// &
-                       trim(in_units(units, unit_length, longest, shown))//'. A smaller element_length makes them better')
+                       in_units(units, unit_length, longest, shown)//'. A smaller element_length makes them better')
    end subroutine warn_of_slope
 
    !> Says where the beam that gives the moments has another contact force than the analysis. Of a helically buckled string it is
@@ -239,13 +236,13 @@ contains
          call add_message(result, 'Contact force uncertain by '// &
                           to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
                           ' %, mostly between '// &
-                          trim(in_units(units, unit_length, found%md(1), shown_depth))//' and '// &
-                          trim(in_units(units, unit_length, found%md(2), shown_depth))//': '// &
-                          trim(in_units(units, unit_force, found%by_analysis, shown))//' on the long elements of hook load '// &
-                          'and torque, '//trim(in_units(units, unit_force, found%by_beam, shown))//' on the short ones of '// &
+                          in_units(units, unit_length, found%md(1), shown_depth)//' and '// &
+                          in_units(units, unit_length, found%md(2), shown_depth)//': '// &
+                          in_units(units, unit_force, found%by_analysis, shown)//' on the long elements of hook load '// &
+                          'and torque, '//in_units(units, unit_force, found%by_beam, shown)//' on the short ones of '// &
                           'moments and side forces. '// &
-                          trim(merge('Side forces and moments there may be off by as much', &
-                                     'Drag may be off by as much                         ', result%coiled)))
+                          either('Side forces and moments there may be off by as much', 'Drag may be off by as much', &
+                                 result%coiled))
       end associate
    end subroutine warn_of_contact
 
@@ -261,7 +258,7 @@ contains
                           "'. Allow 1 % on hook load, torque and contact force, and "//touched)
       if (index(result%message, touched) == 0 .or. result%coiled) return
       if (advised*maxval(mesh%length) > shortest_advised) call add_message(result, 'An element_length of '// &
-         trim(in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances))// &
+         in_units(units, unit_length, advised*maxval(mesh%length), shown_clearances)// &
          ' gives most strings contact points where they lie deepest')
    end subroutine add_remarks
 
@@ -294,13 +291,13 @@ contains
       result%inclination = inclination_of(tangent)
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
-         result%message = 'Locked up: friction holds the string. '//trim(in_units(model%units, unit_force, &
-                          axial(1) - surface_push(model, case_index), shown))//' at surface would move it and stretch it by '// &
+         result%message = 'Locked up: friction holds the string. '//in_units(model%units, unit_force, &
+                          axial(1) - surface_push(model, case_index), shown)//' at surface would move it and stretch it by '// &
                           to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: with the bit at '//trim(in_units(model%units, unit_length, &
-                                                                     model%cases(case_index)%bit_depth, shown_depth))// &
+      result%message = 'Locked up: with the bit at '//in_units(model%units, unit_length, &
+                                                                     model%cases(case_index)%bit_depth, shown_depth)// &
                        ', friction of helical buckling between surface and '// &
                        to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
                        ' takes up any push from surface. '
@@ -308,11 +305,11 @@ contains
       result%lock_up_load = most
       if (most > 0.0_wp) then
          result%message = result%message//'No push that pipe bears brings more than '// &
-                          trim(in_units(model%units, unit_force, most, shown))//' to the bit'
+                          in_units(model%units, unit_force, most, shown)//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
          if (most < 0.0_wp) result%message = result%message//'. With a pull of '// &
-                                             trim(in_units(model%units, unit_force, -most, shown))//' at the bit it would'
+                                             in_units(model%units, unit_force, -most, shown)//' at the bit it would'
       end if
    end subroutine result_of_lock_up
 

@@ -16,7 +16,7 @@ module dg_stiff_drag
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_walls, only: lay_out_gaps, softness
    use dg_weight_on_bit, only: most_load_at_bit
-   use dg_whirling, only: find_climb
+   use dg_whirling, only: find_sideways
    implicit none
    private
    public :: find_stiff_drag
@@ -59,7 +59,7 @@ contains
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
       type(soft_totals_type) :: totals
-      real(wp), allocatable :: climb(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
+      real(wp), allocatable :: sideways(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
       real(wp) :: compressed, strained, pressing
       logical, allocatable :: stiff(:)
       integer :: shortened(scale_count)
@@ -69,12 +69,12 @@ contains
       if (locked_up) return
       stiff = near_edges(mesh)
       if (.not. any(abs(mesh%friction_along) > 0.0_wp .and. stiff)) return
-      allocate (climb(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
+      allocate (sideways(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
       allocate (state(6, mesh%nodes), axial(mesh%nodes), free(mesh%nodes), torque(mesh%nodes))
-      call find_climb(model, case_index, mesh, compressed, climb)
+      call find_sideways(model, case_index, mesh, compressed, sideways)
       call lay_out_gaps(model%numerics, mesh, gaps)
       call predict(model, case_index, mesh, start_type(softness=softness(model%numerics%tuning%soft_penetration, mesh, pressing)), &
-                   climb, state, gaps, pressed)
+                   sideways, state, gaps, pressed)
       call soft_string_at(model, case_index, mesh%md, axial, torque, other=other_loads_type(coiled=.true.))
       call soft_string_at(model, case_index, mesh%md, free, torque, other=other_loads_type(friction_scale=0.0_wp))
       axial = axial - free

@@ -49,12 +49,12 @@ contains
    !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
    !> the soft wall, or against the wall itself where it would lie outside the hole; contact forces are those against the wall
    !> itself, where they are not left spread. A string under right-hand torque coils to the left.
-   pure subroutine predict(model, case_index, mesh, start, climb, state, gaps, pressed)
+   pure subroutine predict(model, case_index, mesh, start, sideways, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(start_type), intent(in) :: start
-      real(wp), intent(in) :: climb(:) !< share of circumferential friction's force, by element [-]
+      real(wp), intent(in) :: sideways(:) !< share of circumferential friction's force, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
@@ -76,7 +76,7 @@ contains
          load(i) = force
          if (.not. force > 0.0_wp) cycle
          e = min(i, mesh%elements)
-         friction = mesh%friction_around(e)*climb(e)*start%scale
+         friction = mesh%friction_around(e)*sideways(e)*start%scale
          n = contact(:, i)/force
          n = (n - friction*cross(mesh%frame(:, 1, i), n))/sqrt(1.0_wp + friction**2)
          depth = mesh%lying(e) + force*mesh%load_factor(e)/wall(e)
@@ -104,7 +104,7 @@ contains
       found = .false.
       if (model%numerics%tuning%start_bent) then
          call new_start_beam(model, mesh, axial, torque, start%scale*mesh%friction_along, &
-                             start%scale*climb*mesh%friction_around, beam)
+                             start%scale*sideways*mesh%friction_around, beam)
          call bend_start(mesh, wall, 0.0_wp, beam, y, forces, found)
       end if
       if (found .and. .not. start%spread) then

@@ -12,7 +12,7 @@ module dg_study_table
                                   pareto_set, study_record_type
    use dg_study_plan, only: study_plan_type
    use dg_study_variant, only: is_finer, same_but_mesh, same_settings, variant_type, wall_of
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_wall
    use dg_units, only: unit_system_type
@@ -70,8 +70,8 @@ contains
                        'variant in %, iterations and seconds: all cases')
       do i = 1, size(variants)
          call add_row(table, job%units, variants(i), totals(i), totals(finest))
-         call end_row(table, ' '//trim(merge('*', ' ', worth(i)))//trim(merge('=', ' ', i == finest))// &
-                      trim(merge('!', ' ', totals(i)%lost > 0)))
+         call end_row(table, ' '//either('*', '', worth(i))//either('=', '', i == finest)// &
+                      either('!', '', totals(i)%lost > 0))
       end do
       call append_table(lines, table)
       call append_text(lines, '* nothing here is both more accurate (hook load, torque) and faster: Pareto set   = the finest')
@@ -139,7 +139,7 @@ contains
       if (variant%fidelity > 0) then
          text = trim(fidelity_name(variant%fidelity))
       else
-         text = trim(in_units(units, unit_length, variant%numerics%element_length, digits))
+         text = in_units(units, unit_length, variant%numerics%element_length, digits)
       end if
    end function mesh_of
 

@@ -16,7 +16,7 @@ module dg_calibration_table
    use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: append_wrapped, page_width, fixed_text
    use dg_prediction_table, only: append_predictions, quantity_words, interval_text
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: unit_system_type
@@ -162,7 +162,7 @@ contains
             'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
          if (verdict_of(result, k) == verdict_at_bound) call append_wrapped(lines, '', 'Warning: '// &
             unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction '// &
-            trim(merge('below', 'above', .not. result%fit%unknowns(k) > 0.0_wp))//' '// &
+            either('below', 'above', .not. result%fit%unknowns(k) > 0.0_wp)//' '// &
             to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, '// &
             'gauge, or one section that takes the friction of another (separate = ''none'' finds one factor for all)', page_width)
          if (verdict_of(result, k) /= verdict_not_felt .and. calibration%unknowns(k)%is_offset) then
@@ -256,7 +256,7 @@ contains
          end associate
       end do
       if (weighed) call append_text(lines, '  &rig: block_weight '// &
-         trim(in_units(units, unit_force, applied%rig%block_weight, depth_digits))//', the offset counted in')
+         in_units(units, unit_force, applied%rig%block_weight, depth_digits)//', the offset counted in')
    contains
       !> Says that the factor of a section lies at its bound.
       function bound_text(hole) result(text)

@@ -9,7 +9,7 @@ module dg_broomstick_panels
    use dg_load_case, only: operation_label, rotates
    use dg_rig, only: indicated_load, rig_type
    use dg_sweep, only: at_operation, sweep_type
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_label
    implicit none
@@ -65,8 +65,8 @@ contains
       type(rig_type), intent(in) :: rig
       associate (number => size(chart%panels) + 1)
          if (number == 1) then
-            call add_depth_panel(chart, place(1, sweep), trim(merge('hook load as the rig shows it', &
-                                 'hook load                    ', rig%given)), quantity_force)
+            call add_depth_panel(chart, place(1, sweep), either('hook load as the rig shows it', &
+                                                                'hook load', rig%given), quantity_force)
          else
             call add_depth_panel(chart, place(2, sweep), 'torque at the top', quantity_moment)
          end if

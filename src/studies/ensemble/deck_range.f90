@@ -129,7 +129,7 @@ contains
       pure function shown(depth) result(text)
          real(wp), intent(in) :: depth
          character(:), allocatable :: text
-         text = trim(in_units(draft%units, unit_length, depth, depth_digits))
+         text = in_units(draft%units, unit_length, depth, depth_digits)
       end function shown
    end subroutine take_range
 

@@ -15,7 +15,7 @@ module dg_model_text
    use dg_numerics, only: numerics_type
    use dg_sweep, only: at_operation, sweep_type
    use dg_task_record, only: solver_key
-   use dg_text, only: joined, text_type, to_text
+   use dg_text, only: either, joined, text_type, to_text
    use dg_version, only: program_name, program_version
    implicit none
    private
@@ -189,7 +189,7 @@ contains
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: head
       type(centralizer_type), intent(in) :: centralizer
-      call add_line(lines, head//'kind = '//trim(merge('bow  ', 'rigid', centralizer%bow)))
+      call add_line(lines, head//'kind = '//either('bow', 'rigid', centralizer%bow))
       call add_line(lines, head//'od = '//to_text(centralizer%od))
       call add_line(lines, head//'spacing = '//to_text(centralizer%spacing))
       call add_line(lines, head//'first = '//to_text(centralizer%first))
@@ -220,7 +220,7 @@ contains
    pure function yes_or_no(flag) result(text)
       logical, intent(in) :: flag
       character(:), allocatable :: text
-      text = trim(merge('yes', 'no ', flag))
+      text = either('yes', 'no', flag)
    end function yes_or_no
 
    !> `key = numbers`, in as many lines as they need.

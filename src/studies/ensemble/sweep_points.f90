@@ -256,6 +256,6 @@ contains
       point = point_at(sweep, number)
       text = trim(model_name(sweep%models(point%model)))//', '//trim(operation_label(sweep%operations(point%operation)))
       if (sweep%frictions(point%friction)%present) text = text//', friction '//to_text(sweep%frictions(point%friction)%value)
-      text = text//', bit at '//trim(in_units(units, unit_length, sweep%depths(point%depth), 7))
+      text = text//', bit at '//in_units(units, unit_length, sweep%depths(point%depth), 7)
    end function point_text
 end module dg_sweep_points

@@ -7,6 +7,7 @@ module dg_legacy_picture
    use dg_job, only: job_type, model_name
    use dg_legacy_comparison, only: comparison_type, compare_with_legacy, legacy_table_type, quantity_count, quantity_of
    use dg_model, only: model_type
+   use dg_text, only: either
    use dg_unit_kind, only: unit_factor
    implicit none
    private
@@ -45,8 +46,7 @@ contains
          associate (dimension => quantity_of(quantity))
             unit = unit_factor(job%units, dimension)
             do k = 0, 1
-               call add_depth_panel(chart, place(), trim(axis_name(quantity))//trim(merge(', theirs less ours', &
-                                    '                  ', k == 1)), dimension)
+               call add_depth_panel(chart, place(), trim(axis_name(quantity))//either(', theirs less ours', '', k == 1), dimension)
                do m = 1, size(job%models)
                   associate (one => comparisons(m))
                      if (.not. allocated(one%md)) cycle

@@ -9,7 +9,7 @@ module dg_legacy_report
                                    quantity_of, quantity_side_force
    use dg_legacy_file, only: column_name
    use dg_number_text, only: left_aligned
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_unit_kind, only: in_units, unit_length, unit_factor, unit_label
    use dg_units, only: unit_system_type
@@ -141,8 +141,8 @@ contains
       if (abs(parting%at_bottom) > agreement*parting%scale) &
          call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
                           ' already.')
-      call append_text(lines, trim(merge('Summed along the hole, from the bit up:', 'It changes, from the bit up:           ', &
-                                         k == quantity_side_force)))
+      call append_text(lines, either('Summed along the hole, from the bit up:', 'It changes, from the bit up:', &
+                                     k == quantity_side_force))
       listed = listed_intervals(parting%growth)
       do i = size(comparison%intervals), 1, -1
          if (.not. listed(i)) cycle
@@ -170,7 +170,7 @@ contains
       pure function depth(md) result(text)
          real(wp), intent(in) :: md
          character(:), allocatable :: text
-         text = trim(in_units(units, unit_length, md, shown + 1))
+         text = in_units(units, unit_length, md, shown + 1)
       end function depth
 
       pure function growth_text(growth) result(text)

@@ -17,7 +17,7 @@ module dg_steering_study
    use dg_steering, only: steering_result_type, steering_type
    use dg_steering_table, only: steering_table, steering_row
    use dg_study, only: run_type, study_type
-   use dg_text, only: quoted, text_list, text_type, to_text
+   use dg_text, only: either, quoted, text_list, text_type, to_text
    use dg_threads, only: thread_count
    use dg_csv_table, only: add_row, csv_table_type, write_table
    implicit none
@@ -138,7 +138,7 @@ contains
                            run%model%cases(results(i)%case_index))
          end if
          call tell('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
-                   trim(merge(':              ', ': no curvature;', results(i)%found))//' '//results(i)%message)
+                   either(':', ': no curvature;', results(i)%found)//' '//results(i)%message)
       end do
    end subroutine report_lost
 

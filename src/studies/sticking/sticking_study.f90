@@ -20,7 +20,7 @@ module dg_sticking_study
                           sticking_status_name
    use dg_sticking_table, only: sticking_table
    use dg_study, only: phase_after, phase_first, run_type, study_type
-   use dg_text, only: joined, quoted, text_list, text_type, to_text
+   use dg_text, only: either, joined, quoted, text_list, text_type, to_text
    use dg_unit_kind, only: in_units, unit_length
    use dg_column, only: row_type
    use dg_load_case, only: load_case_type, operation_name
@@ -73,8 +73,8 @@ contains
             where = sticking%depth
             if (sticking%kind == find_free_point) where = sticking%stretch
             call add_line(lines, 'calibrate   '//sticking%name//': '//trim(sticking_name(sticking%kind))//', '// &
-               trim(merge('stretch', 'depth  ', sticking%kind == find_free_point))//' '// &
-               trim(in_units(job%units, unit_length, where, digits))//'; '// &
+               either('stretch', 'depth', sticking%kind == find_free_point)//' '// &
+               in_units(job%units, unit_length, where, digits)//'; '// &
                joined(model_name(sticking%models), ', ')//'; '//to_text(size(sticking%cases))//' load cases')
          end associate
       end do

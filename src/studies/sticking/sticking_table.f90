@@ -47,7 +47,7 @@ contains
       type(text_table_type) :: table
       integer :: i
       call append_text(lines, 'Sticking '//sticking%name//': resistance at '// &
-                       trim(in_units(units, unit_length, sticking%depth, depth_digits))// &
+                       in_units(units, unit_length, sticking%depth, depth_digits)// &
                        ', from measured hook load and torque; in '//trim(units%force_label)//' and '// &
                        unit_label(units, unit_moment))
       do i = 1, size(results)
@@ -84,9 +84,9 @@ contains
       integer :: i
       associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
          call append_text(lines, 'Free point '//sticking%name//': stretch '// &
-            trim(in_units(units, unit_length, sticking%stretch, stretch_digits))//' from '// &
+            in_units(units, unit_length, sticking%stretch, stretch_digits)//' from '// &
             shown(first%measured_hookload%value)//' to '//shown(second%measured_hookload%value)//' '// &
-            trim(units%force_label)//', string of '//trim(in_units(units, unit_length, second%bit_depth, depth_digits)))
+            trim(units%force_label)//', string of '//in_units(units, unit_length, second%bit_depth, depth_digits))
          call append_text(lines, '  without friction, by sections:  '//point(results(1)%depth_without_friction))
          do i = 1, size(results)
             text = 'no solution'

@@ -88,8 +88,8 @@ contains
          if (depths(i) < sweep%depths(1) .or. depths(i) > sweep%depths(size(sweep%depths))) then
             call group_fault(group, 'measured_depths', 'measured_depths('//to_text(i)//') = '// &
                to_text(depths(i)/draft%units%length, depth_digits)//' lies outside the depths of the sweep, '// &
-               to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '//trim(in_units(draft%units, unit_length, &
-               sweep%depths(size(sweep%depths)), depth_digits)), faults)
+               to_text(sweep%depths(1)/draft%units%length, depth_digits)//' to '//in_units(draft%units, unit_length, &
+               sweep%depths(size(sweep%depths)), depth_digits), faults)
             return
          end if
       end do

@@ -11,7 +11,7 @@ module dg_sweep_table
    use dg_number_text, only: fixed_cell, left_aligned, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
@@ -157,7 +157,7 @@ contains
       call append_text(lines, '')
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
                        quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors'// &
-                       trim(merge(' cased/open', '           ', index(factor_text(sweep, 1), '/') > 0)))
+                       either(' cased/open', '', index(factor_text(sweep, 1), '/') > 0))
       heads = curve_heads(sweep, curves)
       allocate (depths, source=shown_depths(sweep))
       do i = 1, size(depths)
@@ -263,7 +263,7 @@ contains
             lower = findloc(there, .true., dim=1, back=.true.)
             place = 'from '//depth_text(upper)
             if (upper == 1) place = place//', the least depth of the sweep'
-            if (lower < size(there)) place = place//trim(merge(',', ' ', upper == 1))//' to '//depth_text(lower)
+            if (lower < size(there)) place = place//either(',', '', upper == 1)//' to '//depth_text(lower)
             if (.not. all(there(upper:lower))) place = place//', with gaps'
             if (all(there)) place = 'at any depth from '//depth_text(upper)//' to '//depth_text(lower)
             if (lower == upper .and. (lower < size(there) .or. upper == 1)) place = 'at '//depth_text(upper)

@@ -53,8 +53,8 @@ contains
          name = trim(model_name(range%models(place)))
          associate (top => 1.0_wp - 45.0_wp/height, bottom => 55.0_wp/height)
             chart = new_chart('tornado_'//range%name//'_'//name, 'Uncertainty '//range%name//', model '//name// &
-                              ': what matters most at '//trim(in_units(units, unit_length, range%depths(size(range%depths)), &
-                                                                       depth_digits)), units, nint(height), &
+                              ': what matters most at '//in_units(units, unit_length, range%depths(size(range%depths)), &
+                                                                       depth_digits), units, nint(height), &
                               [top, 1.0_wp - 38.0_wp/height])
             call add_rows(chart, [left(1), right(1), bottom, top], 'hook load by one standard deviation', quantity_force, &
                           names(:rows), left(1))

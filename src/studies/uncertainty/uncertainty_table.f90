@@ -8,7 +8,7 @@ module dg_uncertainty_table
    use dg_readable, only: spaced
    use dg_sample_statistics, only: distribution_type, p10, p50, p90, point_statistics_type
    use dg_sweep, only: measured_at, measured_type, point_number, point_type, shown_depths
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_uncertainty, only: uncertainty_type
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
@@ -102,7 +102,7 @@ contains
       call append_text(lines, '')
       call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
                        trim(model_name(uncertainty%range%models(curve%model)))//': '// &
-                       trim(merge('hook load as the rig shows it', 'hook load                    ', indicated))//', '// &
+                       either('hook load as the rig shows it', 'hook load', indicated)//', '// &
                        trim(units%force_label)// &
                        ', and torque, '//unit_label(units, unit_moment)//', under which 10, 50 and 90 % of the samples lie')
       allocate (depths, source=shown_depths(uncertainty%range))
@@ -151,7 +151,7 @@ contains
          integer, intent(in) :: counts(:)
          character(:), allocatable :: text
          text = to_text(maxval(counts))//' of '//to_text(uncertainty%samples)//' with the bit at '// &
-                trim(in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits))
+                in_units(units, unit_length, uncertainty%range%depths(maxloc(counts, dim=1)), depth_digits)
       end function most
    end subroutine append_curve
 
