@@ -90,6 +90,7 @@ module dg_deck_draft
       character(:), allocatable :: string
       real(wp) :: depth = 0.0_wp               !< the greatest, measured [m]
       logical :: turns = .false.               !< in one of its operations
+      integer, allocatable :: operations(:)
       character(:), allocatable :: group       !< of the deck, by name
       real(wp), allocatable :: wob(:), tob(:)  !< by operation, or one for all [N, N.m]
    end type string_use_type
