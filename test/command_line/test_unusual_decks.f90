@@ -73,7 +73,8 @@ contains
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 9, 90', 'from 90 to 9 and back to 90 deg at 12000 ft')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 91, 9', &
                    'from 91 to 9 deg over 3000 ft without a station between')
-      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 50, 90, 91, 90', 'from 0 to 50 deg over 6200 ft without a station')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 35, 90, 91, 90', 'from 0 to 35 deg over 6200 ft without a station')
+      call usual('0, 0, 0, 90, 91, 90', '0, 0, 45, 90, 91, 90')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
                    'the dogleg is 30 deg/100 ft at 8500 ft')
    end subroutine test_survey

@@ -16,7 +16,7 @@ module dg_unusual_survey
    real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp
    !> Inclination that changes slowly by much between two stations, or falls by more than it does in planned wells: a mistyped
    !> angle, or a station left out [rad, rad/m].
-   real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 1.0_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
+   real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 0.6_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
    !> Angle to both neighbours from which a station that points another way is a slip [rad].
    real(wp), parameter :: spike = 25.0_wp*degree
    !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
