@@ -234,6 +234,8 @@ contains
       call refuse("&solver", "&centralizer component = 'collars', od = 230, spacing = 10 / &solver", 20, &
                   "'collars' with 230 mm does not pass the hole of")
       call refuse("joint_od = 168.3", "joint_od = 100", 14, 'joint_od = 100 is smaller than od = 127')
+      call refuse("joint_od = 168.3", "joint_od = 168.3, joint_id = 170", 14, &
+                  'joint_id = 170 is not smaller than joint_od = 168.3. Give the bore of the pin')
       call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")

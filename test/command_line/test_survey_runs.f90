@@ -102,7 +102,10 @@ contains
       call expect(run%output, 'TVD, north, east differ from those of the file by up to 0.501 m, north at 1400 m')
       call assertEqual(0, index(run%output, 'Warning'), message=run%output)
       run = check(head//last//'1033.76,7', '')
-      call expect(run%output, 'by up to 200 m, north at 1400 m. Warning: check columns, units')
+      call expect(run%output, newline//'note        survey ')
+      call expect(run%output, 'survey.csv: TVD, north, east differ from those of the file by up to 200 m, '// &
+                  'north at 1400 m. Check columns, units and the north of the azimuths')
+      call assertEqual(0, index(run%output, 'Path: survey'), message=run%output)
    end subroutine test_positions
 
    !> A well trace of Petrel in feet for a deck in SI: its title tells the unit.

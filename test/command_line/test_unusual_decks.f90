@@ -15,9 +15,13 @@ contains
       suite = TestSuite('unusual_decks')
       call suite%addTest(TestMethod('nothing_unusual', test_nothing_unusual))
       call suite%addTest(TestMethod('survey', test_survey))
+      call suite%addTest(TestMethod('radians', test_radians))
+      call suite%addTest(TestMethod('azimuths', test_azimuths))
       call suite%addTest(TestMethod('string', test_string))
       call suite%addTest(TestMethod('fluid_and_friction', test_fluid_and_friction))
       call suite%addTest(TestMethod('loads', test_loads))
+      call suite%addTest(TestMethod('ways_of_loads', test_ways))
+      call suite%addTest(TestMethod('conditions', test_conditions))
    end function unusual_decks_suite
 
    !> A lateral in field units.
@@ -47,6 +51,15 @@ contains
       call assertTrue(index(run%output, expected) > 0, message=expected//': '//run%output)
    end subroutine mistake
 
+   !> A change of the deck that is usual has no note.
+   subroutine usual(sound, other)
+      character(*), intent(in) :: sound, other     !< in the deck, and in its place
+      type(run_type) :: run
+      run = run_deck_text(replaced(deck(), sound, other), '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, newline//'note '), message=run%output)
+   end subroutine usual
+
    subroutine test_nothing_unusual()
       type(run_type) :: run
       run = run_deck_text(deck(), '--check')
@@ -60,10 +73,37 @@ contains
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 9, 90', 'from 90 to 9 and back to 90 deg at 12000 ft')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 91, 9', &
                    'from 91 to 9 deg over 3000 ft without a station between')
-      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 50, 90, 91, 90', 'from 0 to 50 deg over 6200 ft without a station')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 35, 90, 91, 90', 'from 0 to 35 deg over 6200 ft without a station')
+      call usual('0, 0, 0, 90, 91, 90', '0, 0, 45, 90, 91, 90')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
                    'the dogleg is 30 deg/100 ft at 8500 ft')
    end subroutine test_survey
+
+   !> Radians whose inclination rises and falls, with azimuths that turn or cross north. A hole that is nearly vertical is usual.
+   subroutine test_radians()
+      character(*), parameter :: angles = 'inc = 0, 0, 0, 90, 91, 90, azi = 178, 178, 178, 178, 178, 178', &
+         expected = 'Are the inclinations in radians? They are read as degrees'
+      call mistake(angles, 'inc = 0, 0, 0, 1.222, 1.047, 1.134, azi = 0, 0, 6.196, 0.087, 0.175, 6.2', expected)
+      call mistake(angles, 'inc = 0, 0, 0.349, 0.698, 1.047, 1.047, azi = 0, 0, 6.196, 0.087, 0.175, 0.175', expected)
+      call mistake(angles, 'inc = 0, 0, 0, 1.7, 1.047, 1.134, azi = 0, 0, 0, 3.1, -3.1, -3', expected)
+      call usual(angles, 'inc = 0, 0.5, 1.2, 0.7, 1.2, 0.9, azi = 0, 120, 250, 10, 200, 5')
+      call usual(angles, 'inc = 0, 0, 1, 0.5, 1, 0.5, azi = 4, 4, 4, 4, 4, 4')
+   end subroutine test_radians
+
+   !> Swapped columns, a mistyped azimuth within the survey and at its end. Slant holes that turn and quarter turns are usual.
+   subroutine test_azimuths()
+      character(*), parameter :: angles = 'inc = 0, 0, 0, 90, 91, 90, azi = 178, 178, 178, 178, 178, 178'
+      call mistake(angles, 'inc = 45, 45, 45, 45, 45, 45, azi = 0, 0, 0, 60, 60, 60', &
+                   'inclined by 45 deg from surface on, and its azimuth goes from 0 to 60 deg. Are inc and azi swapped?')
+      call mistake(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 178, 178, 178, 178, 358, 178', &
+                   'azimuth goes from 178 to 358 and back to 178 deg at 12000 ft. Is that station mistyped?')
+      call mistake(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 178, 178, 178, 178, 178, 358', &
+                   'azimuth goes from 178 to 358 deg over 3000 ft, down to 15000 ft. Is an azimuth mistyped?')
+      call usual(angles, 'inc = 45, 45, 45, 45, 45, 45, azi = 30, 30, 30, 60, 60, 60')
+      call usual(angles, 'inc = 45, 45, 45, 60, 70, 90, azi = 0, 0, 0, 60, 60, 60')
+      call usual(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 350, 350, 350, 350, 350, 80')
+      call usual(angles, 'inc = 0, 0, 0, 5, 5, 5, azi = 350, 350, 350, 350, 120, 250')
+   end subroutine test_azimuths
 
    !> A bar, the wrong order, too long, yield in MPa.
    subroutine test_string()
@@ -91,6 +131,9 @@ contains
       call mistake('&fluid density = 9.6 /'//newline, '', 'There is no &fluid')
       call mistake('diameter = 8.5, friction = 0.30', 'diameter = 8.5', '''open'' has no friction')
       call mistake('friction = 0.30', 'friction = 0.025', '''open'': friction = 0.025 is unusual. Usual is at least 0.03')
+      call mistake('friction = 0.30', 'friction = 0.30, friction_running_in = 0.025', &
+                   'friction_running_in = 0.025 is unusual. Usual is at least 0.03')
+      call mistake("operation = 'up',", "operation = 'up', friction = 0.02,", 'case ''up'': friction = 0.02 is unusual')
       call mistake('friction = 0.30', 'friction_axial = 0.3', '''open'' has no friction_rotary, so that torque there is zero')
       call mistake('&fluid density = 9.6 /', '&fluid density = 9.6 / &fluid density = 10, md_top = 16000 /', &
                    'md_top = 16000 ft is below the hole, so that this fluid is nowhere')
@@ -113,4 +156,32 @@ contains
       call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
+
+   !> A bit that is pulled while it drills, and one that is turned in a trip.
+   subroutine test_ways()
+      call mistake('wob = 20,', 'wob = -20,', 'wob = -20 klbf pulls the bit in rotary_drilling. Weight on bit is a wob above 0')
+      call mistake('&fluid', "&sweep operations = 'up', 'sliding', bit_depth_from = 15000, wob = 0, -20, tob = 0, 2 /"// &
+                   newline//'&fluid', 'group &sweep: wob = -20 klbf pulls the bit in sliding_drilling')
+      call mistake("'up', bit_depth", "'up', tob = 6, bit_depth", &
+                   'tob = 6 kft.lbf turns the free bit in trip_out. Give tob = 0 there')
+      call usual("'up', bit_depth", "'up', wob = -60, bit_depth")
+      call usual("'up', bit_depth", "'up', wob = -60, tob = 6, bit_depth")
+      call usual('&fluid', "&sweep operations = 'up', 'sliding', bit_depth_from = 15000, wob = -20, 20, tob = 0, 2 /"// &
+                 newline//'&fluid')
+   end subroutine test_ways
+
+   !> Gravity in ft/s2, hours in seconds, temperatures in kelvin. Steam is usual.
+   subroutine test_conditions()
+      call mistake('profiles = .false. /', 'profiles = .false., gravity = 32.174 /', &
+                   'gravity = 32.17 m/s2 is unusual. Usual is at most 10 m/s2')
+      call mistake('tob = 5 ', 'tob = 5, rpm = 60, hours = 36000 ', 'hours = 36000 is unusual. Usual is at most 3000')
+      call mistake('tob = 5 ', 'tob = 5, above_ambient_bottom = 700 ', &
+                   'above_ambient_bottom = 700 degF is unusual. Usual is at most 585 degF')
+      call mistake('tob = 5 ', 'tob = 5, above_ambient_top = 700 ', 'above_ambient_top = 700 degF is unusual')
+      call mistake('tob = 5 ', 'tob = 5, temperature_change_bottom = 700 ', 'temperature_change_bottom = 700 degF is unusual')
+      call mistake('tob = 5 ', 'tob = 5, temperature_change_top = -500 ', &
+                   'temperature_change_top = -500 degF is unusual. Usual is at least -270 degF')
+      call usual('tob = 5 ', 'tob = 5, above_ambient_bottom = 540, temperature_change_bottom = 450 ')
+      call usual('tob = 5 ', 'tob = 5, rpm = 60, hours = 300 ')
+   end subroutine test_conditions
 end module dg_test_unusual_decks

@@ -43,6 +43,7 @@ contains
       call suite%addTest(TestMethod('survey_angles', test_survey))
       call suite%addTest(TestMethod('points_and_gauge', test_points))
       call suite%addTest(TestMethod('shares_of_the_variance', test_shares))
+      call suite%addTest(TestMethod('shares_of_few_samples', test_shares_of_few))
    end function uncertainty_suite
 
    !> Known answers for philox4x32-10 that come with Random123 (kat_vectors): nothing, all ones, digits of pi.
@@ -220,6 +221,34 @@ contains
                        0.02_wp)
       call assertTrue(all(is_missing(variance_shares(uncertainty, samples(:20), values(:20), 1.0_wp))), message='few samples')
    end subroutine test_shares
+
+   !> A result that is linear in friction of two sections has no rest, whatever variance and correlation few numbers have by chance:
+   !> with 3 f + 2 d, too. A deviation that is round-off has no shares.
+   subroutine test_shares_of_few()
+      integer, parameter :: many = 60, seeds = 20
+      real(wp), parameter :: weight = 7.0e5_wp
+      type(uncertainty_type) :: uncertainty
+      real(wp) :: values(many), shares(5), two(many)
+      integer :: samples(many), i, seed
+      samples = [(i, i=1, many)]
+      uncertainty%samples = many
+      uncertainty%friction_factor = reshape([0.05_wp, 0.0_wp, 0.0_wp, 0.05_wp], [2, 2])
+      do seed = 1, seeds
+         uncertainty%seed = seed
+         two = 3.0_wp*draw_of(uncertainty, samples, quantity_friction, 1) + draw_of(uncertainty, samples, quantity_friction, 2)
+         uncertainty%density_deviation = 0.0_wp
+         shares = variance_shares(uncertainty, samples, weight + two, 0.0_wp)
+         call assertEqual([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], shares, 1.0e-9_wp, message='friction alone')
+         uncertainty%density_deviation = 10.0_wp
+         values = two + 2.0_wp*draw_of(uncertainty, samples, quantity_density, 0)
+         shares = variance_shares(uncertainty, samples, values, 0.0_wp)
+         call assertEqual(0.0_wp, shares(5), round_off, message='nothing but friction and density')
+         call assertEqual(1.0_wp, shares(1) + shares(2), round_off)
+         shares = variance_shares(uncertainty, samples, weight + 1.0e-10_wp*values, 0.0_wp)
+         call assertTrue(all(is_missing(shares)), message='round-off of 700 kN')
+         call assertTrue(all(is_missing(variance_shares(uncertainty, samples, 1.0e-9_wp*values, 0.0_wp))), message='of zero')
+      end do
+   end subroutine test_shares_of_few
 
    !> Factors times their transpose are the covariance; one section goes by its own number; three correlations that no numbers can
    !> have are told.

@@ -45,6 +45,7 @@ contains
       call suite%addTest(TestMethod('not_without_rotation', test_still))
       call suite%addTest(TestMethod('joints', test_joints))
       call suite%addTest(TestMethod('hours', test_hours))
+      call suite%addTest(TestMethod('narrow_joints', test_narrow_joints))
       call suite%addTest(TestMethod('joints_decide', test_verdict))
    end function fatigue_suite
 
@@ -214,6 +215,36 @@ contains
       call assertRelativelyEqual(bending_stiffness(pipe())/radius*0.5_wp*4.5_wp*inch/tube_inertia(4.5_wp*inch, 3.826_wp*inch), &
                                  maxval(flush%amplitude, mask=flush%joint), 1.0e-9_wp)
    end subroutine test_joints
+
+   !> Joints whose bore is given, 3 in where the pipe has 3.826 in: amplitude and tension of the worst connection, and von Mises'
+   !> stress in the joint there, without torque and pressure: its tension and bending.
+   subroutine test_narrow_joints()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(fatigue_type), allocatable :: parts(:)
+      type(along_string_type) :: along
+      type(fatigue_curve_type) :: joints
+      real(wp), parameter :: bore = 3.0_wp*inch
+      real(wp) :: tension, kl
+      integer :: row
+      joints = fatigue_curve_type(fatigue_own, limit=5.0e6_wp, exponent=6.0_wp)
+      call solve(operation_rotate_off_bottom, fatigue_curve_type(), 10.0_wp, model, result, parts, joints)
+      model%strings(1)%components%joint_id = bore
+      call find_along_string(model, result, along)
+      call find_fatigue(model, result, along, parts)
+      associate (part => model%strings(1)%components(1))
+         call assertEqual(500.0_wp, parts(1)%md, 1.0e-6_wp)
+         tension = part%mass*model%gravity*radius
+         kl = 0.5_wp*part%joint_spacing*sqrt(tension/bending_stiffness(part))
+         call assertRelativelyEqual(tension/tube_area(part%joint_od, bore), parts(1)%tension, 1.0e-9_wp)
+         call assertRelativelyEqual(bending_stiffness(part)/radius*kl/tanh(kl)*0.5_wp*part%joint_od/ &
+                                    tube_inertia(part%joint_od, bore), parts(1)%amplitude, 1.0e-9_wp)
+         call assertRelativelyEqual(1.0_wp/radius, parts(1)%dogleg*parts(1)%used, 1.0e-9_wp)
+         row = minloc(abs(result%profile%md - parts(1)%md), dim=1)
+         row = row - 1 + maxloc(along%joint_von_mises(row:row + 1), dim=1)
+         call assertRelativelyEqual(parts(1)%tension + parts(1)%amplitude, along%joint_von_mises(row), 1.0e-6_wp)
+      end associate
+   end subroutine test_narrow_joints
 
    !> Connections that last less than the body make the answer NO.
    subroutine test_verdict()

@@ -10,7 +10,7 @@ module dg_along_string
                                  lubinski_first, vertical_unit
    use dg_case_result, only: case_result_type, contact_joint
    use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
-                           tube_inertia, worn_od
+                           joint_bore, tube_inertia, worn_od
    use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
@@ -195,8 +195,7 @@ contains
    end subroutine put_stress
 
    !> Bending between tool joints and stress in them at row `i`, for a component that has some. A model that solved joint by joint
-   !> has its magnification in its moments. The joint's bore is taken to be the pipe's, which is on the safe side. In compression
-   !> bending is largest between joints, so that a joint has the mean one.
+   !> has its magnification in its moments. In compression bending is largest between joints, so that a joint has the mean one.
    pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
@@ -215,8 +214,9 @@ contains
          along%jointed_bending(i) = factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id)
       end if
       if (axial < 0.0_wp) factor = 1.0_wp
-      force = true_axial(axial, part%joint_od, part%id, along%pressure(i), along%inside_pressure(i))
-      stress = pipe_stress(part%joint_od, part%id, force, torque, factor*moment, along%pressure(i), along%inside_pressure(i))
+      force = true_axial(axial, part%joint_od, joint_bore(part), along%pressure(i), along%inside_pressure(i))
+      stress = pipe_stress(part%joint_od, joint_bore(part), force, torque, factor*moment, along%pressure(i), &
+                           along%inside_pressure(i))
       along%joint_bending(i) = stress%bending
       along%joint_von_mises(i) = stress%von_mises
    end subroutine put_joint

@@ -15,7 +15,7 @@ module dg_fatigue
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, body_bending
    use dg_case_result, only: case_result_type
-   use dg_component, only: bending_stiffness, component_type, has_joints, tube_area, tube_inertia, worn_od
+   use dg_component, only: bending_stiffness, component_type, has_joints, joint_bore, tube_area, tube_inertia, worn_od
    use dg_constants, only: pi
    use dg_drillstring, only: component_at, component_tops
    use dg_fatigue_curve, only: fatigue_curve_type, fatigue_none, permitted_amplitude, turns_to_failure
@@ -138,19 +138,21 @@ contains
       type(along_string_type), intent(in) :: along
       integer, intent(in) :: i
       type(fatigue_type) :: row
-      real(wp) :: od, amplitude, factor, stiffer
+      real(wp) :: od, bore, amplitude, factor, stiffer
       od = worn_od(part)
+      bore = part%id
       amplitude = along%bending_stress(i)
       factor = 1.0_wp
       stiffer = 1.0_wp
       if (has_joints(part)) then
          od = part%joint_od
+         bore = joint_bore(part)
          amplitude = along%joint_bending(i)
          if (axial > 0.0_wp) &
             factor = joint_magnification(axial, bending_stiffness(part), 0.5_wp*part%joint_spacing, 0.0_wp, 0.0_wp)
-         stiffer = tube_inertia(od, part%id)/tube_inertia(part%od, part%id)
+         stiffer = tube_inertia(od, bore)/tube_inertia(part%od, part%id)
       end if
-      row = new_row(number, axial/tube_area(od, part%id), amplitude, part%joint_fatigue, along%curvature(i))
+      row = new_row(number, axial/tube_area(od, bore), amplitude, part%joint_fatigue, along%curvature(i))
       row%joint = .true.
       row%dogleg = row%permitted*stiffer/(0.5_wp*part%youngs*od*factor)
    end function joint_row

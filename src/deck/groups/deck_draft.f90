@@ -74,6 +74,7 @@ module dg_deck_draft
       integer :: interpolation = interpolation_minimum_curvature
       logical :: tortuous = .false.            !< stations are those of a plan with tortuosity laid on it
       type(text_type), allocatable :: path_notes(:) !< what was added to the stations of the deck
+      type(text_type), allocatable :: path_warnings(:) !< positions of a survey file that differ from its stations
       type(draft_hole_type), allocatable :: holes(:)
       type(draft_component_type), allocatable :: components(:)
       type(draft_case_type), allocatable :: cases(:)
@@ -89,6 +90,7 @@ module dg_deck_draft
       character(:), allocatable :: string
       real(wp) :: depth = 0.0_wp               !< the greatest, measured [m]
       logical :: turns = .false.               !< in one of its operations
+      integer, allocatable :: operations(:)
       character(:), allocatable :: group       !< of the deck, by name
       real(wp), allocatable :: wob(:), tob(:)  !< by operation, or one for all [N, N.m]
    end type string_use_type

@@ -208,7 +208,7 @@ contains
          bore = 0.0_wp
          yield = usual_joint_yield
       end if
-      if (real_of(group, 'joint_id', 0.0_wp) > 0.0_wp) bore = real_of(group, 'joint_id', bore)
+      if (part%joint_id > 0.0_wp) bore = part%joint_id
       torque = 0.0_wp
       if (bore > 0.0_wp) torque = connection_torsion(find_connection(number), od, bore, real_of(group, 'joint_yield', yield))
    end function joint_torsion_of

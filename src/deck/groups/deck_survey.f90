@@ -35,13 +35,13 @@ module dg_deck_survey
 contains
 
    !> Stations of the group &trajectory, in SI units and fit for new_trajectory where `sound`; every fault else. `notes` receives
-   !> messages on the survey files.
-   subroutine read_stations(group, units, stations, sound, notes, faults)
+   !> messages on the survey files, `warnings` those on positions that differ.
+   subroutine read_stations(group, units, stations, sound, notes, warnings, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(out) :: stations
       logical, intent(out) :: sound
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(text_type), allocatable, intent(inout) :: notes(:), warnings(:)
       type(error_list_type), intent(inout) :: faults
       character(*), parameter :: of_files(4) = [character(12) :: 'md_column', 'inc_column', 'azi_column', 'survey_well']
       integer :: i
@@ -62,8 +62,9 @@ contains
          call take_arrays(group, stations, sound, faults)
       end if
       if (sound) call check_stations(group, units, stations, sound, faults)
-      if (sound .and. is_given(group, 'survey_file')) call note_file(stations, units, notes)
-      if (sound .and. is_given(group, 'parent_file')) call take_parent(group, units, stations, sound, notes, faults)
+      if (sound .and. is_given(group, 'survey_file')) call note_file(stations, units, notes, warnings)
+      if (sound .and. is_given(group, 'parent_file')) &
+         call take_parent(group, units, stations, sound, notes, warnings, faults)
       if (sound) call check_begin(group, units, stations, sound, faults)
    end subroutine read_stations
 
@@ -112,31 +113,37 @@ contains
    end subroutine read_table
 
    !> Rows skipped, columns chosen and positions compared, of a file that was read.
-   subroutine note_file(stations, units, notes)
+   subroutine note_file(stations, units, notes, warnings)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(text_type), allocatable, intent(inout) :: notes(:), warnings(:)
       character(:), allocatable :: positions
-      positions = position_words(stations, units)
+      logical :: doubtful
+      call position_words(stations, units, positions, doubtful)
       if (stations%skipped /= '') call append_text(notes, 'survey '//stations%file//': '//stations%skipped)
       if (stations%columns /= '') call append_text(notes, 'survey '//stations%file//': '//stations%columns)
-      if (positions /= '') call append_text(notes, 'survey '//stations%file//': '//positions)
+      if (positions == '') return
+      if (doubtful) then
+         call append_text(warnings, 'survey '//stations%file//': '//positions)
+      else
+         call append_text(notes, 'survey '//stations%file//': '//positions)
+      end if
    end subroutine note_file
 
    !> Puts the stations of the parent above those of the survey.
-   subroutine take_parent(group, units, stations, sound, notes, faults)
+   subroutine take_parent(group, units, stations, sound, notes, warnings, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(inout) :: stations
       logical, intent(inout) :: sound
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(text_type), allocatable, intent(inout) :: notes(:), warnings(:)
       type(error_list_type), intent(inout) :: faults
       type(station_list_type) :: parent
       character(:), allocatable :: failure, words
       call read_table(group, 'parent_file', units, parent, sound, faults)
       if (sound) call check_stations(group, units, parent, sound, faults)
       if (.not. sound) return
-      call note_file(parent, units, notes)
+      call note_file(parent, units, notes, warnings)
       call join_parent(parent, units, stations, words, failure)
       sound = failure == ''
       if (.not. sound) call group_fault(group, 'parent_file', failure, faults)

@@ -23,17 +23,19 @@ module dg_listed_positions
 contains
 
    !> Largest difference of TVD, north and east of a file from minimum curvature through its stations. '' where the file lists none
-   !> of them. Both count from the first station that has them.
-   function position_words(stations, units) result(words)
+   !> of them. Both count from the first station that has them. `doubtful`: the difference is a warning.
+   subroutine position_words(stations, units, words, doubtful)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: words
+      character(:), allocatable, intent(out) :: words
+      logical, intent(out) :: doubtful
       type(trajectory_type) :: path
       type(error_type), allocatable :: error
       real(wp), allocatable :: position(:, :)
       real(wp) :: tangent(3), difference, largest
       integer :: k, i, first, worst, worst_k
       words = ''
+      doubtful = .false.
       call new_trajectory(path, stations%md, stations%inclination, stations%azimuth, interpolation_minimum_curvature, error)
       if (allocated(error)) return
       allocate (position(3, size(stations%md)))
@@ -64,8 +66,9 @@ contains
          words = words//verb(' agree')//' with those of the file within '//shown(same)
       else
          words = words//verb(' differ')//' from those of the file by up to '//shown(largest)//', '//trim(names(worst_k))//' at '// &
-                 in_units(units, unit_length, stations%md(worst), depth_digits)
-         if (largest > far) words = words//'. Warning: check columns, units and the north of the azimuths'
+                 trim(in_units(units, unit_length, stations%md(worst), depth_digits))
+         doubtful = largest > far
+         if (doubtful) words = words//'. Check columns, units and the north of the azimuths'
       end if
 
    contains
@@ -82,5 +85,5 @@ contains
          character(:), allocatable :: text
          text = in_units(units, unit_length, length, few_digits)
       end function shown
-   end function position_words
+   end subroutine position_words
 end module dg_listed_positions

@@ -91,6 +91,7 @@ contains
       if (faults%count == 0) call build_model(deck%draft, model, faults)
       if (faults%count > 0) return
       if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
+      if (allocated(deck%draft%path_warnings)) notes = [notes, deck%draft%path_warnings]
       fitted = .false.
       if (allocated(deck%estimates)) fitted = size(deck%estimates) > 0
       call note_unusual(deck%draft, deck%uses, fitted, notes)
@@ -278,7 +279,8 @@ contains
             draft%trajectory_line = groups(i)%line
             draft%interpolation = merge(interpolation_spline, interpolation_minimum_curvature, &
                                         text_of(groups(i), 'interpolation', '') == 'spline')
-            call read_stations(groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, faults)
+            call read_stations(groups(i), draft%units, draft%stations, draft%has_stations, draft%path_notes, &
+                               draft%path_warnings, faults)
             if (draft%has_stations) call tie_on(groups(i), draft, faults)
          case ('hole')
             holes = holes + 1

@@ -3,17 +3,18 @@ module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: pi
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: heaviest_mud, in_units, unit_force, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, &
-                           unit_stress
+   use dg_unit_kind, only: heaviest_mud, in_units, unit_force, unit_gravity, unit_moment, unit_none, unit_pressure, unit_rotation, &
+                           unit_speed, unit_stress, unit_temperature
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: note_range, usual_yield, usual_wob, usual_tob, usual_density, usual_pump, usual_block, usual_top_drive, &
-             usual_makeup, usual_joint_torsion, usual_friction, usual_trip_speed, usual_rpm, usual_hookload
+             usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
+             usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom
 
    !> Usual range of a key.
    type :: usual_type
-      character(13) :: key
+      character(25) :: key
       integer :: unit              !< unit_none for densities and plain numbers
       real(wp) :: low, high        !< [SI]
       character(72) :: source
@@ -21,9 +22,14 @@ module dg_usual_range
 
    integer, parameter :: usual_yield = 1, usual_wob = 2, usual_tob = 3, usual_density = 4, usual_pump = 5, &
                          usual_block = 6, usual_top_drive = 7, usual_makeup = 8, usual_joint_torsion = 9, usual_friction = 10, &
-                         usual_trip_speed = 11, usual_rpm = 12, usual_hookload = 13
+                         usual_trip_speed = 11, usual_rpm = 12, usual_hookload = 13, usual_running_in = 14, usual_gravity = 15, &
+                         usual_hours = 16, usual_warming_top = 17, usual_warming_bottom = 18, usual_ambient_top = 19, &
+                         usual_ambient_bottom = 20
+   !> Temperatures above that of the air, and changes of them [K].
+   real(wp), parameter :: hottest = 325.0_wp, coldest = -150.0_wp
+   character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(13) = [ &
+   type(usual_type), parameter :: usual(20) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -37,7 +43,14 @@ module dg_usual_range
       usual_type('friction', unit_none, 0.03_wp, 1.0_wp, 'roller tools 0.05; brine on casing 0.6'), &
       usual_type('trip_speed', unit_speed, 0.0_wp, 3.0_wp, 'a stand of 28 m in 20 s: 1.4 m/s'), &
       usual_type('rpm', unit_rotation, 5.0_wp*per_minute, 350.0_wp*per_minute, 'top drives 250 turns a minute'), &
-      usual_type('max_hookload', unit_force, 0.0_wp, 18.0e6_wp, 'largest rigs 1,500 t')]
+      usual_type('max_hookload', unit_force, 0.0_wp, 18.0e6_wp, 'largest rigs 1,500 t'), &
+      usual_type('friction_running_in', unit_none, 0.03_wp, 1.0_wp, 'as friction'), &
+      usual_type('gravity', unit_gravity, 9.7_wp, 10.0_wp, '9.76 on high mountains to 9.83 at the poles'), &
+      usual_type('hours', unit_none, 0.0_wp, 3000.0_wp, 'life of a string; one hour in seconds is 3600'), &
+      usual_type('temperature_change_top', unit_temperature, coldest, hottest, wells), &
+      usual_type('temperature_change_bottom', unit_temperature, coldest, hottest, wells), &
+      usual_type('above_ambient_top', unit_temperature, 0.0_wp, hottest, wells), &
+      usual_type('above_ambient_bottom', unit_temperature, 0.0_wp, hottest, wells)]
    integer, parameter :: digits = 4
 
 contains
@@ -56,7 +69,7 @@ contains
          if (value > high) range = 'at most '//value_text(high)
       end associate
       call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value)//' is unusual. Usual is '//range// &
-                       either('. Check the unit', '', number /= usual_friction))
+                       either('. Check the unit', '', all(number /= [usual_friction, usual_running_in])))
 
    contains
 

@@ -222,7 +222,7 @@ module dg_deck_keys
          choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
          meaning='of its ends, for joint_torsion; default: not known'), &
       key_rule_type('component', 'joint_id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='bore of the pin, for joint_torsion; 0: not given; for a component without tool joints: id'), &
+         meaning='bore of the pin, for joint_torsion, stresses and fatigue of joints; 0: not given, then stresses go by id'), &
       key_rule_type('component', 'joint_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
          meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi); for a component without them: yield'), &
       key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &

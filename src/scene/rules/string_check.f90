@@ -35,6 +35,8 @@ contains
          if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
          if (part%joint_od > 0.0_wp .and. part%joint_od < part%od) call fault('joint_od', 'joint_od = '//wide(part%joint_od)// &
             ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
+         if (part%joint_od > 0.0_wp .and. part%joint_id >= part%joint_od) call fault('joint_id', 'joint_id = '// &
+            wide(part%joint_id)//' is not smaller than joint_od = '//wide(part%joint_od)//'. Give the bore of the pin')
          if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) call fault('joint_length', 'joint_length = '// &
             long(part%joint_length)//' is greater than joint_spacing = '//long(part%joint_spacing))
          if (is_eccentric(part) .and. .not. (has_blades(part) .and. closed_diameter(part) > part%od)) then

@@ -14,8 +14,8 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, worn_od, is_worn, has_bend, has_pad, is_bit, &
-             is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
+   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, joint_bore, worn_od, is_worn, has_bend, has_pad, &
+             is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> Beginning of the kind of a stabilizer, in either spelling.
    character(*), parameter :: stabilizer = 'stabili'
@@ -48,6 +48,7 @@ module dg_component
       real(wp) :: joint_od = 0.0_wp          !< tool joint (or blade) outside diameter [m]; 0: none, the body touches
       real(wp) :: joint_length = 0.0_wp      !< [m]
       real(wp) :: joint_spacing = 9.5_wp     !< [m]
+      real(wp) :: joint_id = 0.0_wp          !< bore of its tool joints [m]; 0: not given
       real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
       real(wp) :: yield_loss = usual_yield_loss   !< by each degree above ambient temperature [1/K]
       real(wp) :: makeup_torque = 0.0_wp     !< of its connections [N.m]; 0: not given
@@ -112,6 +113,7 @@ contains
       call visitor%number('yield', part%yield)
       call visitor%number('yield_loss', part%yield_loss)
       call visitor%number('makeup_torque', part%makeup_torque)
+      call visitor%number('joint_id', part%joint_id)
       call visitor%number('joint_torsion', part%joint_torsion)
       call visitor%number_or_missing('tension_efficiency', part%rating%tension)
       call visitor%number_or_missing('compression_efficiency', part%rating%compression)
@@ -309,6 +311,14 @@ contains
       logical :: is
       is = component%blade_offset > 0.0_wp
    end function is_eccentric
+
+   !> Bore of the tool joints [m]. Where it is not given it is the wider one of the body, so that stresses are on the safe side.
+   elemental function joint_bore(component) result(bore)
+      type(component_type), intent(in) :: component
+      real(wp) :: bore
+      bore = component%id
+      if (component%joint_id > 0.0_wp) bore = component%joint_id
+   end function joint_bore
 
    !> Length of one tool joint [m].
    elemental function effective_joint_length(component) result(length)

@@ -36,6 +36,7 @@ contains
       use%string = range%string
       use%depth = maxval(range%depths)
       use%turns = any(rotates(range%operations))
+      use%operations = range%operations
       use%group = group
       allocate (use%wob(0), use%tob(0))
       if (allocated(range%wob)) use%wob = range%wob

@@ -56,7 +56,7 @@ contains
       call put(row, 'hookload_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%hookload_shares(input_gauge)))
       call put(row, 'hookload_share_rest', quantity_percent, &
-               'nonlinear effects, and chance', percent_of(found%hookload_shares(input_rest)))
+               'nonlinear effects', percent_of(found%hookload_shares(input_rest)))
       call put(row, 'torque_share_friction', quantity_percent, &
                'share of the variance of the torque that friction explains', percent_of(found%torque_shares(input_friction)))
       call put(row, 'torque_share_mud_density', quantity_percent, &
@@ -67,6 +67,6 @@ contains
       call put(row, 'torque_share_gauge', quantity_percent, &
                'the same of the gauge', percent_of(found%torque_shares(input_gauge)))
       call put(row, 'torque_share_rest', quantity_percent, &
-               'nonlinear effects, and chance', percent_of(found%torque_shares(input_rest)))
+               'nonlinear effects', percent_of(found%torque_shares(input_rest)))
    end function uncertainty_row
 end module dg_uncertainty_file

@@ -1,9 +1,12 @@
 !> Shares of uncertain inputs in the variance of a result.
 !>
-!> Samples are a linear function of the standard normal numbers that they were drawn from, and what is left. The square of each
-!> coefficient is the variance by that number (first-order index of a linear model; Saltelli et al. 2008, Global sensitivity
-!> analysis, sec. 1.2.5), less what chance makes of it. Errors of stations each on their own are too many numbers for that: what is
-!> left counts as theirs.
+!> Samples are a linear function of the standard normal numbers that they were drawn from, and what is left:
+!>     y = sum b_k x_k + e.
+!> The share of a number is b_k cov(x_k, y)/var(y), with the covariance of the numbers that were drawn. The shares add up to the
+!> part of the variance that is linear, whatever variance and correlation a few draws have by chance. With many draws they are the
+!> squares b_k^2/var(y) (first-order index of a linear model; Saltelli et al. 2008, Global sensitivity analysis, sec. 1.2.5).
+!> Chance alone gives a number without effect var(e)/(n - 1), which is taken off. Errors of stations each on their own are too
+!> many numbers for that: what is left counts as theirs.
 module dg_variance_shares
    use dg_kinds, only: wp
    use dg_missing, only: missing
@@ -22,18 +25,20 @@ module dg_variance_shares
 
    !> Fewest samples for each coefficient.
    integer, parameter :: samples_each = 10
+   !> Deviation that is round-off: over the largest value [-], and of a value that is zero [N or N.m].
+   real(wp), parameter :: round_off = 1.0e-9_wp, round_off_of_zero = 1.0e-6_wp
 
 contains
 
-   !> Share of each input [-]; their sum is 1. Missing where samples are few or all alike.
+   !> Share of each input [-]; their sum is 1. Missing where samples are few, or alike up to round-off.
    pure function variance_shares(uncertainty, samples, values, gauge) result(shares)
       type(uncertainty_type), intent(in) :: uncertainty
       integer, intent(in) :: samples(:)      !< numbers of those that are solved
       real(wp), intent(in) :: values(:)      !< of each, without the gauge's error [N or N.m]
       real(wp), intent(in) :: gauge          !< standard deviation of the gauge [N or N.m]
       real(wp) :: shares(input_count)
-      real(wp) :: left(size(samples)), variance, total
-      real(wp), allocatable :: drawn(:, :), inverse(:, :), found(:)
+      real(wp) :: left(size(samples)), freedom, variance, total
+      real(wp), allocatable :: drawn(:, :), inverse(:, :), along(:), found(:)
       integer, allocatable :: input(:), quantity(:), place(:)
       integer :: n, k
       logical :: regular
@@ -46,19 +51,22 @@ contains
          drawn(:, k) = draw_of(uncertainty, samples, quantity(k), place(k))
          drawn(:, k) = drawn(:, k) - sum(drawn(:, k))/real(size(samples), wp)
       end do
+      freedom = real(size(samples) - 1, wp)
       left = values - sum(values)/real(size(values), wp)
-      total = sum(left**2)/real(size(samples) - 1, wp) + gauge**2
-      if (total <= tiny(total)) return
+      total = sum(left**2)/freedom + gauge**2
+      if (sqrt(total) <= max(round_off*maxval(abs(values)), round_off_of_zero)) return
       allocate (inverse(n, n))
       call invert_normal(drawn, inverse, regular)
       if (.not. regular) return
-      found = matmul(inverse, matmul(left, drawn))
+      along = matmul(left, drawn)
+      found = matmul(inverse, along)
       left = left - matmul(drawn, found)
       variance = sum(left**2)/real(size(samples) - n - 1, wp)
       shares = 0.0_wp
       do k = 1, n
-         shares(input(k)) = shares(input(k)) + max(found(k)**2 - variance*inverse(k, k), 0.0_wp)/total
+         shares(input(k)) = shares(input(k)) + (found(k)*along(k) - variance)/(freedom*total)
       end do
+      shares = max(shares, 0.0_wp)
       shares(input_gauge) = gauge**2/total
       shares(input_rest) = max(1.0_wp - sum(shares), 0.0_wp)
       if (.not. varies(uncertainty, input_rest)) then

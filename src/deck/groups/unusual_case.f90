@@ -1,0 +1,95 @@
+!> Loads, speeds and temperatures of a load case or a study that are legal and far from what is usual. Each has one note.
+module dg_unusual_case
+   use dg_kinds, only: wp
+   use dg_deck_draft, only: string_use_type
+   use dg_load_case, only: block_way, load_case_type, operation_name, operation_rotary_drilling, operation_rotate_off_bottom, &
+                           operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_text, only: append_text, text_type
+   use dg_unit_kind, only: in_units, unit_force, unit_moment
+   use dg_units, only: unit_system_type
+   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_friction, usual_hours, usual_pump, &
+                             usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
+   implicit none
+   private
+   public :: note_case, note_use
+
+   integer, parameter :: digits = 4
+
+contains
+
+   !> Adds a note for each matter of a load case.
+   subroutine note_case(units, what, load_case, notes)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: what        !< the case, by name
+      type(load_case_type), intent(in) :: load_case
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      call note(usual_wob, load_case%wob)
+      call note(usual_tob, load_case%tob)
+      if (load_case%angular_speed > 0.0_wp) call note(usual_rpm, load_case%angular_speed)
+      call note(usual_hours, load_case%hours)
+      call note(usual_trip_speed, load_case%trip_speed)
+      call note_ways(units, what, load_case%operation, load_case%wob, load_case%tob, notes)
+      if (load_case%wob > 0.0_wp .and. (block_way(load_case%operation) > 0 .or. &
+                                        load_case%operation == operation_rotate_off_bottom)) &
+         call append_text(notes, what//': wob = '//trim(in_units(units, unit_force, load_case%wob, digits))// &
+                          ' pushes the bit in '//trim(operation_name(load_case%operation))//'. An overpull is a wob below 0')
+      if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
+      if (load_case%friction_axial%present) then
+         if (load_case%friction_axial%value > 0.0_wp) call note(usual_friction, load_case%friction_axial%value)
+      end if
+      call note(usual_warming_top, load_case%temperature_change_top)
+      call note(usual_warming_bottom, load_case%temperature_change_bottom)
+      call note(usual_ambient_top, load_case%above_ambient_top)
+      call note(usual_ambient_bottom, load_case%above_ambient_bottom)
+   contains
+      subroutine note(number, value)
+         integer, intent(in) :: number      !< of the range
+         real(wp), intent(in) :: value      !< [SI]
+         call note_range(units, what, number, value, notes)
+      end subroutine note
+   end subroutine note_case
+
+   !> The same of the loads of a study.
+   subroutine note_use(units, use, notes)
+      type(unit_system_type), intent(in) :: units
+      type(string_use_type), intent(in) :: use
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: k
+      character(:), allocatable :: what
+      what = 'group &'//use%group
+      do k = 1, size(use%wob)
+         call note_range(units, what, usual_wob, use%wob(k), notes)
+      end do
+      do k = 1, size(use%tob)
+         call note_range(units, what, usual_tob, use%tob(k), notes)
+      end do
+      if (.not. allocated(use%operations)) return
+      do k = 1, size(use%operations)
+         call note_ways(units, what, use%operations(k), load_of(use%wob, k), load_of(use%tob, k), notes)
+      end do
+   end subroutine note_use
+
+   !> Load of an operation: one for each, one for all or none.
+   pure function load_of(loads, k) result(load)
+      real(wp), intent(in) :: loads(:)
+      integer, intent(in) :: k            !< of the operation
+      real(wp) :: load
+      load = 0.0_wp
+      if (size(loads) > 0) load = loads(min(k, size(loads)))
+   end function load_of
+
+   !> A bit that is pulled while it drills, or turned in a trip though nothing holds it: a stuck one is pulled and turned.
+   subroutine note_ways(units, what, operation, wob, tob, notes)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: what
+      integer, intent(in) :: operation
+      real(wp), intent(in) :: wob, tob     !< [N, N.m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      if (wob < 0.0_wp .and. any(operation == [operation_rotary_drilling, operation_sliding_drilling])) &
+         call append_text(notes, what//': wob = '//trim(in_units(units, unit_force, wob, digits))//' pulls the bit in '// &
+                          trim(operation_name(operation))//'. Weight on bit is a wob above 0')
+      if (tob > 0.0_wp .and. .not. abs(wob) > 0.0_wp .and. any(operation == [operation_trip_out, operation_trip_in])) &
+         call append_text(notes, what//': tob = '//trim(in_units(units, unit_moment, tob, digits))//' turns the free bit in '// &
+                          trim(operation_name(operation))//'. Give tob = 0 there')
+   end subroutine note_ways
+end module dg_unusual_case

@@ -1,0 +1,228 @@
+!> Surveys that are legal and far from what is usual: angles in radians, columns swapped, mistyped stations. Each has one note.
+module dg_unusual_survey
+   use dg_kinds, only: wp
+   use dg_constants, only: degree, pi
+   use dg_deck_draft, only: draft_type
+   use dg_minimum_curvature, only: dogleg_between
+   use dg_survey, only: tangent_of
+   use dg_text, only: append_text, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_length
+   implicit none
+   private
+   public :: note_survey
+
+   !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
+   !> 16 to 20 deg/30 m, short radius in 6 in: 60.
+   real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp
+   !> Inclination that changes slowly by much between two stations, or falls by more than it does in planned wells: a mistyped
+   !> angle, or a station left out [rad, rad/m].
+   real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 0.6_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
+   !> Angle to both neighbours from which a station that points another way is a slip [rad].
+   real(wp), parameter :: spike = 25.0_wp*degree
+   !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
+   real(wp), parameter :: largest_radian = 1.6_wp*degree, least_radian = 0.5_wp*degree, near_right_angle = 0.005_wp*degree
+   !> Largest inclination of a survey in radians, read as degrees, where its azimuths are below 2 pi, too [rad].
+   real(wp), parameter :: largest_of_both = 1.8_wp*degree
+   !> Azimuths that differ by less are alike [rad].
+   real(wp), parameter :: alike = 0.01_wp*degree
+   !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
+   real(wp), parameter :: long_turn = 100.0_wp*degree, inclined = 10.0_wp*degree
+   !> Swapped columns: the hole is inclined at surface by more than `slant` and keeps its inclination within `kept`, while its
+   !> azimuth begins at zero, stays below `lying` and changes by more than `bent`, as an inclination does [m, rad].
+   real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 10.0_wp*degree
+   real(wp), parameter :: zero = 0.5_wp*degree, lying = 120.0_wp*degree, bent = 15.0_wp*degree
+   integer, parameter :: few_digits = 3, digits = 4, depth_digits = 6
+
+contains
+
+   !> Adds a note for each matter of the survey.
+   subroutine note_survey(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: before
+      call note_inclinations(draft, notes)
+      before = size(notes)
+      call note_swapped(draft, notes)
+      call note_doglegs(draft, notes)
+      if (size(notes) == before) call note_steps(draft, notes)
+      if (size(notes) == before) call note_turns(draft, notes)
+   end subroutine note_survey
+
+   !> Inclinations that look like radians.
+   subroutine note_inclinations(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: largest
+      logical :: builds, one_way
+      associate (inclination => draft%stations%inclination, azimuth => draft%stations%azimuth)
+         largest = maxval(inclination)
+         if (largest > largest_of_both .or. largest < least_radian) return
+         if (.not. azimuths_in_radians(pack(azimuth, inclination > 0.0_wp))) then
+            if (largest > largest_radian) return
+            builds = all(inclination(2:) >= inclination(:size(inclination) - 1))
+            one_way = maxval(azimuth, mask=inclination > 0.0_wp) - minval(azimuth, mask=inclination > 0.0_wp) < least_radian
+            if (.not. (abs(largest - 0.5_wp*pi*degree) < near_right_angle .or. (builds .and. one_way))) return
+         end if
+         call append_text(notes, 'group &trajectory: the largest inclination is '//to_text(largest/degree, digits)// &
+                          ' deg. Are the inclinations in radians? They are read as degrees')
+      end associate
+   end subroutine note_inclinations
+
+   !> True if azimuths read as degrees change and look like radians: all from 0 to 2 pi, or all from -pi to pi. Those of a hole that
+   !> is nearly vertical and was measured go all around.
+   pure function azimuths_in_radians(azimuth) result(are)
+      real(wp), intent(in) :: azimuth(:)      !< of stations that are inclined [rad]
+      logical :: are
+      real(wp) :: around(size(azimuth)), signed(size(azimuth))
+      around = modulo(azimuth, 2.0_wp*pi)
+      signed = modulo(azimuth + pi, 2.0_wp*pi) - pi
+      are = .false.
+      if (size(azimuth) < 2) return
+      if (maxval(signed) - minval(signed) < alike) return
+      are = all(around <= 2.0_wp*pi*degree) .or. all(abs(signed) <= pi*degree)
+   end function azimuths_in_radians
+
+   !> Inclination in the place of azimuth, and the other way round.
+   subroutine note_swapped(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: azimuth(size(draft%stations%md))
+      azimuth = modulo(draft%stations%azimuth, 2.0_wp*pi)
+      associate (inclination => draft%stations%inclination)
+         if (draft%stations%md(1) > surface .or. minval(inclination) < slant) return
+         if (maxval(inclination) - minval(inclination) > kept .or. azimuth(1) > zero) return
+         if (maxval(azimuth) > lying .or. maxval(azimuth) < bent) return
+         call append_text(notes, 'group &trajectory: the hole is inclined by '//to_text(inclination(1)/degree, digits)// &
+                          ' deg from surface on, and its azimuth goes from 0 to '//to_text(maxval(azimuth)/degree, digits)// &
+                          ' deg. Are inc and azi swapped?')
+      end associate
+   end subroutine note_swapped
+
+   !> The sharpest dogleg, where it is sharp for its hole, and stations that point another way than both neighbours.
+   subroutine note_doglegs(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: angles(size(draft%stations%md)), dogleg, worst, limit, usual_here
+      logical :: turns
+      integer :: i, place
+      associate (stations => draft%stations, units => draft%units)
+         angles(1) = 0.0_wp
+         worst = 1.0_wp
+         place = 0
+         do i = 2, size(stations%md)
+            angles(i) = between(i - 1, i)
+            dogleg = angles(i)/(stations%md(i) - stations%md(i - 1))
+            limit = max(least_dogleg, usual_dogleg*(usual_hole/diameter_at(stations%md(i)))**3)
+            if (dogleg <= worst*limit) cycle
+            worst = dogleg/limit
+            usual_here = limit
+            place = i
+         end do
+         if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
+            trim(in_units(units, unit_curvature, worst*usual_here, digits))//' at '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Usual in a hole of '// &
+            trim(in_units(units, unit_diameter, diameter_at(stations%md(place)), digits))//' is at most '// &
+            to_text(usual_here/units%curvature, few_digits)// &
+            '. Check depths, angles and their units')
+         place = 0
+         worst = 0.5_wp
+         do i = 2, size(stations%md) - 1
+            if (min(angles(i), angles(i + 1)) <= spike) cycle
+            dogleg = between(i - 1, i + 1)/min(angles(i), angles(i + 1))
+            if (dogleg >= worst) cycle
+            worst = dogleg
+            place = i
+         end do
+         if (place == 0) return
+         turns = abs(turn_of(stations%azimuth, place - 1)) > abs(stations%inclination(place) - stations%inclination(place - 1))
+         call append_text(notes, 'group &trajectory: '//trim(merge('azimuth    ', 'inclination', turns))//' goes from '// &
+            degrees(place - 1)//' to '//degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is that station mistyped?')
+      end associate
+   contains
+      !> Angle between the directions of two stations [rad].
+      function between(one, other) result(angle)
+         integer, intent(in) :: one, other
+         real(wp) :: angle
+         associate (stations => draft%stations)
+            angle = dogleg_between(tangent_of(stations%inclination(one), stations%azimuth(one)), &
+                                   tangent_of(stations%inclination(other), stations%azimuth(other)))
+         end associate
+      end function between
+
+      !> Diameter of the hole at a depth [m].
+      pure function diameter_at(md) result(diameter)
+         real(wp), intent(in) :: md      !< [m]
+         real(wp) :: diameter
+         integer :: k
+         do k = size(draft%holes), 2, -1
+            if (draft%holes(k)%section%md_top < md) exit
+         end do
+         diameter = draft%holes(k)%section%diameter
+      end function diameter_at
+
+      function degrees(station) result(text)
+         integer, intent(in) :: station
+         character(:), allocatable :: text
+         text = to_text(draft%stations%inclination(station)/degree, digits)
+         if (turns) text = to_text(draft%stations%azimuth(station)/degree, digits)
+      end function degrees
+   end subroutine note_doglegs
+
+   !> The largest change of inclination between two stations that is hardly meant.
+   subroutine note_steps(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: step, length, worst
+      integer :: i, place
+      place = 0
+      worst = long_build
+      associate (stations => draft%stations, units => draft%units)
+         do i = 2, size(stations%md)
+            step = stations%inclination(i) - stations%inclination(i - 1)
+            if (abs(step) <= worst .or. &
+                (abs(step) >= slow_build*(stations%md(i) - stations%md(i - 1)) .and. step > -long_drop)) cycle
+            worst = abs(step)
+            place = i
+         end do
+         if (place == 0) return
+         length = stations%md(place) - stations%md(place - 1)
+         call append_text(notes, 'group &trajectory: inclination goes from '// &
+            to_text(stations%inclination(place - 1)/degree, digits)//' to '// &
+            to_text(stations%inclination(place)/degree, digits)//' deg over '// &
+            trim(in_units(units, unit_length, length, digits))//' without a station between, down to '// &
+            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is one of them mistyped or missing?')
+      end associate
+   end subroutine note_steps
+
+   !> The largest change of azimuth between two inclined stations that is hardly meant.
+   subroutine note_turns(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: turn, worst
+      integer :: i, place
+      place = 0
+      worst = long_turn
+      associate (stations => draft%stations, units => draft%units)
+         do i = 2, size(stations%md)
+            turn = abs(turn_of(stations%azimuth, i - 1))
+            if (turn <= worst .or. minval(stations%inclination(i - 1:i)) < inclined) cycle
+            worst = turn
+            place = i
+         end do
+         if (place == 0) return
+         call append_text(notes, 'group &trajectory: azimuth goes from '// &
+            to_text(stations%azimuth(place - 1)/degree, digits)//' to '//to_text(stations%azimuth(place)/degree, digits)// &
+            ' deg over '//trim(in_units(units, unit_length, stations%md(place) - stations%md(place - 1), digits))// &
+            ', down to '//trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is an azimuth mistyped?')
+      end associate
+   end subroutine note_turns
+
+   !> Change of azimuth from a station to the next one, the short way round [rad].
+   pure function turn_of(azimuth, station) result(turn)
+      real(wp), intent(in) :: azimuth(:)
+      integer, intent(in) :: station
+      real(wp) :: turn
+      turn = modulo(azimuth(station + 1) - azimuth(station) + pi, 2.0_wp*pi) - pi
+   end function turn_of
+end module dg_unusual_survey
