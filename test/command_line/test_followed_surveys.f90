@@ -142,7 +142,7 @@ contains
       character(*), parameter :: listed = 'MD,Inc,Azi,TVD,N/S,E/W;0,0,0,100,5,7;471.238898,90,0,400,305,7;1400,90,0,400,'
       character(*), parameter :: side = 'MD,Inc,Azi;1010,30.5,46;1100,35,60;1400,60,80', key = ", parent_file = 'parent.csv'"
       character(*), parameter :: parent = 'MD,Inc,Azi;0,0,0;1000,30,'
-      call follow(listed//'1033.76,7', 'Warning: check columns, units and the north', listed//'1233.76,7')
+      call follow(listed//'1033.76,7', 'Check columns, units and the north', listed//'1233.76,7')
       call follow(side, 'Warning: check that both surveys count depth', side, key, key, parent//'90;1500,30,90', &
                   parent//'45;1500,30,45')
       call follow(sound, 'Leave parent_file out', sound, key, parent=parent//'45')

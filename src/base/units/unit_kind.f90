@@ -100,7 +100,7 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(value_length(units, quantity, value, digits)) :: text
+      character(len=value_length(units, quantity, value, digits)) :: text
       text = to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity)
    end function in_units
 
@@ -110,7 +110,7 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(value_length(units, quantity, at_most(units, quantity, value, digits), digits)) :: text
+      character(len=value_length(units, quantity, at_most(units, quantity, value, digits), digits)) :: text
       text = in_units(units, quantity, at_most(units, quantity, value, digits), digits)
    end function at_most_in_units
 end module dg_unit_kind
