@@ -195,7 +195,7 @@ contains
    pure function either(first, second, so) result(text)
       character(*), intent(in) :: first, second
       logical, intent(in) :: so
-      character(len=merge(len(first), len(second), so)) :: text
+      character(:), allocatable :: text
       text = first
       if (.not. so) text = second
    end function either

@@ -73,16 +73,6 @@ contains
       if (number*unit%factor/count > rows(quantity)%greatest) name = ''
    end subroutine smaller_unit
 
-   ! Before the functions that declare texts by them: gfortran asks for that.
-   pure function value_length(units, quantity, value, digits) result(length)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      real(wp), intent(in) :: value
-      integer, intent(in) :: digits
-      integer :: length
-      length = len_trim(to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity))
-   end function value_length
-
    !> The value itself, rounded down to so many digits in its unit where it is above 0.
    pure function at_most(units, quantity, value, digits) result(least)
       type(unit_system_type), intent(in) :: units
@@ -100,8 +90,8 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(len=value_length(units, quantity, value, digits)) :: text
-      text = to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity)
+      character(:), allocatable :: text
+      text = trim(to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity))
    end function in_units
 
    !> That text with the number rounded down: of a load or depth that is still possible.
@@ -110,7 +100,7 @@ contains
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(len=value_length(units, quantity, at_most(units, quantity, value, digits), digits)) :: text
+      character(:), allocatable :: text
       text = in_units(units, quantity, at_most(units, quantity, value, digits), digits)
    end function at_most_in_units
 end module dg_unit_kind
