@@ -10,7 +10,7 @@ module dg_case_without_load
    use dg_model, only: model_type
    use dg_solve_again, only: solve_again
    use dg_stopping, only: stop_type
-   use dg_unit_kind, only: at_most_in_units, unit_force
+   use dg_unit_kind, only: at_most, in_units, unit_force
    use dg_weight_on_bit, only: matching_friction
    implicit none
    private
@@ -41,7 +41,8 @@ contains
          if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
       end associate
       if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &
-         'Without a push '//at_most_in_units(model%units, unit_force, weight_that_arrives(model, result), shown)//' reach it')
+         'Without a push '//in_units(model%units, unit_force, at_most(model%units, unit_force, &
+                                                        weight_that_arrives(model, result), shown), shown)//' reach it')
    end subroutine solve_without_load
 
    !> The solution without weight on bit, and the factor of friction that it shows.

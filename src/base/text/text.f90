@@ -27,8 +27,8 @@ module dg_text
 
    !> A number as text: integers plainly, reals with the fewest digits that give the number back.
    !>
-   !> These functions and `quoted` tell the length of their result instead of leaving it to the result: threads call them, and
-   !> gfortran keeps the length of a deferred-length result in one static variable for each call in the source (TREE_STATIC in
+   !> These functions, `quoted` and `either` tell the length of their result instead of leaving it to the result. Threads call them,
+   !> and gfortran keeps the length of a deferred-length result in one static variable for each call in the source (TREE_STATIC in
    !> its trans-expr.c, seen with 12.2). Two threads at the same call then take each other's lengths and spoil the heap.
    interface to_text
       module procedure integer_text
@@ -191,11 +191,11 @@ contains
       end if
    end function letter_end
 
-   !> One of two texts, the first where it is so.
+   !> One of two texts, the first where it is so. The length is written without commas, which pages for programmers cannot read.
    pure function either(first, second, so) result(text)
       character(*), intent(in) :: first, second
       logical, intent(in) :: so
-      character(:), allocatable :: text
+      character(len(first)*count([so]) + len(second)*count([.not. so])) :: text
       text = first
       if (.not. so) text = second
    end function either

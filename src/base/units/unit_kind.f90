@@ -13,7 +13,7 @@ module dg_unit_kind
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most_in_units, smaller_unit, heaviest_mud
+   public :: unit_factor, unit_label, in_units, at_most, smaller_unit, heaviest_mud
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
@@ -25,34 +25,15 @@ contains
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp) :: factor
-      type(unit_type) :: unit
-      unit = unit_in(units, quantity)
-      factor = unit%factor
+      factor = units%factor_of(quantity)
    end function unit_factor
-
-   !> Name of a unit, with blanks behind it.
-   pure function padded_label(units, quantity) result(label)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      type(unit_type) :: unit
-      character(len(unit%label)) :: label
-      unit = unit_in(units, quantity)
-      label = unit%label
-   end function padded_label
-
-   pure function label_length(units, quantity) result(length)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      integer :: length
-      length = len_trim(padded_label(units, quantity))
-   end function label_length
 
    !> Name of a unit for readers; '' for plain numbers. It tells the length of its result, as threads call it (see to_text).
    pure function unit_label(units, quantity) result(label)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
-      character(label_length(units, quantity)) :: label
-      label = padded_label(units, quantity)
+      character(len_trim(units%label_of(quantity))) :: label
+      label = units%label_of(quantity)
    end function unit_label
 
    !> A smaller unit that people write in place of a quantity's own, with blanks behind it; '' where there is none. It is the first
@@ -73,7 +54,7 @@ contains
       if (number*unit%factor/count > rows(quantity)%greatest) name = ''
    end subroutine smaller_unit
 
-   !> The value itself, rounded down to so many digits in its unit where it is above 0.
+   !> A value rounded down to so many digits in its unit where it is above 0: of a load or depth that is still possible.
    pure function at_most(units, quantity, value, digits) result(least)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
@@ -84,23 +65,14 @@ contains
       if (value > 0.0_wp) least = unit_factor(units, quantity)*rounded_down(value/unit_factor(units, quantity), digits)
    end function at_most
 
-   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name.
+   !> A value in SI as messages tell it: in a deck's units, to so many digits, with the unit's name. It tells the length of its
+   !> result, as threads call it (see to_text), with no more commas than pages for programmers can read.
    pure function in_units(units, quantity, value, digits) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value       !< [SI]
       integer, intent(in) :: digits
-      character(:), allocatable :: text
-      text = trim(to_text(value/unit_factor(units, quantity), digits)//' '//padded_label(units, quantity))
+      character(len_trim(to_text(value/units%factor_of(quantity), digits)//' '//units%label_of(quantity))) :: text
+      text = to_text(value/units%factor_of(quantity), digits)//' '//units%label_of(quantity)
    end function in_units
-
-   !> That text with the number rounded down: of a load or depth that is still possible.
-   pure function at_most_in_units(units, quantity, value, digits) result(text)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      real(wp), intent(in) :: value       !< [SI]
-      integer, intent(in) :: digits
-      character(:), allocatable :: text
-      text = in_units(units, quantity, at_most(units, quantity, value, digits), digits)
-   end function at_most_in_units
 end module dg_unit_kind

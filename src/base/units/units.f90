@@ -29,6 +29,9 @@ module dg_units
       !> Names of length and force, the same in texts and in headers of columns.
       character(10) :: length_label = rows(quantity_length)%units(system_si)%label
       character(10) :: force_label = rows(quantity_force)%units(system_si)%label
+   contains
+      procedure :: factor_of
+      procedure :: label_of
    end type unit_system_type
 
 contains
@@ -66,6 +69,22 @@ contains
       type(unit_type) :: unit
       unit = rows(quantity)%units(units%system)
    end function unit_in
+
+   !> SI value of one unit of a quantity.
+   elemental function factor_of(units, quantity) result(factor)
+      class(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp) :: factor
+      factor = rows(quantity)%units(units%system)%factor
+   end function factor_of
+
+   !> Name of a unit, with blanks behind it.
+   pure function label_of(units, quantity) result(label)
+      class(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      character(len(rows(1)%units(1)%label)) :: label
+      label = rows(quantity)%units(units%system)%label
+   end function label_of
 
    !> The system of that name, letter case aside; SI where there is none.
    pure function unit_system(name) result(units)

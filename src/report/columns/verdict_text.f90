@@ -8,7 +8,7 @@ module dg_verdict_text
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down
    use dg_text, only: either, to_text
-   use dg_unit_kind, only: at_most_in_units, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
+   use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
                            unit_pressure, unit_stress
    use dg_units, only: unit_system_type
    use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
@@ -64,7 +64,7 @@ contains
             text = 'Friction holds the string at '//depth_text(units, load_case%bit_depth)//', a pull does not move it'
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
             text = 'no load'
-            if (verdict%most_wob%value > 0.0_wp) text = at_most_in_units(units, unit_force, verdict%most_wob%value, shown)
+            if (verdict%most_wob%value > 0.0_wp) text = force_text(units, at_most(units, unit_force, verdict%most_wob%value, shown))
             text = 'String weight alone brings '//text//' to the bit, '//force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
             text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
@@ -174,7 +174,8 @@ contains
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
-                   at_most_in_units(units, unit_length, verdict%reach%value, shown)//' by the soft string'
+                   in_units(units, unit_length, at_most(units, unit_length, verdict%reach%value, shown), shown)// &
+                   ' by the soft string'
          else
             text = text//'. No shallower bit depth is possible either'
          end if
