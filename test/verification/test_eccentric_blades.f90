@@ -11,7 +11,7 @@
 module dg_test_eccentric_blades
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: component_type, tube_area, tube_inertia
+   use dg_component, only: component_type, tube_inertia
    use dg_constants, only: degree
    use dg_drillstring, only: drillstring_type
    use dg_error, only: error_type
@@ -22,6 +22,7 @@ module dg_test_eccentric_blades
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
    use dg_three_points, only: three_point_dogleg
+   use dg_test_wells, only: steel
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
@@ -68,12 +69,12 @@ contains
       model%strings(1)%name = 'main'
       allocate (model%strings(1)%components(2*spans + 1))
       do i = 1, spans
-         model%strings(1)%components(2*i - 1) = collar('collar', span - blade)
-         model%strings(1)%components(2*i) = collar('stabilizer', blade)
+         model%strings(1)%components(2*i - 1) = steel('collar', span - blade, od, id)
+         model%strings(1)%components(2*i) = steel('stabilizer', blade, od, id)
          model%strings(1)%components(2*i)%joint_od = hole - 2.0_wp*clearance
       end do
       model%strings(1)%components(1)%length = span - 0.5_wp*blade
-      model%strings(1)%components(2*spans + 1) = collar('collar', 0.0_wp)
+      model%strings(1)%components(2*spans + 1) = steel('collar', 0.0_wp, od, id)
       model%strings(1)%components(2)%blade_offset = offset
       model%strings(1)%components(2)%blade_clock = clock
       model%mud = standing_mud(0.0_wp)
@@ -88,18 +89,6 @@ contains
       call assertEqual(result_converged, result%status)
       call assertTrue(result%equilibrium_force < out_of_balance*max(case%wob, weight))
    end subroutine solve
-
-   function collar(kind, length) result(part)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length       !< [m]
-      type(component_type) :: part
-      part%kind = kind
-      part%name = kind
-      part%od = od
-      part%id = id
-      part%length = length
-      part%mass = part%density*tube_area(od, id)
-   end function collar
 
    pure function static_case(toolface) result(case)
       real(wp), intent(in) :: toolface     !< [rad]
@@ -215,8 +204,9 @@ contains
          real(wp) :: dogleg
          type(drillstring_type) :: string
          allocate (string%components(5))
-         string%components = [collar('collar', 0.5_wp), collar('stabilizer', 0.3_wp), collar('collar', 6.0_wp), &
-                              collar('stabilizer', 0.3_wp), collar('collar', 0.0_wp)]
+         string%components = [steel('collar', 0.5_wp, od, id), steel('stabilizer', 0.3_wp, od, id), &
+                              steel('collar', 6.0_wp, od, id), steel('stabilizer', 0.3_wp, od, id), &
+                              steel('collar', 0.0_wp, od, id)]
          string%components([2, 4])%joint_od = hole - 2.0_wp*clearance
          string%components(changed)%joint_od = hole - 2.0_wp*clearance - smaller
          string%components(changed)%blade_offset = offset

@@ -5,7 +5,6 @@
 module dg_test_pads
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: component_type, tube_area
    use dg_constants, only: degree
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
@@ -14,6 +13,7 @@ module dg_test_pads
    use dg_load_case, only: operation_rotate_off_bottom, operation_static
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
+   use dg_test_wells, only: steel
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
@@ -52,12 +52,12 @@ contains
       model%strings(1)%name = 'main'
       allocate (model%strings(1)%components(2*spans + 1))
       do i = 1, spans
-         model%strings(1)%components(2*i - 1) = collar('collar', span - blade)
-         model%strings(1)%components(2*i) = collar('stabilizer', blade)
+         model%strings(1)%components(2*i - 1) = steel('collar', span - blade, od, id)
+         model%strings(1)%components(2*i) = steel('stabilizer', blade, od, id)
          model%strings(1)%components(2*i)%joint_od = hole - 2.0_wp*clearance
       end do
       model%strings(1)%components(1)%length = span - 0.5_wp*blade
-      model%strings(1)%components(2*spans + 1) = collar('collar', 0.0_wp)
+      model%strings(1)%components(2*spans + 1) = steel('collar', 0.0_wp, od, id)
       model%strings(1)%components(1)%pad_force = push
       model%strings(1)%components(1)%pad_clock = clock
       model%strings(1)%components(1)%pad_position = part*span
@@ -72,18 +72,6 @@ contains
       call assertFalse(allocated(error))
       call assertEqual(result_converged, result%status)
    end subroutine solve
-
-   function collar(kind, length) result(part)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length       !< [m]
-      type(component_type) :: part
-      part%kind = kind
-      part%name = kind
-      part%od = od
-      part%id = id
-      part%length = length
-      part%mass = part%density*tube_area(od, id)
-   end function collar
 
    !> Side force of the bit towards the high side [N].
    pure function upwards(result) result(force_up)

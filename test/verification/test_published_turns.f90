@@ -8,8 +8,7 @@
 !> stabilizer that touches as the body does on the other side.
 module dg_test_published_turns
    use funit, only: assertFalse, assertTrue, TestMethod, TestSuite
-   use dg_component, only: component_type, tube_area
-   use dg_constants, only: degree
+   use dg_constants, only: degree, foot, inch, pound_force
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
@@ -19,13 +18,12 @@ module dg_test_published_turns
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_steering, only: steering_result_type
-   use dg_test_wells, only: note
+   use dg_test_wells, only: note, steel
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
    public :: published_turns_suite
 
-   real(wp), parameter :: inch = 0.0254_wp, foot = 12.0_wp*inch, pound_force = 4.4482216152605_wp
    real(wp), parameter :: hole = 4.5_wp*inch, body = 2.875_wp*inch, bore = 1.5_wp*inch, bit = 6.0_wp*inch, bend_at = 33.0_wp*inch
    real(wp), parameter :: pad_length = 6.0_wp*inch, motor_above = 12.0_wp*foot, collars = 60.0_wp*foot, depth = 1000.0_wp*foot
    real(wp), parameter :: per_hundred = degree/(100.0_wp*foot)
@@ -77,8 +75,9 @@ contains
       model%holes(1) = hole_section_type('hole', 0.0_wp, depth, hole, 0.0_wp, 0.0_wp)
       model%strings(1)%name = 'main'
       allocate (model%strings(1)%components(5))
-      model%strings(1)%components = [part('bit', bit), part('motor', bend_at - pad_length), part('motor', pad_length), &
-                                     part('motor', motor_above), part('collar', 0.0_wp)]
+      model%strings(1)%components = [steel('bit', bit, body, bore), steel('motor', bend_at - pad_length, body, bore), &
+                                     steel('motor', pad_length, body, bore), steel('motor', motor_above, body, bore), &
+                                     steel('collar', 0.0_wp, body, bore)]
       associate (components => model%strings(1)%components)
          components(1)%joint_od = hole
          if (pad > 0.0_wp) then
@@ -99,16 +98,4 @@ contains
       call find_equilibrium_curvature(model, 1, 0.0_wp, collars, optional_real(), found)
       call assertTrue(found%found, message=found%message)
    end subroutine steer
-
-   function part(kind, length) result(component)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length       !< [m]
-      type(component_type) :: component
-      component%kind = kind
-      component%name = kind
-      component%od = body
-      component%id = bore
-      component%length = length
-      component%mass = component%density*tube_area(body, bore)
-   end function part
 end module dg_test_published_turns

@@ -3,7 +3,7 @@
 module dg_test_sag_correction
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: bending_stiffness, component_type, tube_area
+   use dg_component, only: bending_stiffness
    use dg_constants, only: degree
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
@@ -13,6 +13,7 @@ module dg_test_sag_correction
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_static_analysis, only: solve_static_analysis
+   use dg_test_wells, only: steel
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
@@ -49,11 +50,11 @@ contains
       model%strings(1)%name = 'main'
       allocate (model%strings(1)%components(2*spans + 1))
       do i = 1, spans
-         model%strings(1)%components(2*i - 1) = collar('collar', span - blade)
-         model%strings(1)%components(2*i) = collar('stabilizer', blade)
+         model%strings(1)%components(2*i - 1) = steel('collar', span - blade, od, id)
+         model%strings(1)%components(2*i) = steel('stabilizer', blade, od, id)
          model%strings(1)%components(2*i)%joint_od = hole - 2.0_wp*clearance
       end do
-      model%strings(1)%components(2*spans + 1) = collar('collar', 0.0_wp)
+      model%strings(1)%components(2*spans + 1) = steel('collar', 0.0_wp, od, id)
       if (part >= 0.0_wp) model%strings(1)%components(2*middle - 1)%sensor = part*span - 0.5_wp*blade
       model%mud = standing_mud(0.0_wp)
       weight = model%strings(1)%components(1)%mass*model%gravity
@@ -65,18 +66,6 @@ contains
       model%cases(1)%operation = operation_static
       model%cases(1)%wob = weight*cos(inclination)*span*(real(middle, wp) - 0.5_wp)      ! no axial force in the middle span
    end subroutine build
-
-   function collar(kind, length) result(part)
-      character(*), intent(in) :: kind
-      real(wp), intent(in) :: length       !< [m]
-      type(component_type) :: part
-      part%kind = kind
-      part%name = kind
-      part%od = od
-      part%id = id
-      part%length = length
-      part%mass = part%density*tube_area(od, id)
-   end function collar
 
    !> Deflection w x^2 (L - x)^2/(24 E I): the slope is w x (L - x) (L - 2 x)/(12 E I). In the lower half of the span the string
    !> points higher than the hole, so that the sensor reads too much.

@@ -4,7 +4,7 @@ module dg_test_wells
    use, intrinsic :: iso_fortran_env, only: output_unit
    use funit, only: assertEqual, assertFalse, assertLessThan
    use dg_case_result, only: case_result_type, result_converged
-   use dg_component, only: component_type
+   use dg_component, only: component_type, tube_area
    use dg_constants, only: degree
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
@@ -15,7 +15,7 @@ module dg_test_wells
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    implicit none
    private
-   public :: new_well, hold_ends, three_part_well, part, pipe, solve, note, string_weight
+   public :: new_well, hold_ends, three_part_well, part, pipe, steel, solve, note, string_weight
 
    !> Unbalanced force of a node over the string's weight and bit load, to which each of its three components is iterated; moment
    !> over that times the string's extent. What is left of all nodes may lie to one side: a snake that stops within the tolerance by
@@ -101,6 +101,14 @@ contains
       component%mass = mass
       component%joint_od = joint_od
    end function part
+
+   !> A tube of steel without tool joints.
+   pure function steel(kind, length, od, id) result(component)
+      character(*), intent(in) :: kind
+      real(wp), intent(in) :: length, od, id   !< [m]
+      type(component_type) :: component
+      component = part(kind, length, od, id, component%density*tube_area(od, id), 0.0_wp)
+   end function steel
 
    !> A pipe of a weight in the fluid [N/m], at the gravity of new_well.
    pure function pipe(weight, od, id, youngs) result(component)

@@ -66,7 +66,7 @@ contains
          words = words//verb(' agree')//' with those of the file within '//shown(same)
       else
          words = words//verb(' differ')//' from those of the file by up to '//shown(largest)//', '//trim(names(worst_k))//' at '// &
-                 trim(in_units(units, unit_length, stations%md(worst), depth_digits))
+                 in_units(units, unit_length, stations%md(worst), depth_digits)
          doubtful = largest > far
          if (doubtful) words = words//'. Check columns, units and the north of the azimuths'
       end if

@@ -31,7 +31,7 @@ contains
       call note_ways(units, what, load_case%operation, load_case%wob, load_case%tob, notes)
       if (load_case%wob > 0.0_wp .and. (block_way(load_case%operation) > 0 .or. &
                                         load_case%operation == operation_rotate_off_bottom)) &
-         call append_text(notes, what//': wob = '//trim(in_units(units, unit_force, load_case%wob, digits))// &
+         call append_text(notes, what//': wob = '//in_units(units, unit_force, load_case%wob, digits)// &
                           ' pushes the bit in '//trim(operation_name(load_case%operation))//'. An overpull is a wob below 0')
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
       if (load_case%friction_axial%present) then
@@ -49,7 +49,7 @@ contains
       end subroutine note
    end subroutine note_case
 
-   !> The same of the loads of a study.
+   !> Adds notes on the loads of a study.
    subroutine note_use(units, use, notes)
       type(unit_system_type), intent(in) :: units
       type(string_use_type), intent(in) :: use
@@ -86,10 +86,10 @@ contains
       real(wp), intent(in) :: wob, tob     !< [N, N.m]
       type(text_type), allocatable, intent(inout) :: notes(:)
       if (wob < 0.0_wp .and. any(operation == [operation_rotary_drilling, operation_sliding_drilling])) &
-         call append_text(notes, what//': wob = '//trim(in_units(units, unit_force, wob, digits))//' pulls the bit in '// &
+         call append_text(notes, what//': wob = '//in_units(units, unit_force, wob, digits)//' pulls the bit in '// &
                           trim(operation_name(operation))//'. Weight on bit is a wob above 0')
       if (tob > 0.0_wp .and. .not. abs(wob) > 0.0_wp .and. any(operation == [operation_trip_out, operation_trip_in])) &
-         call append_text(notes, what//': tob = '//trim(in_units(units, unit_moment, tob, digits))//' turns the free bit in '// &
+         call append_text(notes, what//': tob = '//in_units(units, unit_moment, tob, digits)//' turns the free bit in '// &
                           trim(operation_name(operation))//'. Give tob = 0 there')
    end subroutine note_ways
 end module dg_unusual_case

@@ -4,8 +4,8 @@ module dg_unusual_survey
    use dg_constants, only: degree, pi
    use dg_deck_draft, only: draft_type
    use dg_minimum_curvature, only: dogleg_between
-   use dg_survey, only: tangent_of
-   use dg_text, only: append_text, text_type, to_text
+   use dg_survey, only: tangent_of, turn_between
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_length
    implicit none
    private
@@ -75,7 +75,7 @@ contains
       logical :: are
       real(wp) :: around(size(azimuth)), signed(size(azimuth))
       around = modulo(azimuth, 2.0_wp*pi)
-      signed = modulo(azimuth + pi, 2.0_wp*pi) - pi
+      signed = turn_between(azimuth, 0.0_wp)
       are = .false.
       if (size(azimuth) < 2) return
       if (maxval(signed) - minval(signed) < alike) return
@@ -119,9 +119,9 @@ contains
             place = i
          end do
          if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
-            trim(in_units(units, unit_curvature, worst*usual_here, digits))//' at '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Usual in a hole of '// &
-            trim(in_units(units, unit_diameter, diameter_at(stations%md(place)), digits))//' is at most '// &
+            in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
+            in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
             to_text(usual_here/units%curvature, few_digits)// &
             '. Check depths, angles and their units')
          place = 0
@@ -134,10 +134,11 @@ contains
             place = i
          end do
          if (place == 0) return
-         turns = abs(turn_of(stations%azimuth, place - 1)) > abs(stations%inclination(place) - stations%inclination(place - 1))
-         call append_text(notes, 'group &trajectory: '//trim(merge('azimuth    ', 'inclination', turns))//' goes from '// &
+         turns = abs(turn_between(stations%azimuth(place), stations%azimuth(place - 1))) > &
+                 abs(stations%inclination(place) - stations%inclination(place - 1))
+         call append_text(notes, 'group &trajectory: '//either('azimuth', 'inclination', turns)//' goes from '// &
             degrees(place - 1)//' to '//degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is that station mistyped?')
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Is that station mistyped?')
       end associate
    contains
       !> Angle between the directions of two stations [rad].
@@ -169,7 +170,7 @@ contains
       end function degrees
    end subroutine note_doglegs
 
-   !> The largest change of inclination between two stations that is hardly meant.
+   !> The largest change of inclination between two stations, where it is slow or a drop: a slip, most likely.
    subroutine note_steps(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -190,12 +191,12 @@ contains
          call append_text(notes, 'group &trajectory: inclination goes from '// &
             to_text(stations%inclination(place - 1)/degree, digits)//' to '// &
             to_text(stations%inclination(place)/degree, digits)//' deg over '// &
-            trim(in_units(units, unit_length, length, digits))//' without a station between, down to '// &
-            trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is one of them mistyped or missing?')
+            in_units(units, unit_length, length, digits)//' without a station between, down to '// &
+            in_units(units, unit_length, stations%md(place), depth_digits)//'. Is one of them mistyped or missing?')
       end associate
    end subroutine note_steps
 
-   !> The largest change of azimuth between two inclined stations that is hardly meant.
+   !> The largest change of azimuth between two inclined stations, where it is too large to be meant.
    subroutine note_turns(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -205,7 +206,7 @@ contains
       worst = long_turn
       associate (stations => draft%stations, units => draft%units)
          do i = 2, size(stations%md)
-            turn = abs(turn_of(stations%azimuth, i - 1))
+            turn = abs(turn_between(stations%azimuth(i), stations%azimuth(i - 1)))
             if (turn <= worst .or. minval(stations%inclination(i - 1:i)) < inclined) cycle
             worst = turn
             place = i
@@ -213,16 +214,8 @@ contains
          if (place == 0) return
          call append_text(notes, 'group &trajectory: azimuth goes from '// &
             to_text(stations%azimuth(place - 1)/degree, digits)//' to '//to_text(stations%azimuth(place)/degree, digits)// &
-            ' deg over '//trim(in_units(units, unit_length, stations%md(place) - stations%md(place - 1), digits))// &
-            ', down to '//trim(in_units(units, unit_length, stations%md(place), depth_digits))//'. Is an azimuth mistyped?')
+            ' deg over '//in_units(units, unit_length, stations%md(place) - stations%md(place - 1), digits)// &
+            ', down to '//in_units(units, unit_length, stations%md(place), depth_digits)//'. Is an azimuth mistyped?')
       end associate
    end subroutine note_turns
-
-   !> Change of azimuth from a station to the next one, the short way round [rad].
-   pure function turn_of(azimuth, station) result(turn)
-      real(wp), intent(in) :: azimuth(:)
-      integer, intent(in) :: station
-      real(wp) :: turn
-      turn = modulo(azimuth(station + 1) - azimuth(station) + pi, 2.0_wp*pi) - pi
-   end function turn_of
 end module dg_unusual_survey

@@ -1,8 +1,9 @@
 !> Stations of a survey file: their order, the same station twice, and what the file shows of them beside md, inc and azi.
 module dg_survey_stations
-   use dg_constants, only: degree, pi
+   use dg_constants, only: degree
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
+   use dg_survey, only: turn_between
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_azi, column_md, column_name, loose_rank
    use dg_text, only: either, quoted, to_text
@@ -100,13 +101,6 @@ contains
          end associate
       end do
    end function same_station
-
-   !> Difference of two azimuths, from -pi to pi [rad].
-   elemental function turn_between(one, other) result(turn)
-      real(wp), intent(in) :: one, other
-      real(wp) :: turn
-      turn = modulo(one - other + pi, 2.0_wp*pi) - pi
-   end function turn_between
 
    !> Which heading was taken for a quantity that it does not surely name; and, of two columns for md, inc or azi, which was taken
    !> and how far they differ. '' where there is nothing to tell. `doubt` is a fault: two columns differ, and their headings do not

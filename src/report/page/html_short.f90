@@ -68,12 +68,12 @@ contains
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
-         call add_line(lines, '<li>Hook load: '//trim(in_units(job%units, unit_force, results(1)%hookload, few))//'.</li>')
+         call add_line(lines, '<li>Hook load: '//in_units(job%units, unit_force, results(1)%hookload, few)//'.</li>')
       else
          call add_line(lines, '<li>Hook load: from '// &
-                       trim(in_units(job%units, unit_force, results(least)%hookload, few))//' ('// &
+                       in_units(job%units, unit_force, results(least)%hookload, few)//' ('// &
                        html_safe(model%cases(results(least)%case_index)%name)//') to '// &
-                       trim(in_units(job%units, unit_force, results(most)%hookload, few))//' ('// &
+                       in_units(job%units, unit_force, results(most)%hookload, few)//' ('// &
                        html_safe(model%cases(results(most)%case_index)%name)//').</li>')
       end if
    end subroutine append_loads
@@ -158,7 +158,7 @@ contains
             end do
          end do
          if (where_worst > 0) call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
-            trim(in_units(job%units, unit_force, worst, fewer))//' of these, '//to_text(per_cent*worst/scale, fewer)// &
+            in_units(job%units, unit_force, worst, fewer)//' of these, '//to_text(per_cent*worst/scale, fewer)// &
             ' % of the greatest; the worst is '//html_safe(model%cases(where_worst)%name)//'.</li>')
       end do
    end subroutine append_models

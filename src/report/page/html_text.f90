@@ -171,13 +171,13 @@ contains
       character(*), intent(in) :: text
       integer, intent(in) :: quantity
       character(:), allocatable :: cell
-      real(wp) :: told
+      real(wp) :: shown
       integer :: failed
       cell = '<td>'//text//'</td>'
       if (.not. has_units(quantity)) return
-      read (text, *, iostat=failed) told
+      read (text, *, iostat=failed) shown
       if (failed == 0) then
-         if (abs(told - value) <= unseen*abs(value)) return
+         if (abs(shown - value) <= unseen*abs(value)) return
       end if
       cell = '<td data-v="'//to_text(value, switched_digits)//'">'//text//'</td>'
    end function number_cell

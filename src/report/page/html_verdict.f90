@@ -99,7 +99,7 @@ contains
       end function place_text
    end subroutine append_answers
 
-   !> Rows that are read first have the greatest: NO, no solution, then the largest share of a limit.
+   !> Number by which rows are sorted, the greatest first: NO is 3, no solution 2, yes the share of its limit.
    elemental function urgency(verdict) result(number)
       type(verdict_type), intent(in) :: verdict
       real(wp) :: number

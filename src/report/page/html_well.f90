@@ -71,7 +71,7 @@ contains
       name = ''
       if (size(model%strings) > 1) name = ' '//html_safe(model%strings(number)%name)
       call add_line(lines, '<table><caption>String'//name//' from the bit at '// &
-                       trim(in_units(units, unit_length, bit, digits))//' upwards</caption>')
+                       in_units(units, unit_length, bit, digits)//' upwards</caption>')
       call add_line(lines, '<thead><tr><th class="text" scope="col">component</th>'//head_cell('length', unit_length)// &
                        head_cell('od', unit_diameter)//head_cell('mass', unit_mass)//'</tr></thead><tbody>')
       do i = 1, min(last, most_rows)

@@ -9,7 +9,7 @@ module dg_survey
    use dg_vector, only: cross
    implicit none
    private
-   public :: check_stations, tangent_of, inclination_of, azimuth_of, high_side, clock_angle, unit, north
+   public :: check_stations, turn_between, tangent_of, inclination_of, azimuth_of, high_side, clock_angle, unit, north
 
    !> Unit vector to the north.
    real(wp), parameter :: north(3) = [1.0_wp, 0.0_wp, 0.0_wp]
@@ -131,4 +131,11 @@ contains
       real(wp) :: scaled(3)
       scaled = a/sqrt(dot_product(a, a))
    end function unit
+
+   !> Difference of two azimuths, from -pi to pi [rad].
+   elemental function turn_between(one, other) result(turn)
+      real(wp), intent(in) :: one, other
+      real(wp) :: turn
+      turn = modulo(one - other + pi, 2.0_wp*pi) - pi
+   end function turn_between
 end module dg_survey
