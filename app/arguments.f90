@@ -226,27 +226,27 @@ contains
       type(text_type), allocatable, intent(out) :: lines(:)
       call append_text(lines, 'usage: '//program_name//' DECK.nml [options]')
       call append_text(lines, '  DECK.nml       a deck; - reads it from standard input, with --output or output_dir in it')
-      call append_text(lines, '  --check        read and validate the deck, print what would be run, solve nothing')
+      call append_text(lines, '  --check        check the deck and print how it is understood; solve nothing')
       call append_text(lines, '  --output DIR   folder of results instead of the deck''s output_dir')
-      call append_text(lines, '  --threads N    cases solved at a time instead of the deck''s threads; 0: all cores')
+      call append_text(lines, '  --threads N    number of cases solved at the same time, in place of the deck''s; 0: all cores')
       call append_text(lines, '  --part I/N     solve only part I of N of the sweeps and uncertainties; --merge N then joins them;')
-      call append_text(lines, '                 several one after another as in --part 3,7-9/40')
+      call append_text(lines, '                 several parts one after another: --part 3,7-9/40')
       call append_text(lines, '  --merge N      join the N parts of each sweep, solve nothing')
-      call append_text(lines, '  --again        solve those points of sweeps and uncertainties again that did not converge,')
-      call append_text(lines, '                 with the solver settings that DECK.nml has now; goes with --part and --merge')
-      call append_text(lines, '  --quiet        no progress, no notes on standard error')
+      call append_text(lines, '  --again        solve points of sweeps and uncertainties that did not converge again,')
+      call append_text(lines, '                 with the present &solver of DECK.nml; may stand with --part and --merge')
+      call append_text(lines, '  --quiet        print results only: no progress, no notes')
       call append_text(lines, '  --help, -h     this text')
       call append_text(lines, '  --version, -v  name and version')
       call append_text(lines, 'or: '//program_name//' --template [UNITS]            prints a commented deck to start from')
       call append_text(lines, '    '//program_name//' --list-catalogue [PATTERN]    '// &
-                       'prints the catalogue of pipe, or what has PATTERN in its name')
+                       'prints the catalogue of pipe, or its entries with PATTERN')
       call append_text(lines, '    '//program_name//' --convert DECK.nml [UNITS]    '// &
                        'prints the deck in other units')
       call append_text(lines, '    '//program_name//' --import FILE... [--well NAME] [--units UNITS]')
       call append_text(lines, '                 prints a deck made from an EDM export, or from WITSML documents of a well')
       call append_text(lines, 'UNITS: '//listed(deck_systems))
-      call append_text(lines, 'exit status: 0 every case has an answer (yes, no, or locked up), '// &
+      call append_text(lines, 'exit status: 0 every case has an answer, yes or no, '// &
                        '3 a case did not converge,')
-      call append_text(lines, '             2 bad command line, deck or data file, 1 else')
+      call append_text(lines, '             2 bad command line, deck or data file, 1 anything else')
    end subroutine usage_lines
 end module dg_arguments

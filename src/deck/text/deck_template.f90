@@ -4,7 +4,9 @@ module dg_deck_template
    use dg_deck_keys, only: operation_words
    use dg_deck_number, only: read_real
    use dg_deck_schema, only: group_keys_type, key_rule_type, kind_real, kind_text, listed, name_length, range_text, split_words
+   use dg_key_visitor, only: key_visitor_type
    use dg_kinds, only: wp
+   use dg_numerics, only: numerics_type, visit_numerics
    use dg_quantity, only: deck_systems
    use dg_text, only: append_text, text_type, to_text
    use dg_unit_kind, only: unit_diameter, unit_factor, unit_force, unit_label, unit_length, unit_mass, unit_none
@@ -60,6 +62,15 @@ module dg_deck_template
       example_type('load_case', 2, 'wob', '50', '12'), &
       example_type('load_case', 2, 'tob', '3', '2')]
 
+   !> Finds the default of a number of the solver, which stands in its type.
+   type, extends(key_visitor_type) :: default_finder_type
+      character(name_length) :: key = ''
+      real(wp) :: value = 0.0_wp       !< [SI]
+      logical :: found = .false.
+   contains
+      procedure :: number => look_at_number
+   end type default_finder_type
+
    !> Column at which what is said of a key begins.
    integer, parameter :: remark_column = 42
    !> Significant digits of a default that is not stated in the units of the deck.
@@ -82,7 +93,7 @@ contains
       allocate (lines(0))
       call split_words(deck_systems, systems)
       call append_text(lines, '! A deck of '//program_name//' '//program_version//' to start from: it runs as it stands.')
-      call append_text(lines, '! Keys behind ! are optional and show their default. Units stand in brackets.')
+      call append_text(lines, '! Keys behind ! are optional and show their default. Legal values and units stand in brackets.')
       call append_text(lines, '! Groups may come in any order.')
       do i = 1, size(systems)
          if (systems(i) == units%name) cycle
@@ -169,9 +180,9 @@ contains
       character(:), allocatable :: line
       line = trim(rule%meaning)
       if (rule%choices == '*') then
-         line = line//': '//listed(operation_words())
+         line = line//' ['//listed(operation_words())//']'
       else if (rule%choices /= '') then
-         line = line//': '//listed(rule%choices)
+         line = line//' ['//listed(rule%choices)//']'
       else if (range_text(rule, units) /= '') then
          line = line//' ['//range_text(rule, units)//']'
       else if (rule%unit /= unit_none) then
@@ -205,18 +216,36 @@ contains
       end function is_same
    end function value_of
 
-   !> A default as a deck would write it; nothing where there is none.
-   pure function default_text(rule, units) result(text)
+   !> A default as a deck would write it; empty without a default.
+   function default_text(rule, units) result(text)
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
+      type(numerics_type) :: numerics
+      type(default_finder_type) :: finder
       real(wp) :: number, scale
       logical :: legal
       text = trim(rule%default)
+      if (rule%group == 'solver' .and. text == '' .and. index(rule%meaning, 'default') == 0) then
+         finder%key = rule%key
+         call visit_numerics(numerics, finder)
+         if (finder%found) text = to_text(finder%value/unit_factor(units, rule%unit), default_digits)
+         return
+      end if
       if (rule%kind == kind_text .and. text /= '') text = ''''//text//''''
       if (rule%kind /= kind_real .or. text == '') return
       scale = unit_factor(si_units(), rule%unit)/unit_factor(units, rule%unit)
       call read_real(text, number, legal)
       if (legal .and. abs(scale - 1.0_wp) > epsilon(scale)) text = to_text(number*scale, default_digits)
    end function default_text
+
+   !> Keeps the number whose default is looked for.
+   subroutine look_at_number(self, key, value)
+      class(default_finder_type), intent(inout) :: self
+      character(*), intent(in) :: key
+      real(wp), intent(inout) :: value
+      if (key /= self%key) return
+      self%value = value
+      self%found = .true.
+   end subroutine look_at_number
 end module dg_deck_template

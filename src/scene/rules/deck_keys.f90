@@ -18,22 +18,22 @@ module dg_deck_keys
    public :: deepest, strongest, roughest, heaviest, stiffest, round_off
 
    type(group_rule_type), parameter :: group_rules(*) = [ &
-      group_rule_type('job', meaning='what to run, in which units, where results go'), &
-      group_rule_type('trajectory', required=.true., meaning='the surveyed path of the hole'), &
-      group_rule_type('tortuosity', repeatable=.true., meaning='bends to and fro that a plan leaves out, laid on the path'), &
+      group_rule_type('job', meaning='models, units and folder of results'), &
+      group_rule_type('trajectory', required=.true., meaning='survey of the hole'), &
+      group_rule_type('tortuosity', repeatable=.true., meaning='small doglegs that a plan does not show, added to the path'), &
       group_rule_type('hole', repeatable=.true., required=.true., meaning='a section of the hole: diameter, friction, wall'), &
       group_rule_type('fluid', repeatable=.true., most=1000, &
          meaning='a fluid inside or outside the string, or both; listed from the top down'), &
-      group_rule_type('rig', meaning='what stands between the string and the weight indicator'), &
+      group_rule_type('rig', meaning='block, lines and limits of the rig'), &
       group_rule_type('component', repeatable=.true., required=.true., &
          meaning='a part of a drillstring; listed from the bit upwards'), &
-      group_rule_type('strength', meaning='design factors, and the slips that the string hangs in'), &
+      group_rule_type('strength', meaning='design factors, slips'), &
       group_rule_type('centralizer', repeatable=.true., &
-         meaning='centralizers on a component, which they keep off the wall at places along it'), &
+         meaning='centralizers on a component'), &
       group_rule_type('boundary', meaning='supports of the ends of the string'), &
       group_rule_type('load_case', repeatable=.true., required=.true., &
-         meaning='what is done to the string, at which depth, with which loads'), &
-      group_rule_type('solver', meaning='numbers that steer the solution')]
+         meaning='one operation at one bit depth, with its loads'), &
+      group_rule_type('solver', meaning='settings of the method')]
 
    ! Bounds [deck units of SI].
    real(wp), parameter :: deepest = 50.0e3_wp     ! m; the deepest holes reach 15 km
@@ -76,21 +76,23 @@ module dg_deck_keys
          meaning='catalogue of pipe, path relative to the deck; default: catalogue.csv beside the deck'), &
       key_rule_type('job', 'profiles', kind_logical, default='.true.', meaning='write profiles along the string'), &
       key_rule_type('job', 'rig_limit', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='hook load that the rig may carry, its block counted in; default: not known'), &
+         meaning='largest hook load of the rig, block included; default: not known'), &
       key_rule_type('job', 'threads', kind_integer, default='0', low=0.0_wp, high=most_threads, &
-         meaning='cases solved at a time; 0: all cores')]
+         meaning='number of cases solved at the same time; 0: all cores')]
 
    type(key_rule_type), parameter :: trajectory_keys(*) = [ &
       key_rule_type('trajectory', 'survey_file', kind_text, &
-         meaning='table with a header naming md, inc, azi; path relative to the deck'), &
+         meaning='survey table with columns md, inc, azi; path relative to the deck'), &
       key_rule_type('trajectory', 'survey_units', kind_text, choices=deck_systems, &
-         meaning='units of a survey file whose headings name none; default the deck''s'), &
+         meaning='units of a survey file without units; default those of the deck'), &
       key_rule_type('trajectory', 'md_column', kind_text, &
          meaning='heading of the measured depth in survey_file, as it stands there; default: found by known headings'), &
-      key_rule_type('trajectory', 'inc_column', kind_text, meaning='heading of the inclination, likewise'), &
-      key_rule_type('trajectory', 'azi_column', kind_text, meaning='heading of the azimuth, likewise'), &
+      key_rule_type('trajectory', 'inc_column', kind_text, meaning='heading of the inclination in survey_file; default: found '// &
+      'by known headings'), &
+      key_rule_type('trajectory', 'azi_column', kind_text, meaning='heading of the azimuth in survey_file; default: found by '// &
+      'known headings'), &
       key_rule_type('trajectory', 'survey_well', kind_text, &
-         meaning='which trajectory of a WITSML survey_file: its name, or that of its well or wellbore'), &
+         meaning='name of the trajectory, well or wellbore to read from a WITSML survey_file'), &
       key_rule_type('trajectory', 'md', unit=unit_length, array=.true., low=0.0_wp, high=deepest, &
          meaning='measured depths of the stations'), &
       key_rule_type('trajectory', 'inc', unit=unit_angle, array=.true., low=0.0_wp, high=180.0_wp, &
@@ -100,25 +102,25 @@ module dg_deck_keys
       key_rule_type('trajectory', 'interpolation', kind_text, default='minimum_curvature', choices='minimum_curvature spline', &
          meaning='path between stations; a spline needs a station about every 30 m where the hole bends'), &
       key_rule_type('trajectory', 'tie_on', kind_text, default='none', choices='none vertical straight', &
-         meaning='path above the first station, where the survey has none; straight: in the direction of the first station'), &
+         meaning='path above a first station that lies below surface; straight: in the direction of that station'), &
       key_rule_type('trajectory', 'parent_file', kind_text, &
-         meaning='survey of the hole that this one leaves; its stations above the first one here are taken'), &
+         meaning='sidetrack: survey file of the parent hole; its stations above the first one here are used'), &
       key_rule_type('trajectory', 'kick_off', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='depth down to which tie_on is vertical; from there an arc reaches the first station')]
+         meaning='tie_on vertical: end of the vertical part; an arc leads from there to the first station')]
 
    type(key_rule_type), parameter :: tortuosity_keys(*) = [ &
       key_rule_type('tortuosity', 'kind', kind_text, required=.true., choices='sine random', &
-         meaning='how the direction changes: to and fro, or drawn anew each period'), &
+         meaning='sine: a wave; random: a new direction each period'), &
       key_rule_type('tortuosity', 'amplitude', unit=unit_angle, required=.true., low=0.0_wp, open=.true., high=most_tortuous, &
-         meaning='largest change of an angle of the plan'), &
+         meaning='largest change of an angle'), &
       key_rule_type('tortuosity', 'period', unit=unit_length, required=.true., low=1.0_wp, high=deepest, &
-         meaning='length of a wave; of random changes, distance from one to the next'), &
+         meaning='length of a wave; random: distance between changes'), &
       key_rule_type('tortuosity', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='measured depth where it begins'), &
+         meaning='measured depth of the upper end'), &
       key_rule_type('tortuosity', 'md_bottom', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='measured depth where it ends; default the last station'), &
+         meaning='measured depth of the lower end; default the last station'), &
       key_rule_type('tortuosity', 'seed', kind_integer, default='1', low=0.0_wp, high=1.0e9_wp, &
-         meaning='of the random numbers: the same seed gives the same hole')]
+         meaning='start of the random numbers: the same seed gives the same hole')]
 
    type(key_rule_type), parameter :: hole_keys(*) = [ &
       key_rule_type('hole', 'name', kind_text, meaning='label; default hole and its number'), &
@@ -129,42 +131,45 @@ module dg_deck_keys
       key_rule_type('hole', 'diameter', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='inside diameter'), &
       key_rule_type('hole', 'friction', low=0.0_wp, high=roughest, default='0', &
-         meaning='coefficient of friction, axial and rotary'), &
-      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='friction along the hole; default friction'), &
-      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='friction around the hole; default friction'), &
+         meaning='friction factor, axial and rotary'), &
+      key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='friction factor along the hole; default '// &
+      'friction'), &
+      key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='friction factor around the hole; default '// &
+      'friction'), &
       key_rule_type('hole', 'friction_running_in', low=0.0_wp, high=roughest, &
-         meaning='along the hole, for trip_in only; default friction_axial'), &
+         meaning='friction factor along the hole for trip_in only; default friction_axial'), &
       key_rule_type('hole', 'wall_stiffness', unit=unit_wall, low=0.0_wp, high=stiffest, default='0', &
-         meaning='force per length of contact and per penetration; 0: gk_contact of the solver'), &
+         meaning='contact force per length and penetration; 0: gk_contact of &solver'), &
       key_rule_type('hole', 'mud_sheath', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='thickness t of soft mud on the wall; sets eps_nmax = 2 t/(hole diameter - string diameter)'), &
       key_rule_type('hole', 'cased', kind_logical, default='.false.', &
-         meaning='a cased section: its walls are drawn, and it takes frictions_cased of a sweep'), &
+         meaning='cased section: drawn with walls; uses frictions_cased of a sweep'), &
       key_rule_type('hole', 'casing_od', unit=unit_diameter, low=narrowest, high=widest, &
          meaning='outside diameter of the casing, for its wear; needed with wear_factor'), &
       key_rule_type('hole', 'casing_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='yield strength of the casing, for burst and collapse of what wear leaves'), &
+         meaning='yield strength of the casing, for burst and collapse of the worn casing'), &
       key_rule_type('hole', 'wear_factor', unit=unit_wear, low=0.0_wp, open=.true., high=most_wear, &
-         meaning='volume worn off the casing per side force and sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
+         meaning='volume of worn casing per side force and sliding distance; water-base mud 7 to 30 (5 to 20e-10/psi)')]
 
    type(key_rule_type), parameter :: fluid_keys(*) = [ &
-      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='of the fluid'), &
+      key_rule_type('fluid', 'density', unit=unit_density, low=0.0_wp, high=heaviest, default='0', meaning='density of the '// &
+      'fluid'), &
       key_rule_type('fluid', 'where', kind_text, default='both', choices='both inside outside', &
-         meaning='which side of the string it fills'), &
+         meaning='side of the string that it fills'), &
       key_rule_type('fluid', 'md_top', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='measured depth where it begins; it reaches down to the next fluid of its side'), &
       key_rule_type('fluid', 'tvd_top', unit=unit_length, low=0.0_wp, high=deepest, &
-         meaning='in place of md_top: true vertical depth where it begins'), &
+         meaning='in place of md_top: true vertical depth of the upper end'), &
       key_rule_type('fluid', 'above_bit', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='in place of md_top: distance from the bit, along the string, where it begins; it moves with the string'), &
+         meaning='in place of md_top: distance of the upper end from the bit; it moves with the string'), &
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
-         meaning='what stands at above_bit; open_below: a closed collar, and the string open to the hole at the bit'), &
+         meaning='float collar at above_bit; open_below: collar closed, string below it open to the hole'), &
       key_rule_type('fluid', 'surface_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
-         meaning='pressure of the annulus at surface, which pushes pipe up there; of the uppermost fluid outside')]
+         meaning='annulus pressure at surface, pushes the pipe up; for the uppermost fluid outside')]
 
    type(key_rule_type), parameter :: rig_keys(*) = [ &
       key_rule_type('rig', 'block_weight', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
-         meaning='of all that hangs on the lines, without the string: travelling block, hook, top drive'), &
+         meaning='weight of travelling block, hook and top drive'), &
       key_rule_type('rig', 'lines', kind_integer, low=1.0_wp, high=most_lines, &
          meaning='lines strung to the travelling block; needed by a sheave_efficiency below 1'), &
       key_rule_type('rig', 'sheave_efficiency', low=poorest, high=1.0_wp, default='1', &
@@ -172,156 +177,157 @@ module dg_deck_keys
       key_rule_type('rig', 'deadline_sheave', kind_text, default='inactive', choices='inactive active', &
          meaning='active: the sheave of the dead line turns like the others'), &
       key_rule_type('rig', 'max_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='load that the rig may carry, its block counted in; or rig_limit of &job, not both'), &
+         meaning='largest hook load of the rig, block included; not together with rig_limit of &job'), &
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
-         meaning='torque that the rig may turn with; default: not known')]
+         meaning='largest torque of top drive or rotary table; default: not known')]
 
    type(key_rule_type), parameter :: component_keys(*) = [ &
-      key_rule_type('component', 'string', kind_text, default='main', meaning='name of the drillstring that it belongs to'), &
+      key_rule_type('component', 'string', kind_text, default='main', meaning='name of its drillstring'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
          meaning='drillpipe, hwdp, collar, motor, mwd, jar, bit (may fill its hole), stabilizer '// &
          '(touches at joint_od, else od), ...'), &
       key_rule_type('component', 'catalogue', kind_text, &
-         meaning='entry of the catalogue, which gives what is not given here (od too)'), &
+         meaning='entry of the catalogue: supplies keys that are not given here, od too'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
-         meaning='1 mm or more; 0 on the last one: to surface'), &
+         meaning='length, 1 mm or more; 0 on the last component: to surface'), &
       key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='outside diameter of the body'), &
       key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
       key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &
-         meaning='in air, per length; default from od, id and density'), &
+         meaning='mass in air per length; default from od, id and density'), &
       key_rule_type('component', 'density', unit=unit_density, low=0.0_wp, open=.true., high=heaviest, default='7850', &
-         meaning='of the material, for buoyancy'), &
+         meaning='density of the material, for buoyancy'), &
       key_rule_type('component', 'youngs', unit=unit_modulus, low=0.0_wp, open=.true., high=1.0e5_wp, default='206', &
          meaning='Young''s modulus'), &
       key_rule_type('component', 'poisson', low=0.0_wp, high=0.5_wp, default='0.3', meaning='Poisson''s ratio'), &
       key_rule_type('component', 'expansion', unit=unit_expansion, low=0.0_wp, high=100.0_wp, default='12.42', &
          meaning='thermal expansion; 12.42 (6.9 per degF): steel'), &
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='of tool joints or blades; touches first and sets the torque radius; 0: none'), &
+         meaning='outside diameter of tool joints or blades; touches the wall, sets the torque radius; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
-         meaning='of one tool joint, 1 mm or more; 0: 0.5 m'), &
+         meaning='length of one tool joint, 1 mm or more; 0: 0.5 m'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
          meaning='distance between tool joints'), &
       key_rule_type('component', 'opened_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='of a tool that opens: the diameter that touches and must pass where it is open; 0: it does not open'), &
+         meaning='diameter of a tool when open, such as an under-reamer; it must fit the hole there; 0: does not open'), &
       key_rule_type('component', 'opened_below', unit=unit_length, low=0.0_wp, high=deepest, &
-         meaning='measured depth from which on the whole tool is open; default the lower end of the last cased section'), &
+         meaning='measured depth below which the tool is open; default the lower end of the last cased section'), &
       key_rule_type('component', 'yield', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
          meaning='yield strength; 0: not given'), &
       key_rule_type('component', 'yield_loss', unit=unit_loss, low=0.0_wp, high=1.0_wp, default='0.054', &
-         meaning='of yield strength by each degree above ambient temperature; 0.054 (0.03/degF): steel, proposed for API TR 5C3'), &
+         meaning='loss of yield strength per degree above ambient temperature; 0.054 (0.03/degF): steel, proposed for API TR '// &
+         '5C3'), &
       key_rule_type('component', 'makeup_torque', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='make-up torque of its connections; 0: 60 % of joint_torsion where that is known'), &
       key_rule_type('component', 'wear_class', kind_text, default='new', choices='new premium class2', &
-         meaning='wall left: 100, 80 or 70 %, worn outside; strength goes by it, weight and stiffness do not'), &
+         meaning='remaining wall 100, 80 or 70 %, worn outside; changes strength, not weight or stiffness'), &
       key_rule_type('component', 'wall_left', low=thinnest, high=1.0_wp, &
-         meaning='part of the wall that is left, as inspected; default by wear_class'), &
+         meaning='remaining part of the wall, as inspected; default by wear_class'), &
       key_rule_type('component', 'connection', kind_text, &
          choices='NC23 NC26 NC31 NC35 NC38 NC40 NC44 NC46 NC50 NC56 NC61 NC70 NC77 5-1/2FH 6-5/8FH', &
-         meaning='of its ends, for joint_torsion; default: not known'), &
+         meaning='thread of its ends, for joint_torsion; default: not known'), &
       key_rule_type('component', 'joint_id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='bore of the pin, for joint_torsion, stresses and fatigue of joints; 0: not given, then stresses go by id'), &
+         meaning='bore of the pin, for joint_torsion, stresses and fatigue of joints; 0: not given, stresses use id'), &
       key_rule_type('component', 'joint_yield', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='of tool joints, for joint_torsion; default 827.37 MPa (120 ksi); for a component without them: yield'), &
+         meaning='yield strength of tool joints, for joint_torsion; default 827.37 MPa (120 ksi), without tool joints yield'), &
       key_rule_type('component', 'joint_torsion', unit=unit_moment, low=0.0_wp, high=strongest, default='0', &
          meaning='torque at which a connection yields; 0: from connection, joint_od, joint_id, joint_yield if given'), &
       key_rule_type('component', 'tension_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
          meaning='tensile strength of its connections divided by that of the body, as in data sheets of premium connections'), &
       key_rule_type('component', 'compression_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='their compressive strength divided by the tensile strength of the body'), &
+         meaning='compressive strength of its connections divided by the tensile strength of the body'), &
       key_rule_type('component', 'burst_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='their burst strength divided by that of the body'), &
+         meaning='burst strength of its connections divided by that of the body'), &
       key_rule_type('component', 'collapse_efficiency', low=0.0_wp, open=.true., high=most_efficient, &
-         meaning='their collapse strength divided by that of the body'), &
+         meaning='collapse strength of its connections divided by that of the body'), &
       key_rule_type('component', 'joint_dogleg', unit=unit_curvature, low=0.0_wp, open=.true., high=sharpest_dogleg, &
          meaning='largest dogleg for which its connections are rated'), &
       key_rule_type('component', 'friction', low=0.0_wp, high=roughest, &
-         meaning='coefficient of its own, axial and rotary, in any hole; default that of the hole'), &
+         meaning='own friction factor in any hole, axial and rotary; default that of the hole'), &
       key_rule_type('component', 'friction_axial', low=0.0_wp, high=roughest, &
-         meaning='its own friction along the hole; default friction'), &
+         meaning='own friction factor along the hole; default friction'), &
       key_rule_type('component', 'friction_rotary', low=0.0_wp, high=roughest, &
-         meaning='its own friction around the hole; default friction'), &
+         meaning='own friction factor around the hole; default friction'), &
       key_rule_type('component', 'friction_scale', low=0.0_wp, high=roughest, default='1', &
-         meaning='times the friction of the hole, axial and rotary'), &
+         meaning='multiplies the friction of the hole, axial and rotary'), &
       key_rule_type('component', 'friction_scale_axial', low=0.0_wp, high=roughest, &
-         meaning='times friction_axial of the hole; default friction_scale'), &
+         meaning='multiplies friction_axial of the hole; default friction_scale'), &
       key_rule_type('component', 'friction_scale_rotary', low=0.0_wp, high=roughest, &
-         meaning='times friction_rotary of the hole; default friction_scale'), &
+         meaning='multiplies friction_rotary of the hole; default friction_scale'), &
       key_rule_type('component', 'bend', unit=unit_angle, low=0.0_wp, high=sharpest_bend, default='0', &
          meaning='angle of a bent housing; 0: straight'), &
       key_rule_type('component', 'bend_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='distance of the bend above the lower end of the component; needed with bend'), &
       key_rule_type('component', 'fatigue_curve', kind_text, default='none', choices='none E75 S135 own', &
-         meaning='bending that the body bears while it turns: of API RP 7G by grade, or an own one'), &
+         meaning='endurance limit of the rotating body: API RP 7G by grade, or own values'), &
       key_rule_type('component', 'fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='endurance limit of an own curve, without tension'), &
+         meaning='own curve: endurance limit at zero tension'), &
       key_rule_type('component', 'tensile_strength', unit=unit_stress, low=0.0_wp, high=1.0e5_wp, default='0', &
-         meaning='of an own curve, for the effect of tension (Goodman); 0: none'), &
+         meaning='own curve: tensile strength, for the effect of tension (Goodman); 0: no effect'), &
       key_rule_type('component', 'fatigue_share', low=0.0_wp, open=.true., high=1.0_wp, default='1', &
          meaning='corrosion factor on the endurance limit, connections too; very corrosive: 0.6'), &
       key_rule_type('component', 'fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='m of the S-N curve above the permitted amplitude, turns = fatigue_turns (permitted/amplitude)^m; 0: not known'), &
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
-         meaning='turns from which on the endurance limit holds'), &
+         meaning='number of turns above which the endurance limit holds'), &
       key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
          meaning='endurance limit of connections, as bending stress of the body beside them; default: not known'), &
       key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
-         meaning='as fatigue_exponent, of connections'), &
+         meaning='fatigue_exponent of connections'), &
       key_rule_type('component', 'joint_fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
-         meaning='as fatigue_turns, of connections'), &
+         meaning='fatigue_turns of connections'), &
       key_rule_type('component', 'pad_force', unit=unit_force, low=0.0_wp, high=hardest_pad, default='0', &
-         meaning='with which pads push the tool across the hole (push-the-bit), whether it turns or not; 0: no pads'), &
+         meaning='force of pads on the tool, across the hole (push-the-bit), also when it rotates; 0: no pads'), &
       key_rule_type('component', 'pad_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
-         meaning='direction of that force on the string, as toolface: 0 builds; the pad that is out stands opposite'), &
+         meaning='direction of this force on the string, as toolface: 0 builds; the extended pad is opposite'), &
       key_rule_type('component', 'pad_position', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
          meaning='distance of the pads above the lower end of the component; needed with pad_force'), &
       key_rule_type('component', 'blade_offset', unit=unit_diameter, low=0.0_wp, high=most_eccentric, default='0', &
          meaning='distance of the centre of a stabilizer''s blades from the axis of the string; 0: centred'), &
       key_rule_type('component', 'blade_clock', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
-         meaning='direction of that offset, clockwise from the toolface of the case'), &
+         meaning='direction of this offset, clockwise from the toolface of the case'), &
       key_rule_type('component', 'sensor', unit=unit_length, low=0.0_wp, high=1.0e3_wp, &
-         meaning='distance of a survey sensor above the lower end of the component; gives its sag correction')]
+         meaning='distance of a survey sensor above the lower end of the component, for its sag correction')]
 
    type(key_rule_type), parameter :: strength_keys(*) = [ &
       key_rule_type('strength', 'von_mises_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='by which von Mises'' stress is multiplied before it is compared with yield'), &
+         meaning='design factor on von Mises stress'), &
       key_rule_type('strength', 'tension_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of tension, in slips and connections too'), &
+         meaning='design factor on tension, also in slips and connections'), &
       key_rule_type('strength', 'torsion_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same of torque, of bodies and connections; make-up torque has none'), &
+         meaning='design factor on torque of bodies and connections, not on make-up torque'), &
       key_rule_type('strength', 'burst_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same for burst: of pressure inside less that outside'), &
+         meaning='design factor on burst (pressure inside less pressure outside)'), &
       key_rule_type('strength', 'collapse_factor', low=1.0_wp, high=10.0_wp, default='1', &
-         meaning='the same for collapse: of pressure outside less that inside'), &
+         meaning='design factor on collapse (pressure outside less pressure inside)'), &
       key_rule_type('strength', 'slip_length', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='length of the uppermost pipe that slips grip; 0: not known, slips are not checked'), &
+         meaning='length of pipe that the slips grip; 0: not known, slips are not checked'), &
       key_rule_type('strength', 'slip_lateral', low=0.0_wp, high=100.0_wp, default='4', &
-         meaning='lateral load of slips divided by axial load; 4 with a friction of 0.08 on their backs')]
+         meaning='lateral load of slips divided by axial load; 4: friction of 0.08 on the back of the slips')]
    type(key_rule_type), parameter :: centralizer_keys(*) = [ &
       key_rule_type('centralizer', 'string', kind_text, default='main', meaning='name of the string of the component'), &
       key_rule_type('centralizer', 'component', kind_text, required=.true., &
-         meaning='name of the component that has them; all of that name in the string'), &
+         meaning='name of the component that carries them; all components of this name in the string'), &
       key_rule_type('centralizer', 'kind', kind_text, default='rigid', choices='rigid bow', meaning='solid, or a bow spring'), &
       key_rule_type('centralizer', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='outside diameter; of bow springs when free'), &
       key_rule_type('centralizer', 'spacing', unit=unit_length, required=.true., low=1.0_wp, high=1.0e3_wp, &
-         meaning='distance from one to the next'), &
+         meaning='distance between centralizers'), &
       key_rule_type('centralizer', 'first', unit=unit_length, low=0.0_wp, high=deepest, &
-         meaning='of the lowest, above the lower end of the component; default half the spacing'), &
+         meaning='distance of the lowest one above the lower end of the component; default half the spacing'), &
       key_rule_type('centralizer', 'restoring_force', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='of a bow at 67 % standoff (API 10D)'), &
+         meaning='restoring force of a bow at 67 % standoff (API 10D)'), &
       key_rule_type('centralizer', 'rated_hole', unit=unit_diameter, low=narrowest, high=widest, &
          meaning='diameter of the hole for which restoring_force holds; default od'), &
       key_rule_type('centralizer', 'running_force', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
-         meaning='drag of one bow in a hole narrower than it (API 10D)'), &
+         meaning='drag of one bow in a hole narrower than its od (API 10D)'), &
       key_rule_type('centralizer', 'friction', low=0.0_wp, high=roughest, &
-         meaning='coefficient where it touches, axial and rotary; default that of the component'), &
+         meaning='friction factor of the centralizer, axial and rotary; default that of the component'), &
       key_rule_type('centralizer', 'friction_axial', low=0.0_wp, high=roughest, &
-         meaning='its friction along the hole; default friction'), &
+         meaning='its friction factor along the hole; default friction'), &
       key_rule_type('centralizer', 'friction_rotary', low=0.0_wp, high=roughest, &
-         meaning='its friction around the hole; default friction')]
+         meaning='its friction factor around the hole; default friction')]
 
    type(key_rule_type), parameter :: boundary_keys(*) = [ &
       key_rule_type('boundary', 'top_lateral', kind_text, default='centred', choices='centred free', &
@@ -331,12 +337,12 @@ module dg_deck_keys
       key_rule_type('boundary', 'packer_bore', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
          meaning='diameter of the seal bore of a packer at the lower end; pressures there load the string; 0: no packer'), &
       key_rule_type('boundary', 'packer_hold', kind_text, default='free', choices='free landed fixed', &
-         meaning='how the packer holds the lower end in cases with length_reference: slides; may only move up; cannot move')]
+         meaning='lower end in cases with length_reference: free slides, landed moves up only, fixed cannot move')]
 
    type(key_rule_type), parameter :: load_case_keys(*) = [ &
       key_rule_type('load_case', 'name', kind_text, required=.true., meaning='unique; letters, digits and _ - . +'), &
       key_rule_type('load_case', 'section', kind_text, meaning='label of the hole section in tables'), &
-      key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='what is done to the string'), &
+      key_rule_type('load_case', 'operation', kind_text, required=.true., choices='*', meaning='operation'), &
       key_rule_type('load_case', 'bit_depth', unit=unit_length, required=.true., low=shortest_contact, high=deepest, &
          meaning='measured depth of the bit'), &
       key_rule_type('load_case', 'wob', unit=unit_force, low=-strongest, high=strongest, default='0', &
@@ -344,35 +350,36 @@ module dg_deck_keys
       key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
       key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
       key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, &
-         meaning='overrides friction of the hole, axial and rotary'), &
+         meaning='friction factor in place of the hole''s, axial and rotary'), &
       key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, &
-         meaning='axial friction factor in place of the hole''s'), &
+         meaning='friction factor along the hole, in place of the hole''s'), &
       key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, &
-         meaning='rotary friction factor in place of the hole''s'), &
+         meaning='friction factor around the hole, in place of the hole''s'), &
       key_rule_type('load_case', 'rpm', unit=unit_rotation, low=0.0_wp, high=1.0e4_wp, default='0', meaning='rotation speed'), &
       key_rule_type('load_case', 'hours', low=0.0_wp, high=1.0e5_wp, default='0', &
-         meaning='time of rotation at rpm in h, for wear of casing and fatigue'), &
+         meaning='hours of rotation at rpm, for casing wear and fatigue'), &
       key_rule_type('load_case', 'trip_speed', unit=unit_speed, low=0.0_wp, high=100.0_wp, default='0', &
          meaning='axial speed of the string'), &
       key_rule_type('load_case', 'pump_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
-         meaning='added to the pressure inside, from surface to the bit or a closed collar'), &
+         meaning='pump pressure, added inside from surface to the bit or a closed collar'), &
       key_rule_type('load_case', 'temperature_change_top', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
-         meaning='warming of the string at surface since it was run; changes its length'), &
+         meaning='rise in temperature of the string at surface since it was run; changes its length'), &
       key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
          meaning='the same at the bit; linear in true vertical depth between'), &
       key_rule_type('load_case', 'above_ambient_top', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
-         meaning='temperature of the string at surface less 24 degC (75 degF); lessens its strength by yield_loss'), &
+         meaning='temperature of the string at surface above 24 degC (75 degF); reduces strength by yield_loss'), &
       key_rule_type('load_case', 'above_ambient_bottom', unit=unit_temperature, low=0.0_wp, high=hottest, default='0', &
          meaning='the same at the bit; linear in true vertical depth between'), &
       key_rule_type('load_case', 'length_reference', kind_text, &
-         meaning='name of the load case from which the change of length counts; default: from before the string was run'), &
+         meaning='load case from which the change of length counts; default: the string before it was run'), &
       key_rule_type('load_case', 'measured_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='for comparison; with &rig what the weight indicator shows'), &
-      key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='for comparison'), &
+         meaning='measured hook load, for comparison; with &rig the reading of the weight indicator'), &
+      key_rule_type('load_case', 'measured_torque', unit=unit_moment, low=0.0_wp, high=strongest, meaning='measured torque, '// &
+      'for comparison'), &
       key_rule_type('load_case', 'reference_hookload', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
-         meaning='another calculation''s, for comparison; without block'), &
+         meaning='hook load of another program, for comparison; without block'), &
       key_rule_type('load_case', 'toolface', unit=unit_angle, low=-360.0_wp, high=360.0_wp, default='0', &
-         meaning='to which a bent housing points: from the high side (north in a vertical hole), clockwise looking down')]
+         meaning='direction of a bent housing: from the high side (north in a vertical hole), clockwise looking down')]
 
    ! Numbers that are defaults of the solver stand in dg_numerics. Its words and logicals stand here, too.
    type(key_rule_type), parameter :: solver_keys(*) = [ &
@@ -380,17 +387,18 @@ module dg_deck_keys
          meaning='longest element 30, 60, 10, 1 m; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
-      key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', meaning='place of a gap element'), &
+      key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', &
+         meaning='place of a gap element; default extremum, with fidelity fast nodes'), &
       key_rule_type('solver', 'friction_range', kind_logical, default='.true.', &
-         meaning='a sliding string that coils is also solved from a second start, which gives the range of hook loads'), &
+         meaning='solve a sliding string in helical buckling from a second start too; gives the range of hook loads'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
-         meaning='joint_od touches all along its component, or joint by joint with the body free between'), &
+         meaning='smeared: joint_od touches along the whole component; discrete: each joint touches by itself'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
-         meaning='how the equations are solved'), &
+         meaning='solver of the linear equations'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, &
          meaning='residual at convergence divided by the weight; above 1e-6 it counts as 1e-6'), &
       key_rule_type('solver', 'max_iterations', kind_integer, low=1.0_wp, high=most_iterations, &
-                    meaning='largest number of iterations, of all attempts at a case together'), &
+                    meaning='largest number of iterations of a case, all attempts together'), &
       key_rule_type('solver', 'load_steps', kind_integer, low=1.0_wp, high=most_steps, meaning='increments of the load'), &
       key_rule_type('solver', 'gk_min', unit=unit_wall, low=0.0_wp, high=10.0_wp, &
          meaning='rigidity of a free gap: Gkmin, Eq. 7'), &
@@ -403,16 +411,16 @@ module dg_deck_keys
          meaning='relative compression at which elastic turns to rigid, Eq. 8'), &
       key_rule_type('solver', 'r_n0', unit=unit_force, low=0.0_wp, high=touching, meaning='threshold of contact force, Eqs. 7-8'), &
       key_rule_type('solver', 'relocation', low=0.0_wp, high=10.0_wp, &
-         meaning='a gap moves to an extremum deeper by this part of the clearance'), &
+         meaning='a gap moves to a place that is deeper by this part of the clearance'), &
       key_rule_type('solver', 'step_limit', low=least_step, high=1.0e3_wp, &
          meaning='lateral step, in clearances, above which damping is raised'), &
       key_rule_type('solver', 'imperfection', low=0.0_wp, high=1.0_wp, &
-         meaning='lateral offset at the start of compressed parts, in clearances'), &
+         meaning='initial lateral offset of compressed parts, in clearances'), &
       key_rule_type('solver', 'wall_climb', kind_logical, default='.false.', &
-         meaning='soft, rigid, mixed: a turning string climbs the wall: contact divided by sqrt(1 + friction_rotary^2)'), &
+         meaning='soft, rigid, mixed: a rotating string climbs the wall; divides contact by sqrt(1 + friction_rotary^2)'), &
       key_rule_type('solver', 'mixed_parts', kind_text, default='rigid', choices='rigid elements', &
-         meaning='mixed: what the string next to the bit is; elements: beams with gaps to 100 m above the assembly'), &
-      key_rule_type('solver', 'history', kind_logical, meaning='write the iteration history')]
+         meaning='mixed: model of the string next to the bit; elements: beams with gaps to 100 m above the assembly'), &
+      key_rule_type('solver', 'history', kind_logical, default='.false.', meaning='write the iteration history')]
 
 contains
 

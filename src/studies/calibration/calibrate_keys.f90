@@ -10,23 +10,23 @@ module dg_calibrate_keys
 
    type(group_rule_type), parameter :: calibrate_rule = &
       group_rule_type('calibrate', repeatable=.true., &
-                      meaning='friction from measured hook load and torque')
+                      meaning='friction factors from measured hook load and torque')
 
    type(key_rule_type), parameter :: calibrate_keys(*) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
       key_rule_type('calibrate', 'cases', kind_text, array=.true., &
-         meaning='names of load cases; default all with measured_hookload or measured_torque that no packer holds'), &
+         meaning='names of load cases; default all with measured_hookload or measured_torque, that no packer holds'), &
       key_rule_type('calibrate', 'parameter', kind_text, default='friction', &
-         choices='friction friction_axial friction_rotary sticking free_point', meaning='what is looked for'), &
+         choices='friction friction_axial friction_rotary sticking free_point', meaning='the unknown'), &
       key_rule_type('calibrate', 'holes', kind_text, array=.true., &
-         meaning='names of hole sections whose friction is looked for; default all'), &
+         meaning='names of hole sections whose friction factor is fitted; default all'), &
       key_rule_type('calibrate', 'separate', kind_text, array=.true., choices='none holes operations depths', &
-         meaning='what has a factor of its own; default holes'), &
+         meaning='one factor for all (none), or one for each of these; default holes'), &
       key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
          meaning='also find the error of block_weight: one for all, or one per bit depth; '// &
-         'sheaves change it as they do the block'), &
+         'sheaves act on it as on the block'), &
       key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
-         meaning='one or several; default soft'), &
+         meaning='one or several models; default soft'), &
       key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
          meaning='standard deviation of a measured hook load; default: from the residuals'), &
       key_rule_type('calibrate', 'torque_deviation', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
@@ -34,9 +34,9 @@ module dg_calibrate_keys
       key_rule_type('calibrate', 'sticking_depth', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
          meaning='measured depth of a stuck point or key seat; needed by sticking'), &
       key_rule_type('calibrate', 'stretch', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, &
-         meaning='of the string at surface from one pull to the other; needed by free_point'), &
+         meaning='stretch at surface between two pulls; needed by free_point'), &
       key_rule_type('calibrate', 'apply', kind_logical, default='.false.', &
-         meaning='all that follows uses the friction found; with &rig, the one offset is added to block_weight'), &
+         meaning='use the result in the rest of the run; with &rig, the one offset is added to block_weight'), &
       key_rule_type('calibrate', 'predict', kind_text, array=.true., &
-         meaning='names of load cases that are predicted from what is found; their measurements have no part in it')]
+         meaning='names of load cases to predict; their measurements are not fitted')]
 end module dg_calibrate_keys
