@@ -89,7 +89,7 @@ contains
    !> Hook loads at several bit depths are no forces along one string: a note says so, and what to give in their place.
    subroutine test_hookloads()
       type(run_type) :: run
-      character(*), parameter :: advice = 'reference_hookload, a load case for each depth'
+      character(*), parameter :: advice = 'reference_hookload, one load case per depth'
       run = run_with('md,axial|300,100|600,170|900,240', '')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, advice) > 0, message=run%output)
@@ -114,8 +114,8 @@ contains
          found = found + 1
       end do
       call assertEqual(12, found, message='three cases, four models')
-      call assertTrue(index(run%output, 'They differ from 4200 ft up; 100 % of the net difference in axial force arises') > 0)
-      call assertTrue(index(run%output, 'largest +10.658 klbf (3.24 % of our largest)') > 0, message='48 kN up')
+      call assertTrue(index(run%output, 'The tables differ above 4200 ft. 100 % of the net difference in axial force arises') > 0)
+      call assertTrue(index(run%output, 'largest +10.658 klbf (3.24 % of the largest)') > 0, message='48 kN up')
    end subroutine test_example
 
    !> 150 kN at surface falling to 0 at 900 m: the same table in every form gives the same words.
@@ -173,8 +173,8 @@ contains
       call refuse('md,axial|0,150|450,75,3|900,0', '', file//'3:', 'the row has 3 columns, the table 2')
       call refuse('md,tension|0,150|900,0', ", axial = 'tensoin'", file//'1:', "did you mean 'tension'?")
       call refuse('depth,axial|0,150|900,0', '', file//'1:', "the header names no 'md' for md")
-      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. Write md = the heading in &legacy, '// &
-                  'or skip = the lines above the headings')
+      call refuse('report|md,axial|0,150|900,0', '', file//'1:', 'headings found: report. Write md = the heading, '// &
+                  'or skip = the number of lines above the headings. If headings have blanks, skip them too and give')
       call refuse('md,pull|0,150|900,0', '', file, 'none of axial, torque, side_force')
       call refuse('md (m),axial (klbf)|0,150|900,0', '', file//'1:', 'the header gives axial in klbf')
       call refuse('md_ft,axial|0,150|900,0', '', file//'1:', 'the header gives md in ft')
@@ -210,15 +210,17 @@ contains
       call follow("md,axial|0,150|900,0|450,75", "", "depths must increase", "md,axial|0,150|450,75|900,0", "")
       call follow("md,axial,axial|0,150,1|900,0,1", "", "give axial as the number of its column", &
                   "md,axial,axial|0,150,1|900,0,1", ", axial = '2'")
-      call follow("report|md,axial|0,150|900,0", "", "or skip = the lines above the headings", "report|md,axial|0,150|900,0", &
-                  ", skip = 1")
+      call follow("report|md,axial|0,150|900,0", "", "or skip = the number of lines above the headings", &
+                  "report|md,axial|0,150|900,0", ", skip = 1")
+      call follow("Depth  Pull now|0 150|900 0", ", md = 'Depth', axial = 'Pull now'", "give the number of the column", &
+                  "Depth  Pull now|0 150|900 0", ", md = '1', axial = '2', skip = 1")
       call follow("md,axial (furlong)|0,150|900,0", "", "set axial_unit in the deck", "md,axial (furlong)|0,150|900,0", &
                   ", axial_unit = 'kN'")
       call follow("md (m),axial (klbf)|0,30|900,0", "", "set axial_unit, or units, in the deck", "md (m),axial (klbf)|0,30|900,0", &
                   ", axial_unit = 'klbf'")
       call follow("md_ft,axial_klbf|0,30|2950,0", "", "set axial_unit, or units, in the deck", "md_ft,axial_klbf|0,30|2950,0", &
                   ", units = 'field'")
-      call follow("md,axial|0,150000|900,0", "", "check the unit of its column (axial_unit)", "md,axial|0,150000|900,0", &
+      call follow("md,axial|0,150000|900,0", "", "check the unit of the column (axial_unit)", "md,axial|0,150000|900,0", &
                   ", axial_unit = 'N'")
       call follow(good, " / &legacy label = 'a/b', file = '../test_legacy_table.txt', case = 'u'", &
                   "use 1 to 100 letters, digits and _ - . +", good, &
@@ -251,7 +253,7 @@ contains
       run = run_with(table, '', deck)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(0, index(run%output, told), message=run%output)
-      call assertTrue(index(run%output, 'Legacy x beside case u, model mcge') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Legacy x compared with case u, model mcge') > 0, message=run%output)
    end subroutine test_unsolved
 
    !> A difference at the bit is gone with the load on the bit of the other program.

@@ -195,8 +195,9 @@ contains
       call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; axial force at the top: negative '// &
                     'going up, positive going down. Axial forces are effective (buoyed), tension positive.</p>')
       if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
-         '<p>error: difference of the '//trim(merge('weight indicator', 'hook load       ', model%rig%given))//' from the '// &
-         'measured one in per cent of that, without sign; reference error: that of the hook load from the reference.</p>')
+         '<p>error: difference between calculated and measured '// &
+         trim(merge('weight indicator', 'hook load       ', model%rig%given))//', in percent of the measured value. '// &
+         'reference error: the same for the reference hook load.</p>')
       call append_summary(lines, job, model, results, wholes, page_columns)
    end subroutine append_results
 
@@ -245,15 +246,15 @@ contains
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
                     'the limit. Safety factors need a yield strength in the deck.</p>')
       call add_line(lines, '<p>neutral top: uppermost neutral point, tension above, compression below. overpull margin: pull '// &
-                    'that may be added at the top before the pipe yields, bending included. rig margin: before the rig''s '// &
-                    'limit. The smaller one counts. wob buckling: WOB where buckling '// &
-                    'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with the friction of a buckled '// &
-                    'string.</p>')
-      call add_line(lines, '<p>governing limit: of pipe, connections, slips and rig the one that is used most, how '// &
-                    'much of it, where. String weight, lock-up and buckling are apart. '// &
-                    factors_text(job%design)//' bit side force: of the bit on the formation. bit tilt: between bit and hole '// &
-                    'axis. Clock angles count from the high side. shape, snaking length, coiled length, coil turns: sinusoidal '// &
-                    'and helical buckling that mcge found.</p>')
+                    'that may be added at the top until the pipe yields, bending included. rig margin: pull until the limit '// &
+                    'of the rig. The smaller one counts. wob buckling: WOB where buckling '// &
+                    'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with friction of helical '// &
+                    'buckling.</p>')
+      call add_line(lines, '<p>governing limit: most used limit of pipe, connections, slips and rig, with used part and '// &
+                    'depth. String weight, lock-up and buckling are not included. '// &
+                    factors_text(job%design)//' bit side force: force of the bit on the formation. bit tilt: angle '// &
+                    'between bit and hole axis. Clock angles count from the high side. shape, snaking length, coiled length, '// &
+                    'coil turns: sinusoidal and helical buckling that mcge found.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])
@@ -292,11 +293,11 @@ contains
       type(job_type), intent(in) :: job
       call add_line(lines, '<h3>Assumptions</h3><ul>')
       call add_line(lines, '<li>Static: no vibration, no stick-slip. The mud stands still: no flow, no heat.</li>')
-      call add_line(lines, '<li>Coulomb friction with the coefficients above; the hole is round, its axis as surveyed.</li>')
-      call add_line(lines, '<li>Pipe bends elastically with the stiffness of its body; where no yield strength is given, no '// &
-                       'safety factor is.</li>')
+      call add_line(lines, '<li>Coulomb friction with the factors above. The hole is round, its axis as surveyed.</li>')
+      call add_line(lines, '<li>Pipe bends elastically with the stiffness of its body. Safety factors need a yield '// &
+                       'strength.</li>')
       if (any(job%models == model_mcge)) call add_line(lines, '<li>mcge: nonlinear beams with contact gap elements after '// &
-         'Liu, Ding &amp; Zhang (2002); where the string touches is found.</li>')
+         'Liu, Ding &amp; Zhang (2002). The contact points are found.</li>')
       if (any(job%models == model_soft)) call add_line(lines, '<li>soft: a string without bending stiffness that lies on '// &
          'the wall everywhere (Johancsik, Friesen &amp; Dawson 1984).</li>')
       if (any(job%models == model_rigid)) call add_line(lines, '<li>rigid: a stiff string that follows the axis of the hole '// &

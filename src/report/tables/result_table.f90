@@ -130,8 +130,8 @@ contains
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle
-         line = line//either('; shorter for', ',', number == 0)//' '// &
-            trim(scale_name(i))//' ('//to_text(sum(results%shortened(i)))//')'
+         line = line//either('; number shortened:', ',', number == 0)//' '// &
+            trim(scale_name(i))//' '//to_text(sum(results%shortened(i)))
          number = number + 1
       end do
    end function mesh_line

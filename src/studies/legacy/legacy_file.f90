@@ -217,7 +217,8 @@ contains
          if (columns(k)%number > 0 .or. .not. columns(k)%required) cycle
          advice = suggestion(columns(k)%place, names)
          if (index(advice, 'legal: ') == 1) advice = 'headings found'//advice(6:)//'. Write '//trim(column_name(k))// &
-            ' = the heading in &legacy, or skip = the lines above the headings'
+            ' = the heading, or skip = the number of lines above the headings. If headings have blanks, skip them too and '// &
+            'give the number of the column'
          call fault(table, table%line, 'the header names no '//quoted(columns(k)%place)//' for '//trim(column_name(k))// &
                     '; '//advice, faults)
       end do

@@ -53,13 +53,15 @@ contains
          return
       end if
       call append_text(lines, '')
-      call append_text(lines, 'Legacy '//table%label//' beside case '//case_name//', model '//trim(model_name(model)))
-      if (comparison%outside > 0) call append_text(lines, to_text(comparison%outside)//' of its '//to_text(size(table%md))// &
-                                                   ' rows lie beyond the string and are left out')
+      call append_text(lines, 'Legacy '//table%label//' compared with case '//case_name//', model '// &
+                       trim(model_name(model))//'. Difference: legacy - drillgap')
+      if (comparison%outside > 0) call append_text(lines, to_text(comparison%outside)//' of '//to_text(size(table%md))// &
+                                                   ' rows of the table lie beyond the string and are left out')
       if (size(comparison%md) == 0) return
       if (grows_with_depth(comparison)) then
-         call append_text(lines, 'Its force grows with depth, ours falls: are these hook loads at several bit depths? Give')
-         call append_text(lines, 'those as reference_hookload, a load case for each depth. &legacy compares forces along a string.')
+         call append_text(lines, 'The force of the table grows with depth, that of drillgap falls. Hook loads at several bit')
+         call append_text(lines, 'depths are given as reference_hookload, one load case per depth.')
+         call append_text(lines, '&legacy compares forces along the string.')
       end if
       do k = 1, quantity_count
          if (.not. comparison%parting(k)%present) cycle
@@ -103,7 +105,7 @@ contains
          interval = interval_at(comparison%intervals, comparison%md(i))
          call add_cell(table, 'Depth|'//trim(units%length_label), cell, comparison%md(i), units%length, 1)
          call add_cell(table, 'Hole', hole_width, interval_name(comparison%intervals(interval)%kind))
-         call add_cell(table, 'Ours'//unit, cell, ours, factor, 3)
+         call add_cell(table, 'drillgap'//unit, cell, ours, factor, 3)
          call add_cell(table, 'Legacy'//unit, cell, theirs, factor, 3)
          call add_cell(table, 'Difference'//unit, cell, theirs - ours, factor, 3)
          call add_cell(table, '% of|largest', cell - 2, share_of(theirs - ours, comparison%parting(k)%scale), one, 2)
@@ -129,20 +131,21 @@ contains
       unit = unit_label(units, quantity_of(k))
       what = trim(quantity_words(k))
       call append_text(lines, 'Difference in '//what//': largest '//signed(parting%largest/factor)//' '//unit//' ('// &
-                       to_text(share_of(abs(parting%largest), parting%scale), 3)//' % of our largest) at '// &
+                       to_text(share_of(abs(parting%largest), parting%scale), 3)//' % of the largest) at '// &
                        depth(parting%largest_md)//', mean '//to_text(parting%mean/factor, shown)//' '//unit//' over '// &
                        to_text(size(comparison%md))//' depths')
       if (parting%agrees) then
-         call append_text(lines, 'They agree to 0.1 % of our largest '//what//'.')
+         call append_text(lines, 'Both agree within 0.1 % of the largest '//what//'.')
          return
       end if
-      if (abs(parting%largest) > other_unit*parting%scale) call append_text(lines, 'Theirs is much larger than ours: check the '// &
-         'unit of its column ('//trim(column_name(k + 1))//'_unit) and the load case.')
+      if (abs(parting%largest) > other_unit*parting%scale) call append_text(lines, 'The values of the table are much '// &
+         'larger: check the unit of the column ('//trim(column_name(k + 1))//'_unit) and the load case.')
       if (abs(parting%at_bottom) > agreement*parting%scale) &
-         call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', it is '//growth_text(parting%at_bottom)// &
+         call append_text(lines, 'At the lowest depth, '//depth(comparison%md(n))//', the difference is '// &
+                          growth_text(parting%at_bottom)// &
                           ' already.')
-      call append_text(lines, either('Summed along the hole, from the bit up:', 'It changes, from the bit up:', &
-                                     k == quantity_side_force))
+      call append_text(lines, either('Difference summed along the hole, from the bit up:', &
+                                     'Change of the difference, from the bit up:', k == quantity_side_force))
       listed = listed_intervals(parting%growth)
       do i = size(comparison%intervals), 1, -1
          if (.not. listed(i)) cycle
@@ -156,11 +159,11 @@ contains
                                             growth_text(sum(parting%growth, mask=.not. listed)))
       if (parting%worst == 0) then
          call append_text(lines, to_text(per_cent*parting%share, 3)//' % of the difference in '//what// &
-                          ' is there at the lowest depth: compare the loads on the bit.')
+                          ' exists at the lowest depth: compare the loads on the bit.')
          return
       end if
       associate (worst => comparison%intervals(parting%worst))
-         call append_text(lines, 'They differ from '//depth(parting%parting_md)//' up; '// &
+         call append_text(lines, 'The tables differ above '//depth(parting%parting_md)//'. '// &
                           to_text(per_cent*parting%share, 3)//' % of the net difference in '//what//' arises in the '// &
                           trim(interval_name(worst%kind))//' section, '//depth(worst%md_top)//' to '//depth(worst%md_bottom)//'.')
       end associate

@@ -191,14 +191,14 @@ contains
       call put(row, 'md', quantity_length, 'measured depth, of the other program''s row', md)
       call put(row, 'hole', quantity_text, &
                'kind of hole there: vertical (to 1 deg), build, hold, drop, turn (0.25 deg/30 m and less is held)', hole)
-      call put(row, 'axial', quantity_force, 'our axial force, between the depths of our profile', ours(quantity_axial))
-      call put(row, 'legacy_axial', quantity_force, 'the other program''s', theirs(quantity_axial))
+      call put(row, 'axial', quantity_force, 'axial force of drillgap, interpolated', ours(quantity_axial))
+      call put(row, 'legacy_axial', quantity_force, 'value of the other program', theirs(quantity_axial))
       call put(row, 'axial_difference', quantity_force, '', difference(theirs(quantity_axial), ours(quantity_axial)))
-      call put(row, 'torque', quantity_moment, 'our torque', ours(quantity_torque))
-      call put(row, 'legacy_torque', quantity_moment, 'the other program''s', theirs(quantity_torque))
+      call put(row, 'torque', quantity_moment, 'torque of drillgap', ours(quantity_torque))
+      call put(row, 'legacy_torque', quantity_moment, 'value of the other program', theirs(quantity_torque))
       call put(row, 'torque_difference', quantity_moment, '', difference(theirs(quantity_torque), ours(quantity_torque)))
-      call put(row, 'side_force', quantity_line_load, 'our normal contact force per length', ours(quantity_side_force))
-      call put(row, 'legacy_side_force', quantity_line_load, 'the other program''s', theirs(quantity_side_force))
+      call put(row, 'side_force', quantity_line_load, 'contact force per length of drillgap', ours(quantity_side_force))
+      call put(row, 'legacy_side_force', quantity_line_load, 'value of the other program', theirs(quantity_side_force))
       call put(row, 'side_force_difference', quantity_line_load, &
                '', difference(theirs(quantity_side_force), ours(quantity_side_force)))
    end function legacy_row

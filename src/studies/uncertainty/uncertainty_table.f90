@@ -168,7 +168,8 @@ contains
       do i = 1, size(shares)
          largest = maxloc(left, dim=1)
          left(largest) = -1.0_wp
-         if (varies(uncertainty, largest)) text = text//', '//spaced(trim(input_name(largest)))//' '// &
+         if (varies(uncertainty, largest)) text = text//', '// &
+            either('nonlinear effects', spaced(trim(input_name(largest))), input_name(largest) == 'rest')//' '// &
             to_text(100.0_wp*shares(largest), share_digits)//' %'
       end do
       text = 'Share of the variance of '//what//' at the deepest bit depth: '//text(len(', ') + 1:)
