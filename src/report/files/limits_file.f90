@@ -48,7 +48,7 @@ contains
       call put(row, 'case', quantity_text, 'name of the load case', name)
       call put(row, 'model', quantity_text, 'name of the model', model_name(result%model))
       call put(row, 'status', quantity_text, &
-               'as in summary.csv: only converged is a solution; not_converged: all that follows is empty', &
+               'as in summary.csv; not_converged: the other columns are empty', &
                result_status_name(result%status))
       call put_margins(row, whole)
       call put_shape(row, whole)
@@ -70,42 +70,45 @@ contains
          first_neutral = given(whole%neutral_points(1))
          last_neutral = given(whole%neutral_points(points))
       end if
-      call put(row, 'stretch', quantity_length, 'of the string by the effective axial force', whole%stretch)
+      call put(row, 'stretch', quantity_length, 'stretch of the string by effective axial force', whole%stretch)
       call put(row, 'pressure_stretch', quantity_length, &
-               'of the string by the pressures inside and outside, not in stretch', whole%pressure_stretch)
-      call put(row, 'windup', quantity_turns, 'turn of the top against the bit', whole%windup)
-      call put(row, 'neutral_points', quantity_none, 'places where the effective axial force changes sign', points)
-      call put(row, 'neutral_top', quantity_length, 'depth of the uppermost of them', first_neutral)
-      call put(row, 'neutral_bottom', quantity_length, 'depth of the lowest', last_neutral)
-      call put(row, 'least_safety_factor', quantity_none, 'along the string; empty where no yield is given', whole%least_safety)
-      call put(row, 'least_safety_md', quantity_length, 'where', whole%least_safety_md)
+               'stretch of the string by pressure inside and outside, not in stretch', whole%pressure_stretch)
+      call put(row, 'windup', quantity_turns, 'twist of the string: turns of the top against the bit', whole%windup)
+      call put(row, 'neutral_points', quantity_none, 'number of neutral points: effective axial force changes sign', points)
+      call put(row, 'neutral_top', quantity_length, 'depth of the uppermost neutral point', first_neutral)
+      call put(row, 'neutral_bottom', quantity_length, 'depth of the lowest neutral point', last_neutral)
+      call put(row, 'least_safety_factor', quantity_none, 'least safety factor along the string, yield over von Mises stress; '// &
+               'empty without yield', whole%least_safety)
+      call put(row, 'least_safety_md', quantity_length, 'measured depth of this value', whole%least_safety_md)
       call put(row, 'least_envelope_margin', quantity_none, &
-               'of the tension-torque envelope, bending included, along the string', whole%least_envelope_margin)
+               'least envelope_margin along the string', whole%least_envelope_margin)
       call put(row, 'overpull_margin', quantity_force, &
-               'pull that may be added at the top before von Mises'' stress reaches yield, bending included, if all of it '// &
-               'arrived at the weakest place; negative where it yields already', whole%overpull_margin)
+               'pull that may be added at the top until von Mises stress reaches yield, bending included, if all of it '// &
+               'reached the weakest place; negative: it yields already', whole%overpull_margin)
       call put(row, 'buckling', quantity_text, &
                'worst state along the string: none, sinusoidal or helical', buckling_name(whole%buckling))
       call put(row, 'buckling_margin', quantity_force, &
-               'least along the string; negative where it is buckled', whole%buckling_margin)
-      call put(row, 'buckling_margin_md', quantity_length, 'where', whole%buckling_margin_md)
-      call put(row, 'sinusoidal_length', quantity_length, 'of string buckled into a sine', whole%sinusoidal_length)
-      call put(row, 'helical_length', quantity_length, 'of string beyond the lower helical limit', whole%helical_length)
+               'least buckling_margin along the string; negative: buckled', whole%buckling_margin)
+      call put(row, 'buckling_margin_md', quantity_length, 'measured depth of this value', whole%buckling_margin_md)
+      call put(row, 'sinusoidal_length', quantity_length, &
+               'length of sinusoidal buckling, by published loads', whole%sinusoidal_length)
+      call put(row, 'helical_length', quantity_length, &
+               'length of helical buckling, by the lower published load', whole%helical_length)
       call put(row, 'largest_side_force', quantity_line_load, 'along the string', whole%side_force)
       call put(row, 'largest_side_force_md', quantity_length, 'where', whole%side_force_md)
       call put(row, 'wob_buckling', quantity_force, &
-               'weight on bit at which the string begins to buckle somewhere (soft string); 0: it buckles without WOB; empty '// &
-               'for operations that pull', whole%wob_buckling)
+               'weight on bit at which buckling begins (soft string); 0: buckles without WOB; empty for operations that pull', &
+               whole%wob_buckling)
       call put(row, 'wob_no_hookload', quantity_force, &
-               'weight on bit that leaves no hook load (soft string, friction of buckled string left out: a bound of the '// &
-               'lock-up load)', whole%wob_no_hookload)
+               'weight on bit at zero hook load (soft string, without friction of helical buckling: an upper bound of '// &
+               'wob_lockup)', whole%wob_no_hookload)
       call put(row, 'rig_limit', quantity_force, 'as in the deck', whole%rig_limit)
       call put(row, 'rig_margin', quantity_force, 'rig_limit - hook load - block_weight of &rig', whole%rig_margin)
       call put(row, 'makeup_margin', quantity_moment, &
-               'least make-up torque of a connection - torque there; empty where none is given', whole%makeup_margin)
-      call put(row, 'makeup_margin_md', quantity_length, 'where', whole%makeup_margin_md)
+               'make-up torque - torque, least along the string; empty without make-up torque', whole%makeup_margin)
+      call put(row, 'makeup_margin_md', quantity_length, 'measured depth of this value', whole%makeup_margin_md)
       call put(row, 'wob_lockup', quantity_force, &
-               'as wob_no_hookload, with the friction of a helically buckled string; beams may lock up at less WOB', &
+               'as wob_no_hookload, with friction of helical buckling; beams may lock up at less WOB', &
                whole%wob_lockup)
    end subroutine put_margins
 
@@ -119,28 +122,28 @@ contains
       call put(row, 'coiled_length', quantity_length, 'helically buckled length', whole%coiled_length)
       call put(row, 'coil_turns', quantity_none, 'turns of the helix', whole%coil_turns)
       call put(row, 'stability_margin', quantity_none, &
-               'part by which compression may grow before the shape changes; 1 means 1 or more; 0: a buckled shape that can be '// &
-               'shifted; empty: too little compression', whole%stability_margin)
+               'part by which compression may grow until the shape changes; 1: 1 or more; 0: a buckled shape that can shift '// &
+               'along the hole; empty: too little compression', whole%stability_margin)
       call put(row, 'bit_side_force', quantity_force, &
-               'across the hole, of the bit on the formation; mcge, or mixed with elements at the bit, where the bit is '// &
-               'centred', whole%bit_side_force)
-      call put(row, 'bit_side_clock', quantity_angle, 'where to, as clock in the profiles', whole%bit_side_clock)
-      call put(row, 'bit_tilt', quantity_angle, 'between bit and hole axis; the same models', whole%bit_tilt)
-      call put(row, 'bit_tilt_clock', quantity_angle, 'where the bit points', whole%bit_tilt_clock)
-      call put(row, 'largest_bending', quantity_moment, 'moment along the string', whole%bending)
-      call put(row, 'largest_bending_md', quantity_length, 'where', whole%bending_md)
+               'side force of the bit on the formation; mcge, or mixed with elements at the bit; for a centred bit', &
+               whole%bit_side_force)
+      call put(row, 'bit_side_clock', quantity_angle, 'direction of bit_side_force, as clock in the profiles', whole%bit_side_clock)
+      call put(row, 'bit_tilt', quantity_angle, 'angle between bit and hole axis; models as for bit_side_force', whole%bit_tilt)
+      call put(row, 'bit_tilt_clock', quantity_angle, 'direction in which the bit points', whole%bit_tilt_clock)
+      call put(row, 'largest_bending', quantity_moment, 'largest bending moment along the string', whole%bending)
+      call put(row, 'largest_bending_md', quantity_length, 'measured depth of this value', whole%bending_md)
       call put(row, 'bending_error', quantity_percent, &
-               'estimated error of bending moments, of the largest: difference of two ways to compute them, or of two meshes, '// &
-               'plus 0.5 %; empty where they were not solved on shorter elements', in_percent(whole%bending_error))
-      call put(row, 'largest_von_mises', quantity_stress, 'equivalent stress along the string', whole%von_mises)
+               'estimated error of bending moments in percent of the largest: difference of two recoveries or two meshes, '// &
+               'plus 0.5 %; empty if not solved on shorter elements', in_percent(whole%bending_error))
+      call put(row, 'largest_von_mises', quantity_stress, 'largest von Mises stress along the string', whole%von_mises)
       call put(row, 'von_mises_error', quantity_percent, &
-               'estimated error of that stress, by bending_error', in_percent(whole%von_mises_error))
+               'estimated error of largest_von_mises, from bending_error', in_percent(whole%von_mises_error))
       call put(row, 'wob_yield', quantity_force, &
-               'weight on bit at which a compressed part of the string yields, bending and coils included; empty where it '// &
-               'is locked up before', whole%wob_yield)
+               'weight on bit at which a compressed part of the string yields, bending and helical buckling included; empty '// &
+               'if it locks up first', whole%wob_yield)
       call put(row, 'least_standoff', quantity_percent, &
-               'of the body, along the string; mcge only', in_percent(whole%least_standoff))
-      call put(row, 'least_standoff_md', quantity_length, 'where', whole%least_standoff_md)
+               'least standoff of the body along the string; mcge only', in_percent(whole%least_standoff))
+      call put(row, 'least_standoff_md', quantity_length, 'measured depth of this value', whole%least_standoff_md)
    end subroutine put_shape
 
    !> Put the utilisation of each strength, and the largest.
@@ -154,30 +157,32 @@ contains
          governing_md = whole%utilisation%md(whole%utilisation%governing)
       end if
       call put(row, 'used_von_mises', quantity_percent, &
-               'of the yield strength by von Mises'' stress, with its design factor; this and those that follow: most '// &
-               'along the string, empty where the strength is not known', used(limit_von_mises))
-      call put(row, 'used_tension', quantity_percent, 'of the tensile strength of the body', used(limit_tension))
-      call put(row, 'used_torsion', quantity_percent, 'of the torsional strength of the body', used(limit_torsion))
-      call put(row, 'used_joint_torsion', quantity_percent, 'of the torque at which a connection yields', used(limit_joint_torsion))
-      call put(row, 'used_makeup', quantity_percent, 'of the make-up torque', used(limit_makeup))
-      call put(row, 'used_burst', quantity_percent, 'of the burst strength', used(limit_burst))
-      call put(row, 'used_collapse', quantity_percent, 'of the collapse strength under the tension there', used(limit_collapse))
+               'von Mises stress in percent of yield. Columns used_...: largest along the string, design factors included, '// &
+               'empty if the strength is not known', used(limit_von_mises))
+      call put(row, 'used_tension', quantity_percent, 'tension in percent of the tensile strength of the body', used(limit_tension))
+      call put(row, 'used_torsion', quantity_percent, &
+               'torque in percent of the torsional strength of the body', used(limit_torsion))
+      call put(row, 'used_joint_torsion', quantity_percent, 'torque in percent of joint_torsion', used(limit_joint_torsion))
+      call put(row, 'used_makeup', quantity_percent, 'torque in percent of the make-up torque', used(limit_makeup))
+      call put(row, 'used_burst', quantity_percent, 'burst pressure in percent of the burst strength', used(limit_burst))
+      call put(row, 'used_collapse', quantity_percent, &
+               'collapse pressure in percent of the collapse strength under tension', used(limit_collapse))
       call put(row, 'used_slips', quantity_percent, &
-               'of what slips may hold without crushing the pipe, by the hook load', used(limit_slips))
-      call put(row, 'used_rig', quantity_percent, 'of rig_limit, by hook load and block_weight of &rig', used(limit_rig))
+               'hook load in percent of the load that crushes the pipe in slips', used(limit_slips))
+      call put(row, 'used_rig', quantity_percent, 'hook load with block in percent of the limit of the rig', used(limit_rig))
       call put_filled(row, 'governing_limit', quantity_text, &
-                      'the one of these that is used most', governing_name(whole%utilisation))
-      call put(row, 'governing_utilisation', quantity_percent, 'how much of it', governing_used)
-      call put(row, 'governing_md', quantity_length, 'where', governing_md)
+                      'most used of these limits', governing_name(whole%utilisation))
+      call put(row, 'governing_utilisation', quantity_percent, 'used part of governing_limit', governing_used)
+      call put(row, 'governing_md', quantity_length, 'measured depth of this value', governing_md)
       call put(row, 'contact_difference', quantity_percent, &
-               'uncertainty of contact force, in percent of that of the whole string: largest difference, along a part of it, '// &
+               'uncertainty of contact force, in percent of normal_force: largest difference over a part of the string '// &
                'between long elements (hook load) and short ones (moments)', &
                in_percent(whole%contact_difference))
       call put(row, 'used_top_drive', quantity_percent, &
-               'of max_torque of &rig, by the torque at the top of a string that turns', used(limit_top_drive))
+               'torque at the top of a rotating string in percent of max_torque of &rig', used(limit_top_drive))
       call put(row, 'sag_correction', quantity_angle, &
-               'to be added to the inclination that the survey sensor reads, so that it is that of the hole axis; positive '// &
-               'where the sensor reads too little; mcge with sensor', whole%sag_correction)
+               'add this to the inclination of the survey sensor to get that of the hole; positive: the sensor reads too '// &
+               'little; mcge with sensor', whole%sag_correction)
    end subroutine put_used
 
    !> Change of length, wear of casing, fatigue.
@@ -186,41 +191,43 @@ contains
       type(whole_string_type), intent(in) :: whole
       associate (change => whole%length_change, groove => whole%groove, fatigue => whole%fatigue)
          call put(row, 'length_change_force', quantity_length, &
-                  'by the true axial force (Hooke). All changes of length: longer is positive. Against the case of '// &
-                  'length_reference, else the string before it was run. Empty where not asked for', &
+                  'change of length by true axial force (Hooke). All changes: longer is positive; against the case of '// &
+                  'length_reference, else against the string before it was run; empty if not asked for', &
                   optional_real(change%present, change%force))
-         call put(row, 'length_change_pressure', quantity_length, 'by ballooning', optional_real(change%present, change%pressure))
+         call put(row, 'length_change_pressure', quantity_length, &
+                  'change of length by ballooning', optional_real(change%present, change%pressure))
          call put(row, 'length_change_buckling', quantity_length, &
-                  'by the buckled shape', optional_real(change%present, change%buckling))
+                  'change of length by buckling', optional_real(change%present, change%buckling))
          call put(row, 'length_change_temperature', quantity_length, &
-                  'by the change of temperature', optional_real(change%present, change%temperature))
-         call put(row, 'length_change', quantity_length, 'sum of the four', optional_real(change%present, total_change(change)))
+                  'change of length by temperature', optional_real(change%present, change%temperature))
+         call put(row, 'length_change', quantity_length, &
+                  'sum of the four changes of length', optional_real(change%present, total_change(change)))
          call put(row, 'packer_force', quantity_force, &
-                  'of the string on its packer, without that of the pressures: weight set down is positive; found where '// &
-                  'packer_hold holds the string', whole%packer_force)
+                  'force of the string on its packer without pressure; weight set down is positive; if packer_hold holds the '// &
+                  'string', whole%packer_force)
          call put(row, 'casing_wear', quantity_width, &
-                  'depth of the groove in casing that leaves the least part of its wall; this and those that follow: in '// &
-                  'cases that turn for hours, where wear_factor is given', optional_real(groove%present, groove%depth))
-         call put(row, 'casing_wear_md', quantity_length, 'where', optional_real(groove%present, groove%md))
+                  'depth of the worst groove in the casing. Columns casing_...: for rotating cases with hours and wear_factor', &
+                  optional_real(groove%present, groove%depth))
+         call put(row, 'casing_wear_md', quantity_length, 'measured depth of this value', optional_real(groove%present, groove%md))
          call put(row, 'casing_wall_left', quantity_percent, &
-                  'there, of the wall as it was new', in_percent(optional_real(groove%present, groove%wall_left)))
+                  'remaining wall at that depth, of the new wall', in_percent(optional_real(groove%present, groove%wall_left)))
          call put(row, 'casing_burst_left', quantity_pressure, &
-                  'burst strength there (Barlow, 7/8 of the wall left)', &
+                  'burst strength at that depth (Barlow, 7/8 of the remaining wall)', &
                   optional_real(groove%present .and. .not. is_missing(groove%burst), groove%burst))
          call put(row, 'casing_collapse_left', quantity_pressure, &
-                  'collapse strength there without tension (API 5C3)', &
+                  'collapse strength at that depth without tension (API 5C3)', &
                   optional_real(groove%present .and. .not. is_missing(groove%collapse), groove%collapse))
          call put(row, 'fatigue_used', quantity_percent, &
-                  'of the endurance limit of the body at its tension, most along the string; this and those that follow: in '// &
-                  'cases that turn, where fatigue_curve is given', &
+                  'bending stress in percent of the endurance limit of the body under its tension, largest along the string. '// &
+                  'Columns fatigue_...: for rotating cases with fatigue_curve', &
                   in_percent(optional_real(fatigue%present, fatigue%used)))
-         call put(row, 'fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
+         call put(row, 'fatigue_md', quantity_length, 'measured depth of this value', optional_real(fatigue%present, fatigue%md))
          call put(row, 'fatigue_turns', quantity_none, &
-                  'until failure there; empty below the endurance limit, or without fatigue_exponent', fatigue%turns)
+                  'turns until failure at that depth; empty below the endurance limit, or without fatigue_exponent', fatigue%turns)
          call put(row, 'fatigue_damage', quantity_percent, &
-                  'part of the life there that hours of rotation take', percent_of(fatigue%damage))
+                  'part of the life at that depth used by the hours of rotation', percent_of(fatigue%damage))
          call put(row, 'fatigue_dogleg', quantity_curvature, &
-                  'largest dogleg in which the pipe there turns without fatigue at its tension (Lubinski 1961)', &
+                  'largest dogleg at that depth for rotation without fatigue under the tension there (Lubinski 1961)', &
                   fatigue%dogleg)
       end associate
    end subroutine put_changes
@@ -232,28 +239,32 @@ contains
       type(optional_real) :: used(size(whole%utilisation%used))
       used = in_percent(whole%utilisation%used)
       call put(row, 'yield_left', quantity_percent, &
-               'least along the string, of the yield strength at ambient temperature; empty where the string is not warmer', &
+               'yield strength in percent of that at ambient temperature, least along the string; empty if the string is not '// &
+               'warmer', &
                in_percent(whole%yield_left))
       call put(row, 'used_joint_tension', quantity_percent, &
-               'of the tensile strength of connections, by the most loaded fibre, bending included; this and those that '// &
-               'follow: where tension_efficiency and the like are given', used(limit_joint_tension))
-      call put(row, 'used_joint_compression', quantity_percent, 'the same in compression', used(limit_joint_compression))
-      call put(row, 'used_joint_burst', quantity_percent, 'of the burst strength of connections', used(limit_joint_burst))
+               'largest tensile stress, bending included, in percent of the tensile strength of connections; needs '// &
+               'tension_efficiency', used(limit_joint_tension))
+      call put(row, 'used_joint_compression', quantity_percent, 'largest compressive stress, bending included, in percent of '// &
+               'the compressive strength of connections; needs compression_efficiency', used(limit_joint_compression))
+      call put(row, 'used_joint_burst', quantity_percent, &
+               'burst pressure in percent of the burst strength of connections', used(limit_joint_burst))
       call put(row, 'used_joint_collapse', quantity_percent, &
-               'of the collapse strength of connections under the tension there', used(limit_joint_collapse))
+               'collapse pressure in percent of the collapse strength of connections under tension', used(limit_joint_collapse))
       call put(row, 'used_joint_dogleg', quantity_percent, &
-               'of joint_dogleg, by the curvature of the pipe', used(limit_joint_dogleg))
+               'curvature of the pipe in percent of joint_dogleg', used(limit_joint_dogleg))
       associate (fatigue => whole%joint_fatigue)
          call put(row, 'joint_fatigue_used', quantity_percent, &
-                  'of the endurance limit of connections, most along the string; this and those that follow as for fatigue, '// &
-                  'where joint_fatigue_limit is given', &
+                  'bending stress in percent of the endurance limit of connections, largest along the string. Columns '// &
+                  'joint_fatigue_...: for rotating cases with joint_fatigue_limit', &
                   in_percent(optional_real(fatigue%present, fatigue%used)))
-         call put(row, 'joint_fatigue_md', quantity_length, 'where', optional_real(fatigue%present, fatigue%md))
-         call put(row, 'joint_fatigue_turns', quantity_none, 'until failure there', fatigue%turns)
+         call put(row, 'joint_fatigue_md', quantity_length, &
+                  'measured depth of this value', optional_real(fatigue%present, fatigue%md))
+         call put(row, 'joint_fatigue_turns', quantity_none, 'turns until failure at that depth', fatigue%turns)
          call put(row, 'joint_fatigue_damage', quantity_percent, &
-                  'part of the life there that hours of rotation take', percent_of(fatigue%damage))
+                  'part of the life at that depth used by the hours of rotation', percent_of(fatigue%damage))
          call put(row, 'joint_fatigue_dogleg', quantity_curvature, &
-                  'largest dogleg in which the connection there turns without fatigue at its tension', fatigue%dogleg)
+                  'largest dogleg at that depth for rotation without fatigue of the connection', fatigue%dogleg)
       end associate
    end subroutine put_ratings
 end module dg_limits_file

@@ -16,12 +16,12 @@ contains
    pure function contact_series(contacts) result(list)
       type(contact_point_type), intent(in) :: contacts(:)
       type(series_list_type) :: list
-      call put(list, 'md', quantity_length, 'measured depth of the centroid of the force, of the point before loading', contacts%md)
+      call put(list, 'md', quantity_length, 'measured depth of the centroid of the force, before loading', contacts%md)
       call put(list, 'force', quantity_force, &
-               'across the hole, of the string on what it touches; of an edge: the part in excess of weight and of '// &
-               'tension in a bend', contacts%force)
-      call put(list, 'length', quantity_length, 'of the string on which it acts; 0 for bit and top', contacts%length)
-      call put(list, 'clock', quantity_angle, 'where to, as clock in the profiles', contacts%clock)
+               'force of the string across the hole on the wall; at an edge: in excess of weight and of tension in a bend', &
+               contacts%force)
+      call put(list, 'length', quantity_length, 'length of string on which the force acts; 0 for bit and top', contacts%length)
+      call put(list, 'clock', quantity_angle, 'direction of the force, as clock in the profiles', contacts%clock)
       call put(list, 'kind', quantity_text, &
                'tool joint, stabilizer, centralizer, edge, bit or top', contacts%kind - 1, contact_name)
    end function contact_series
@@ -34,12 +34,12 @@ contains
                'number of the attempt at the case; attempts on shorter elements continue the count', steps%attempt)
       call put(list, 'increment', quantity_none, 'load step', steps%increment)
       call put(list, 'stage', quantity_none, &
-               'of the mesh: one more each time that elements are cut where the string stands outside', steps%stage)
+               'number of the mesh; elements are cut where the string stands outside the hole', steps%stage)
       call put(list, 'iteration', quantity_none, 'counted through all attempts, load steps and stages of the mesh', steps%iteration)
       call put(list, 'residual', quantity_force, 'largest nodal force out of balance', steps%residual_force)
       call put(list, 'residual', quantity_moment, 'largest nodal moment out of balance', steps%residual_moment)
       call put(list, 'lateral_step', quantity_width, &
-               'largest lateral change asked for by the step that led here', steps%lateral_step)
+               'largest lateral change in the step before limits', steps%lateral_step)
       call put(list, 'damping', quantity_none, &
                'damping of that step, in units of compression^2/(4 EI)', steps%damping)
       call put(list, 'judged_by', quantity_none, &

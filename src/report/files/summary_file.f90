@@ -54,10 +54,10 @@ contains
                '(stiff in places)', model_name(result%model))
       call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(load_case%operation))
       call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
-      call put(row, 'inclination', quantity_angle, 'of the hole at the bit', of(result%inclination))
+      call put(row, 'inclination', quantity_angle, 'inclination of the hole at the bit', of(result%inclination))
       call put(row, 'wob', quantity_force, 'weight on bit, as in the deck', load_case%wob)
       call put(row, 'hookload', quantity_force, &
-               'axial force held at the top, less the push of annulus pressure there', of(result%hookload))
+               'hook load without block: axial force at the top, less the push of annulus pressure', of(result%hookload))
       call put(row, 'measured', quantity_force, 'measured hook load, as in the deck', load_case%measured_hookload)
       call put(row, 'error', quantity_percent, &
                '100 |hookload - measured| / measured; with &rig: 100 |weight_indicator - measured| / measured', &
@@ -71,42 +71,42 @@ contains
       call put(row, 'torque', quantity_moment, 'torque at the top, bit torque included', of(result%torque))
       call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', of(result%normal_force))
       call put(row, 'status', quantity_text, &
-               'converged, not_converged or locked_up: only the first is a solution', result_status_name(result%status))
+               'converged, not_converged or locked_up; only a converged case has valid numbers', result_status_name(result%status))
       call put(row, 'iterations', quantity_none, &
-               'Newton iterations of all attempts and meshes of a case together; 0 for the other models', result%iterations)
-      call put(row, 'elements', quantity_none, 'beam elements, or steps of integration of the others', result%elements)
+               'Newton iterations of all attempts and meshes; 0 for other models', result%iterations)
+      call put(row, 'elements', quantity_none, 'beam elements; for other models steps of integration', result%elements)
       call put(row, 'seconds', quantity_time, 'wall time of the solution of this case', result%seconds)
       call put(row, 'measured_torque', quantity_moment, 'measured torque, as in the deck', load_case%measured_torque)
       call put(row, 'torque_error', quantity_percent, &
                '100 |torque - measured| / measured', error_of(result%torque, load_case%measured_torque))
       call put(row, 'gaps_free', quantity_none, &
-               'gap elements (other models: points of the profile) that do not touch', result%states(state_free))
-      call put(row, 'gaps_elastic', quantity_none, 'in elastic contact', result%states(state_elastic))
-      call put(row, 'gaps_rigid', quantity_none, 'in rigid contact', result%states(state_rigid))
-      call put(row, 'flips', quantity_none, 'changes of state during the iteration', result%flips)
-      call put(row, 'moves', quantity_none, 'changes of place x0 during the iteration', result%moves)
+               'number of free gap elements; for other models of free points of the profile', result%states(state_free))
+      call put(row, 'gaps_elastic', quantity_none, 'number in elastic contact', result%states(state_elastic))
+      call put(row, 'gaps_rigid', quantity_none, 'number in rigid contact', result%states(state_rigid))
+      call put(row, 'flips', quantity_none, 'changes of state of gap elements in the iteration', result%flips)
+      call put(row, 'moves', quantity_none, 'changes of place x0 of gap elements in the iteration', result%moves)
       call put(row, 'equilibrium', quantity_force, &
-               'what is left of the sum of all forces on the string, supports included', of(result%equilibrium_force))
-      call put(row, 'equilibrium', quantity_moment, 'the same of all moments about the top', of(result%equilibrium_moment))
+               'sum of all forces on the string, supports included: zero for an exact solution', of(result%equilibrium_force))
+      call put(row, 'equilibrium', quantity_moment, &
+               'sum of all moments about the top: zero for an exact solution', of(result%equilibrium_moment))
       call put(row, 'message', quantity_text, &
-               'reason where not converged, else warnings', text_or_nothing(result%message))
+               'reason of a case that did not converge, else warnings', text_or_nothing(result%message))
       call put(row, 'weight_indicator', quantity_force, &
-               'string and block as the dead line shows them: too low while the block rises, too high while it is lowered; '// &
+               'reading of the weight indicator, block included: too low while the block rises, too high while it is lowered; '// &
                'empty without &rig', result%weight_indicator)
       call put(row, 'can_be_done', quantity_text, &
-               'yes: no known limit is passed; no: one is, or the string locks up or would have to be pushed; unknown: '// &
+               'yes: no known limit is passed; no: a limit is passed, the string locks up or must be pushed; unknown: '// &
                'not_converged', answer_name(verdict%answer))
       call put_filled(row, 'reason', quantity_text, &
-                      'why not, with numbers; empty for yes', verdict_reason(units, load_case, verdict))
-      call put_filled(row, 'limit', quantity_text, 'the one that decides; for yes the one used most', limit_code(verdict%limit))
-      call put(row, 'used', quantity_percent, 'how much of that limit', in_percent(verdict%used))
-      call put(row, 'limit_md', quantity_length, 'where; empty for string_weight and lock_up', verdict%md)
+                      'reason of a no, with numbers; else empty', verdict_reason(units, load_case, verdict))
+      call put_filled(row, 'limit', quantity_text, 'limit that decides; for yes the limit used most', limit_code(verdict%limit))
+      call put(row, 'used', quantity_percent, 'used part of this limit', in_percent(verdict%used))
+      call put(row, 'limit_md', quantity_length, 'depth of this limit; empty for string_weight and lock_up', verdict%md)
       call put_filled(row, 'not_checked', quantity_text, &
-                      'limits for which the deck has no rating, blanks between them', unchecked_codes(verdict))
+                      'limits for which the deck gives no rating, separated by blanks', unchecked_codes(verdict))
       call put(row, 'friction_reserve', quantity_none, &
-               'factor by which all friction may grow until the answer is no, by the soft string scaled to this result; '// &
-               'empty for a no, where the answer is unknown or ten times the friction is possible, and for beams that turn in '// &
-               'helical buckling', verdict%friction_reserve)
+               'factor on all friction at which the answer becomes no, by the soft string scaled to this result; empty for no '// &
+               'and unknown, above 10, and for rotating beams in helical buckling', verdict%friction_reserve)
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)

@@ -44,9 +44,10 @@ contains
       type(series_list_type) :: list
       call put(list, 'md', quantity_length, 'measured depth', grooves%md)
       call put(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
-      call put(list, 'side_force', quantity_line_load, 'mean on the length from one tool joint to the next', grooves%side_force)
+      call put(list, 'side_force', quantity_line_load, &
+               'mean side force on the length from one tool joint to the next', grooves%side_force)
       call put(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
-      call put(list, 'wall_left', quantity_percent, 'of the wall as it was new', percent_of(grooves%wall_left))
+      call put(list, 'wall_left', quantity_percent, 'remaining wall, of the new wall', percent_of(grooves%wall_left))
       call put(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
       call put(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
    end function wear_series
@@ -81,20 +82,20 @@ contains
       sections(1)%text = 'body'
       sections(2)%text = 'joint'
       call put(list, 'component', quantity_text, 'its name', parts%part - 1, names)
-      call put(list, 'md', quantity_length, 'where it is bent hardest for its tension', parts%md)
-      call put(list, 'tension', quantity_stress, 'of the effective axial force', parts%tension)
+      call put(list, 'md', quantity_length, 'depth where bending is largest against the permitted bending', parts%md)
+      call put(list, 'tension', quantity_stress, 'stress of the effective axial force', parts%tension)
       call put(list, 'amplitude', quantity_stress, &
-               'of the bending stress, of the body largest between tool joints', parts%amplitude)
+               'amplitude of the bending stress; of the body the largest between tool joints', parts%amplitude)
       call put(list, 'permitted', quantity_stress, 'endurance limit at that tension', parts%permitted)
       call put(list, 'used', quantity_percent, 'amplitude in percent of permitted', percent_of(parts%used))
       call put(list, 'turns', quantity_none, &
-               'until failure; empty below the endurance limit, or without fatigue_exponent', parts%turns)
+               'turns until failure; empty below the endurance limit, or without fatigue_exponent', parts%turns)
       call put(list, 'damage', quantity_percent, &
-               'part of its life that hours of rotation take at that place; empty without hours', percent_of(parts%damage))
-      call put(list, 'dogleg', quantity_curvature, 'of the hole there', parts%curvature)
+               'part of its life used by the hours of rotation; empty without hours', percent_of(parts%damage))
+      call put(list, 'dogleg', quantity_curvature, 'dogleg of the hole at this depth', parts%curvature)
       call put(list, 'permitted_dogleg', quantity_curvature, &
-               'largest dogleg in which it turns without fatigue at that tension', parts%dogleg)
+               'largest dogleg for rotation without fatigue at that tension', parts%dogleg)
       call put(list, 'section', quantity_text, &
-               'body, or joint: its connections, with the stress outside them', merge(1, 0, parts%joint), sections)
+               'body, or joint: connections, with the stress at their outside', merge(1, 0, parts%joint), sections)
    end function fatigue_series
 end module dg_wear_files

@@ -36,43 +36,43 @@ contains
       if (beams) linear_solver = solver_name(variant%numerics%linear_solver)
       call put(row, 'case', quantity_text, 'name of the load case', name)
       call put(row, 'model', quantity_text, 'name of the model', model_name(variant%model))
-      call put_filled(row, 'fidelity', quantity_text, 'its name, where it set the element length', fidelity)
+      call put_filled(row, 'fidelity', quantity_text, 'name of the fidelity, if it sets the element length', fidelity)
       call put(row, 'element_length', quantity_length, 'longest element asked for', variant%numerics%element_length)
       call put(row, 'tolerance', quantity_none, &
-               'residual at convergence divided by the weight; this and the next three: empty for models other than mcge', &
+               'tolerance of the variant; this and the next three: only for mcge', &
                optional_real(beams, variant%numerics%tolerance))
       call put(row, 'wall_stiffness', quantity_wall, &
-               'of every wall; empty where it is that of the deck', optional_real(beams .and. variant%wall > 0.0_wp, variant%wall))
+               'stiffness of every wall; empty: that of the deck', optional_real(beams .and. variant%wall > 0.0_wp, variant%wall))
       call put_filled(row, 'gap_location', quantity_text, 'extremum or nodes', gap_location)
       call put_filled(row, 'linear_solver', quantity_text, 'its name', linear_solver)
       call put(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
       call put(row, 'reference', quantity_text, &
-               'yes: the finest variant of the case that converged, against which errors are', yes(record%is_reference))
+               'yes: finest converged variant of the case, the reference for errors', yes(record%is_reference))
       call put(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
-      call put(row, 'hookload_error', quantity_percent, 'of the value of reference', percent_of(record%errors(error_hookload)))
+      call put(row, 'hookload_error', quantity_percent, 'difference from the reference', percent_of(record%errors(error_hookload)))
       call put(row, 'torque', quantity_moment, 'at the top', number(record%torque))
       call put(row, 'torque_error', quantity_percent, &
-               'of the value of reference; empty where that is zero', percent_of(record%errors(error_torque)))
+               'difference from the reference; empty if the reference is zero', percent_of(record%errors(error_torque)))
       call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', number(record%normal_force))
-      call put(row, 'normal_force_error', quantity_percent, 'of the value of reference', &
+      call put(row, 'normal_force_error', quantity_percent, 'difference from the reference', &
                percent_of(record%errors(error_normal_force)))
       call put(row, 'bending', quantity_moment, 'greatest bending moment along the string', number(record%bending))
       call put(row, 'bending_error', quantity_percent, &
                'largest difference along the string, of the largest moment of reference', percent_of(record%errors(error_bending)))
       call put(row, 'iterations', quantity_none, 'Newton iterations; 0 for the other models', record%iterations)
-      call put(row, 'elements', quantity_none, 'of the mesh, or steps of integration', record%elements)
+      call put(row, 'elements', quantity_none, 'elements of the mesh, or steps of integration', record%elements)
       call put(row, 'seconds', quantity_time, &
                'wall time of the solution alone, on one core; median of three where short', record%seconds)
       call put(row, 'memory_MB', quantity_none, &
-               'greatest use while it was solved; empty where the system does not tell', &
+               'largest use of memory; empty if unknown', &
                merge(missing, record%memory/megabyte, is_missing(record%memory)))
-      call put(row, 'cost', quantity_none, 'seconds divided by those of the reference', record%cost)
+      call put(row, 'cost', quantity_none, 'time divided by that of the reference', record%cost)
       call put(row, 'pareto', quantity_text, &
                'yes: no variant of this case is both more accurate (hook load and torque, the worse) and faster', &
                yes(record%in_pareto_set))
       call put(row, 'hookload_order', quantity_none, &
-               'order of convergence, from all rows of the case that differ in element length alone; empty where '// &
-               'they give none', record%orders(error_hookload))
+               'order of convergence of hook load, from rows that differ in element length only; empty if there is none', &
+               record%orders(error_hookload))
       call put(row, 'torque_order', quantity_none, 'the same', record%orders(error_torque))
       call put(row, 'normal_force_order', quantity_none, 'the same', record%orders(error_normal_force))
       call put(row, 'bending_order', quantity_none, 'the same', record%orders(error_bending))

@@ -109,25 +109,26 @@ contains
       call put(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
       call put(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
       call put(row, 'side_force_high', quantity_force, &
-               'of the bit on the formation in that hole, towards the high side; < 0: to the low side', result%side_force(1))
-      call put(row, 'side_force_right', quantity_force, 'the same to the right, looking down the hole', result%side_force(2))
-      call put(row, 'tilt_high', quantity_angle, 'tilt of the bit against that hole, towards the high side', result%tilt(1))
-      call put(row, 'tilt_right', quantity_angle, 'the same to the right', result%tilt(2))
+               'side force of the bit on the formation, towards the high side; < 0: to the low side', result%side_force(1))
+      call put(row, 'side_force_right', quantity_force, &
+               'side force of the bit to the right, looking down the hole', result%side_force(2))
+      call put(row, 'tilt_high', quantity_angle, 'tilt of the bit against the hole, towards the high side', result%tilt(1))
+      call put(row, 'tilt_right', quantity_angle, 'tilt of the bit to the right', result%tilt(2))
       call put(row, 'build', quantity_curvature, &
-               'build rate of the equilibrium curvature: the hole continues with it', optional_real(result%found, bend(1)))
+               'expected build rate of the hole', optional_real(result%found, bend(1)))
       call put(row, 'turn', quantity_curvature, &
-               'turn rate of it, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
-      call put(row, 'dogleg', quantity_curvature, 'the curvature itself', optional_real(result%found, norm2(bend)))
+               'expected turn rate of the hole, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
+      call put(row, 'dogleg', quantity_curvature, 'expected dogleg of the hole', optional_real(result%found, norm2(bend)))
       call put(row, 'dogleg_clock', quantity_angle, &
-               'to which the hole bends, from the high side clockwise looking down the hole', &
+               'direction of the dogleg, from the high side clockwise looking down the hole', &
                optional_real(result%found, dogleg_clock(bend)))
       call put(row, 'status', quantity_text, &
-               'converged, or not_converged: then there is no curvature', merge('converged    ', 'not_converged', result%found))
+               'converged, or not_converged without a dogleg', merge('converged    ', 'not_converged', result%found))
       call put(row, 'solutions', quantity_none, 'solutions of the string that were computed', result%solutions)
-      call put(row, 'message', quantity_text, 'why there is no curvature, or why it may be off', result%message)
+      call put(row, 'message', quantity_text, 'reason of a missing or doubtful dogleg', result%message)
       call put(row, 'three_point_dogleg', quantity_curvature, &
-               'of a stiff bent assembly that touches at bit and two more points', result%three_points)
-      call put(row, 'fitted_side_cutting', quantity_none, 'side_cutting that gives the measured dogleg', result%side_cutting)
+               'dogleg of a stiff bent assembly with contact at bit and two more points', result%three_points)
+      call put(row, 'fitted_side_cutting', quantity_none, 'side_cutting for the measured dogleg', result%side_cutting)
    end function steering_row
 
    !> Change of azimuth per length of a hole that curves to the right [rad/m].
