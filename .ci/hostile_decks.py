@@ -145,7 +145,7 @@ def listed():
         yield f"a name with U+{ord(letter):04X}", changed("'casing'", f"'a{letter}b'".encode().decode("latin-1")), 2, (
             "deck.nml:3: ", f"U+{ord(letter):04X}"), {}
     for bytes_ in ("\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80"):
-        yield f"a name of the bytes {bytes_!r}", changed("'casing'", f"'a{bytes_}'"), 2, ("deck.nml:3: ", "is no UTF-8"), {}
+        yield f"a name of the bytes {bytes_!r}", changed("'casing'", f"'a{bytes_}'"), 2, ("deck.nml:3: ", "is not UTF-8"), {}
     yield "a commented row of the survey", {**good, "wells/path.csv": SURVEY.replace("400,", "#400,")}, 0, (
         "path.csv: rows skipped: 1 that begin with # (first in line 5)"), {}
     yield "survey vanished", good, 2, "path.csv: survey file cannot be opened", {"before": remove("wells/path.csv")}

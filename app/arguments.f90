@@ -133,7 +133,7 @@ contains
          case ('--part')
             call read_part(value, arguments, error)
          case ('--merge')
-            if (.not. is_count(value)) call refuse('--merge '//value//' is no number of parts. Give 1 to 9999, as in --merge 4')
+            if (.not. is_count(value)) call refuse('--merge '//value//' is not a number of parts. Give 1 to 9999, as in --merge 4')
             if (is_count(value)) read (value, *) arguments%merge
          case default
             call read_threads(value)
@@ -151,7 +151,7 @@ contains
             read (text, *) arguments%threads
             arguments%threads_given = .true.
          else
-            call refuse('--threads '//text//' is no number of threads. Give 0 (all cores) to 9999')
+            call refuse('--threads '//text//' is not a number of threads. Give 0 (all cores) to 9999')
          end if
       end subroutine read_threads
    end subroutine read_arguments
@@ -183,7 +183,8 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       character(:), allocatable :: failure
       call read_part_list(text, arguments%chosen, arguments%parts, failure)
-      if (failure /= '') call raise_once(error, '--part '//text//' is no part: '//failure//'. Give i/n with i from 1 to n, as '// &
+      if (failure /= '') call raise_once(error, '--part '//text//' is not a part: '//failure// &
+         '. Give i/n with i from 1 to n, as '// &
                                          'in --part 2/4, or several, each once, as in --part 3,7-9/40')
    end subroutine read_part
 

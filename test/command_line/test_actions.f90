@@ -147,7 +147,7 @@ contains
       call refuse("catalogue = '5"" 49.3#'", "did you mean 'HWDP 5 49.3'?")
       call refuse("catalogue = 'DP 7 20'", '--list-catalogue dp lists what it has')
       call refuse("catalogue = 'S135'", "input/catalogue.csv has no 'S135'")
-      call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is no number")
+      call refuse("catalogue = 'DP 5 19.50 NC50', od = 'x'", "od = 'x' is not a number")
       call refuse("name = 'pipe'", 'key od is missing')
       call execute_command_line("printf 'name,kind,mass_kg_m\nbare,drillpipe,30\n' > build/test_bare.csv")
       run = run_deck_text(replaced(replaced(good_deck(), pipe, "&component catalogue = 'bare' /"), '&job ', &

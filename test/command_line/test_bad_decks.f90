@@ -102,7 +102,7 @@ contains
       call refuse("&boundary top_lateral = 'centred' /", "&boundary /  &boundary /", 15, &
                   'given a second time, first in line 15')
       call refuse("&fluid density = 1200.0 /", "&fluid density = 1200.0 /  &fluid /", 10, &
-                  'group &fluid: the fluid in line 10 takes all of its place')
+                  'group &fluid: the fluid in line 10 fills its whole length')
       call refuse("&boundary top_lateral = 'centred' /", "&job /", 15, 'group &job: given a second time, first in line 1')
       call refuse_text("! nothing"//newline, 1, 'group &trajectory: missing')
    end subroutine test_groups
@@ -119,19 +119,19 @@ contains
 
    subroutine test_values()
       call refuse("'soft'", "'soft', 'rigit'", 1, "did you mean 'rigid'?")
-      call refuse("od = 127.0", "od = 'wide'", 13, "od = 'wide' is no number; needs a number, 1 to 5000 mm")
-      call refuse("od = 127.0", "od = wide", 13, 'od = wide is no number')
-      call refuse("od = 127.0", "od = 12O.0", 13, 'od = 12O.0 is no number')
-      call refuse("od = 127.0", "od = nan", 13, 'od = nan is no number')
-      call refuse("od = 127.0", "od = 1e999", 13, 'od = 1e999 is no number')
+      call refuse("od = 127.0", "od = 'wide'", 13, "od = 'wide' is not a number; needs a number, 1 to 5000 mm")
+      call refuse("od = 127.0", "od = wide", 13, 'od = wide is not a number')
+      call refuse("od = 127.0", "od = 12O.0", 13, 'od = 12O.0 is not a number')
+      call refuse("od = 127.0", "od = nan", 13, 'od = nan is not a number')
+      call refuse("od = 127.0", "od = 1e999", 13, 'od = 1e999 is not a number')
       call refuse("diameter = 215.9", "diameter = -215.9", 9, 'diameter = -215.9 is out of range; needs a number, 1 to 5000 mm')
       call refuse("diameter = 215.9", "diameter = 0.2159", 9, 'out of range; needs a number, 1 to 5000 mm')
       call refuse("inc = 0.0, 0.0, 30.0", "inc = 0.0, 0.0, 181", 4, 'inc(3) = 181 is out of range; needs a number, 0 to 180 deg')
       call refuse("friction = 0.3", "friction = 30", 9, 'friction = 30 is out of range; needs a number, 0 to 2')
       call refuse("wob = 20.0", "wob = 200000.0", 19, 'wob = 200000.0 is out of range')
       call refuse("wob = 20.0", "tob = -1", 19, 'tob = -1 is out of range')
-      call refuse("element_length = 10.0", "max_iterations = 2.5", 20, 'is no whole number')
-      call refuse("element_length = 10.0", "history = yes", 20, 'history = yes is no logical; write .true. or .false.')
+      call refuse("element_length = 10.0", "max_iterations = 2.5", 20, 'is not a whole number')
+      call refuse("element_length = 10.0", "history = yes", 20, 'history = yes is not a logical value; write .true. or .false.')
       call refuse("'a deck'", "a_deck", 1, "is a text without quotes; write title = 'a_deck'")
       call refuse("title", "units = 'SL', title", 1, "units = 'SL' is unknown; did you mean 'SI'?")
       call refuse("'soft'", "'sofd'", 1, "models = 'sofd' is unknown; did you mean 'soft'?")
@@ -172,7 +172,7 @@ contains
       call refuse("'collars'", "'"//isolate//"'", 11, 'holds the letter U+2066, which turns the direction of writing; remove it')
       call refuse("'a deck'", "'"//mark//"'", 1, 'holds the letter U+061C')
       call refuse("md  = 0.0", "survey_file = '"//mark//"' md = 0.0", 3, 'holds the letter U+061C')
-      call refuse("'a deck'", "'F"//char(246)//"rde'", 1, 'is no UTF-8: byte 2 is hexadecimal F6; save the file as UTF-8')
+      call refuse("'a deck'", "'F"//char(246)//"rde'", 1, 'is not UTF-8: byte 2 is hexadecimal F6; save the file as UTF-8')
       run = run_deck_text(replaced(good_deck(), "'a deck'", "'F"//char(195)//char(182)//"rde'")//'! F'//char(246)//newline)
       call assertEqual(0, run%status, message=run%diagnostics)
    end subroutine test_misleading
@@ -240,7 +240,7 @@ contains
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5", 12, 'bend needs bend_position')
-      call refuse("&boundary", "&steering side_cutting = 0.1 /"//newline//"&boundary", 15, 'side_cutting goes by weight on bit')
+      call refuse("&boundary", "&steering side_cutting = 0.1 /"//newline//"&boundary", 15, 'side_cutting needs weight on bit')
       call refuse("&boundary", "&steering measured_dogleg = 3*5 /"//newline//"&boundary", 15, '3 values of measured_dogleg for')
       call refuse("&boundary", "&steering cases = 'nobody' /"//newline//"&boundary", 15, &
                   "group &steering: there is no load case 'nobody'")
@@ -289,7 +289,7 @@ contains
       run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
       call one_message(replaced(good_deck(), "name = 's'", "name = 's"), 'is not closed on its line')
-      call one_message(replaced(good_deck(), "wob = 20.0", "wob = 20.0, hours = 5, rpm = nan"), 'rpm = nan is no number')
+      call one_message(replaced(good_deck(), "wob = 20.0", "wob = 20.0, hours = 5, rpm = nan"), 'rpm = nan is not a number')
       call one_message(replaced(replaced(good_deck(), "name = 'u'", "name = '=u'"), '  wob = 20.0 /', &
                                 "  wob = 20.0, length_reference = 'u' /"), 'begins with =')
    end subroutine test_all_faults

@@ -132,7 +132,7 @@ contains
                 'bit_depth = 800', "steering, case 's': no curvature; the hole is vertical there, to 2 deg")
       call lose('element_length = 10.0', "max_iterations = 1 / &load_case name = 'm', operation = 'up', bit_depth = 900, "// &
                 "measured_hookload = 300 / &calibrate parameter = 'sticking', sticking_depth = 600, model = 'mcge'", &
-                "case 'm', model mcge: no solution; the free string has none: ")
+                "case 'm', model mcge: no solution; free string: ")
    contains
       subroutine lose(old, new, expected)
          character(*), intent(in) :: old, new, expected

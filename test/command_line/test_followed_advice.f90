@@ -200,7 +200,7 @@ contains
       call obey(deck_path//' --output /proc', 'cannot write into the output folder /proc', &
                 deck_path//' --output '//results_path)
       call make_folder(lock, error)
-      call obey(deck_path//' --output '//results_path, lock//' is no file; remove it', &
+      call obey(deck_path//' --output '//results_path, lock//' is not a file; remove it', &
                 deck_path//' --output '//results_path, remove=lock)
    contains
       subroutine obey(arguments, expected, remedy, remove)
@@ -224,7 +224,7 @@ contains
       type(run_type) :: run
       run = run_deck_text(replaced(good_deck(), ', plots = .false.', ''), '--check')
       call shell('mkdir -p '//results_path)
-      call clear_way('echo mine > '//results_path//'/pictures', '/pictures is no folder'//folder, '/pictures')
+      call clear_way('echo mine > '//results_path//'/pictures', '/pictures is not a folder'//folder, '/pictures')
       call clear_way('mkdir '//scratch//'/else; ln -s ../else '//results_path//'/pictures', 'remove the link, or give another', &
                      '/pictures')
       call clear_way('ln -s nowhere '//results_path//'/summary.csv', 'remove them, or give another folder', '/summary.csv')

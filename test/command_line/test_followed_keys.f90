@@ -58,9 +58,9 @@ contains
       call follow("'centred' /", "'centred' / &steering cases = 's', measured_dogleg = 1, 2 /", "needs one, or one per case", &
                   "1, 2", "1")
       call follow("'centred' /", "'centred' / &steering cases = 'u', 's', side_cutting = 0.1 /", &
-                  "needs wob > 0 or no side_cutting", "bit_depth = 900.0", "wob = 5, bit_depth = 900.0")
+                  "give wob > 0 or no side_cutting", "bit_depth = 900.0", "wob = 5, bit_depth = 900.0")
       call follow("'centred' /", "'centred' / &steering cases = 'u', 's', side_cutting = 0.1 /", &
-                  "needs wob > 0 or no side_cutting", ", side_cutting = 0.1", "")
+                  "give wob > 0 or no side_cutting", ", side_cutting = 0.1", "")
    end subroutine test_tools
 
    !> Groups, keys and texts of a deck.
@@ -112,7 +112,7 @@ contains
       call follow("= 10.0 /", "= 10.0, gk_contact = 5, gk_min = 10 /", "gk_min must be smaller than gk_contact", "= 10 /", &
                   "= 1 /")
       call follow("= 10.0 /", "= 10.0, eps_n0 = 0.9 /", "eps_n0 must be smaller than eps_nmax", "= 0.9", "= 0.001")
-      call follow("= 10.0 /", "= 10.0, eps_n0 = 0.015 /", "does not count as touching", "= 0.015", "= 0.001")
+      call follow("= 10.0 /", "= 10.0, eps_n0 = 0.015 /", "this close to the wall is ignored", "= 0.015", "= 0.001")
    end subroutine test_numbers
 
    !> Numbers that are legal and hardly meant, and keys that are missing.

@@ -44,9 +44,9 @@ contains
 
    !> Cells and rows.
    subroutine test_rows()
-      character(*), parameter :: no_station = 'Put # before a line that is no station'
+      character(*), parameter :: no_station = 'Put # before a line that is not a station'
       call follow('MD,Inc,Azi;0,0,0;700,,10;1400,10,10', 'no value for inc. '//no_station, 'MD,Inc,Azi;0,0,0;#700,,10;1400,10,10')
-      call follow('MD,Inc,Azi;0,0,0;700,x1,10;1400,10,10', 'is no number. '//no_station, &
+      call follow('MD,Inc,Azi;0,0,0;700,x1,10;1400,10,10', 'is not a number. '//no_station, &
                   'MD,Inc,Azi;0,0,0;#700,x1,10;1400,10,10')
       call follow('MD,Inc,Azi;0,0,0;1400,200,10', 'is out of range; needs a number, 0 to 180', sound)
       call follow('MD,Inc,Azi;0,0,0;1400,10,N10E', 'Write azimuths from 0 to 360 deg', sound)

@@ -96,7 +96,8 @@ contains
 
    subroutine test_values()
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 215.9', '; 215.9 mm is written 8.5')
-      call refuse(field_deck, 'diameter = 8.5', 'diameter = 8-1/2', 'diameter = 8-1/2 is no number; needs a number, 0.03937 to '// &
+      call refuse(field_deck, 'diameter = 8.5', 'diameter = 8-1/2', &
+                  'diameter = 8-1/2 is not a number; needs a number, 0.03937 to '// &
                   '196.85 in; write 8.5')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8 1/2', '2 given (8, 1/2); write 8.5')
       call refuse(field_deck, 'diameter = 8.5', "diameter = '8-1/2""'", '; write 8.5')

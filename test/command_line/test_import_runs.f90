@@ -192,11 +192,11 @@ contains
       type(run_type) :: run
       call refuse(text_list('<!DOCTYPE a [<!ENTITY b "c">]>'//edm), '', 'has a document type (DTD), which is not read')
       call refuse(text_list(repeat('<tubular>', 200)), '', 'deeper than 100')
-      call refuse(text_list(survey), '', 'is no sound XML')
+      call refuse(text_list(survey), '', 'is not valid XML')
       call refuse(text_list('md,inc,azi|0,0,0|'), '', 'is not XML')
       call refuse(text_list('{"a": 1}'), '', 'is JSON, not an EDM export')
       call refuse(text_list('<a/>'), '', 'holds neither an EDM export')
-      call refuse(text_list(holes//foot), '', 'is no sound XML')
+      call refuse(text_list(holes//foot), '', 'is not valid XML')
       call refuse(text_list('<export>'//holes//foot), '', 'without a survey station')
       call refuse(text_list(tubular), '', 'no survey in what was given')
       call refuse(text_list(replaced(edm, 'md="5000"', 'md="5000,5"')), '', "line 9: md = '5000,5' is not a number")

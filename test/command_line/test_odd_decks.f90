@@ -45,7 +45,7 @@ contains
    end subroutine test_blades
 
    subroutine test_thresholds()
-      call note('element_length = 10.0', 'element_length = 10.0, eps_n0 = 0.015', 'does not count as touching')
+      call note('element_length = 10.0', 'element_length = 10.0, eps_n0 = 0.015', 'this close to the wall is ignored')
    end subroutine test_thresholds
 
    !> A spline through three stations swings; with stations every 30 m of the same bend it does not, and is not told of.

@@ -86,7 +86,7 @@ contains
       call refuse('joint_od = 213.0', 'joint_od = 220.5', "'reamer' with 220.5 mm does not pass the hole of 220.5 mm (line 3) "// &
                   "in case 'deep'; needs a diameter < 220.5 mm"//newline)
       call refuse('opened_od = 250.0', 'opened_od = -1', 'opened_od = -1 is out of range')
-      call refuse('opened_od = 250.0', "opened_od = 'x'", "opened_od = 'x' is no number")
+      call refuse('opened_od = 250.0', "opened_od = 'x'", "opened_od = 'x' is not a number")
       run = run_deck_text(deck()//"&centralizer component = 'reamer', od = 219.0, spacing = 1.0, first = 0.5 /"//newline)
       call assertEqual(2, run%status)
       call assertTrue(index(run%diagnostics, "'reamer' has opened_od; a tool that opens carries no centralizers") > 0, &

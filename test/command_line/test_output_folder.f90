@@ -117,7 +117,7 @@ contains
       call shell('mkdir -p '//results_path//' && echo mine > '//results_path//'/pictures')
       run = run_program(deck_path//' --output '//results_path)
       call assertEqual(1, run%status)
-      call assertTrue(index(run%diagnostics, '/pictures is no folder; remove it, or give another folder by output_dir') > 0, &
+      call assertTrue(index(run%diagnostics, '/pictures is not a folder; remove it, or give another folder by output_dir') > 0, &
                       message=run%diagnostics)
       call assertEqual('mine'//newline, content(results_path//'/pictures'))
    end subroutine test_no_folder

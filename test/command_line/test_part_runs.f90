@@ -1,4 +1,4 @@
-!> Divided runs by lists of parts, and what is told of parts that do not make a whole.
+!> Divided runs by lists of parts, and what is told of parts that are not complete.
 module dg_test_part_runs
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
@@ -74,7 +74,7 @@ contains
       call write_text_file(record//'2_of_4', lines, error)
       run = run_program(again//'--merge 4')
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, 'drillgap: the 4 parts do not make a whole; missing: 3; broken: 2; not finished: 4'// &
+      call assertTrue(index(run%diagnostics, 'drillgap: the 4 parts are not complete; missing: 3; broken: 2; not finished: 4'// &
                             newline//'  '//record//'2_of_4: line ') == 1, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, ' is damaged; remove it and run --part 2/4'//newline// &
                             '  '//record//'3_of_4: it is missing; run --part 3/4'//newline// &
@@ -99,7 +99,7 @@ contains
       call delete_file(results_path//'/sweep_c.part_3_of_3')
       run = run_program(again//'--merge 3')
       call assertEqual(2, run%status)
-      call assertEqual('drillgap: the 3 parts do not make a whole; missing: 2; not finished: 3'//newline// &
+      call assertEqual('drillgap: the 3 parts are not complete; missing: 2; not finished: 3'//newline// &
                        '  '//results_path//'/sweep_b.part_2_of_3: it is missing; run --part 2/3'//newline// &
                        '  '//results_path//'/sweep_c.part_2_of_3: it is missing; run --part 2/3'//newline// &
                        '  '//results_path//'/sweep_c.part_3_of_3: it is missing; run --part 3/3'//newline// &
@@ -119,7 +119,8 @@ contains
       call write_text_file(record//'2_of_4', lines(2:), error)
       run = run_program(again//'--part 1-3/4')
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, 'cannot go on with '//record//'2_of_4: it is no record') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'cannot go on with '//record//'2_of_4: it is not a record') > 0, &
+                      message=run%diagnostics)
       call assertTrue(index(run%diagnostics, newline//'drillgap: not finished: --part 2/4'//newline) > 0, message=run%diagnostics)
       inquire (file=record//'3_of_4', exist=there)
       call assertTrue(there, message='the part after the one that failed')
@@ -156,7 +157,7 @@ contains
       call refuse('9-7/40', '9-7 runs backwards')
       call refuse('41/40', 'there is no part 41 of 40')
       call refuse('0/40', "'0' is neither a number nor a range")
-      call refuse('3/', "'' is no number of parts, 1 to 9999")
+      call refuse('3/', "'' is not a number of parts, 1 to 9999")
       call refuse('1-2-3/4', "'1-2-3' is neither a number nor a range")
       call refuse('3,2-4/4', 'part 3 is there twice')
    contains
@@ -165,7 +166,7 @@ contains
          type(run_type) :: run
          run = run_deck_text(good_deck()//group, '--part '//list)
          call assertEqual(2, run%status, message=list)
-         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is no part: '//wanted//'. Give i/n with i from '// &
+         call assertTrue(index(run%diagnostics, 'drillgap: --part '//list//' is not a part: '//wanted//'. Give i/n with i from '// &
                                '1 to n, as in --part 2/4, or several, each once, as in --part 3,7-9/40. See drillgap --help'// &
                                newline) == 1, &
                          message=list//'; got '//run%diagnostics)

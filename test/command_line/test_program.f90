@@ -71,7 +71,7 @@ contains
       call clear_scratch()
       call refuse('deck.nml --chekc', "unknown option '--chekc', did you mean '--check'?")
       call refuse('deck.nml --output', '--output needs a value')
-      call refuse('deck.nml --threads two', '--threads two is no number of threads')
+      call refuse('deck.nml --threads two', '--threads two is not a number of threads')
       call refuse('deck.nml --quiet=yes', '--quiet takes no value')
       call refuse('deck.nml other.nml', "two decks, 'deck.nml' and 'other.nml'. Give one")
    end subroutine test_bad_options
@@ -309,7 +309,7 @@ contains
       call survey(['md,inc,azi            ', '0,0,10                ', '900,30,10             ', '500,0,10              '], 4, &
                   'station 3 at 500 m is not below station 2 at 900 m')
       call survey(['md,inc,azi            ', '0,0,10                ', '900,thirty,10         '], &
-                  3, "inc = 'thirty' is no number")
+                  3, "inc = 'thirty' is not a number")
       call survey(['md,inc,azi            ', '0,0,10                ', '900,30                '], 3, 'no value for azi')
       call survey(['md,inc,azi            ', '0,0,10                ', '900,190,10            '], 3, 'inc = 190 is out of range')
       call survey(['md,inc,azi            ', '0,0,10                ', '900,30,-999.25        '], 3, &

@@ -144,7 +144,7 @@ contains
       run = run_deck_text(deck(friction, rig_group(block)//"&load_case name = 's', operation = 'up', bit_depth = 1000, "// &
          "measured_hookload = 60 /"//newline//"&calibrate parameter = 'sticking', cases = 's', sticking_depth = 400 /"))
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, 'nothing is left for the string') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'no weight is left for the string') > 0, message=run%diagnostics)
    end subroutine test_held
 
    !> The upper 400 m cased: hook load = weight along - wob + (0.4 mu cased + 0.6 mu open) weight across going up; torque that of

@@ -344,7 +344,7 @@ contains
       call assertTrue(index(run%diagnostics, 'sweep_b.part_1_of_3: it is missing') > 0, message=run%diagnostics)
       run = run_program(again//'--part 5/4')
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, '--part 5/4 is no part') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, '--part 5/4 is not a part') > 0, message=run%diagnostics)
       run = run_program(again//'--part 1/4 --merge 4')
       call assertEqual(2, run%status)
       run = run_deck_text(good_deck(), '--part 1/4')
@@ -440,7 +440,7 @@ contains
       call refuse("measured_depths = 950, measured_operations = 'up', measured_hookloads = 5", &
                   'measured_depths(1) = 950 lies outside the depths of the sweep, 30 to 900 m')
       call refuse("measured_depths = 300, measured_operations = 'ream', measured_hookloads = 5", &
-                  'measured_operations holds ream, which is none of the operations of this sweep')
+                  'measured_operations holds ream, which is not an operation of this sweep')
       call refuse("name = 'x' / &sweep name = 'X'", "name 'X' is taken; names must be unique, letter case aside")
    contains
       subroutine refuse(keys, wanted)

@@ -202,7 +202,7 @@ contains
       call refuse("friction_deviation = 0.1, samples = 1000000", 'are more than 5000000 solutions')
       call refuse("friction_deviation = 0.1, survey_errors = 'sytematic'", 'did you mean ''systematic''?')
       call refuse("friction_deviation = 0.1, frictions = 0.2", 'did you mean ''friction''?')
-      call refuse("friction_from = 'k'", 'is no &calibrate of this deck with apply = .true.')
+      call refuse("friction_from = 'k'", 'is not a &calibrate of this deck with apply = .true.')
       call refuse("friction_deviations = 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1", 'hole section')
       call refuse("friction_deviation = 0.1, friction_deviations = 0.1", 'not both')
       call refuse("friction_deviation = 0.1, friction_correlation = 1.5", 'is out of range')

@@ -181,7 +181,7 @@ contains
       call assertEqual(5, faults%count)
       if (anyExceptions()) return
       call assertTrue(index(faults%items(1)%message, "unknown column 'colour'") > 0, message=faults%items(1)%message)
-      call assertTrue(index(faults%items(2)%message, "od = 'wide' is no number that a deck may give") > 0, &
+      call assertTrue(index(faults%items(2)%message, "od = 'wide' is not a number that a deck may give") > 0, &
                       message=faults%items(2)%message)
       call assertTrue(index(faults%items(3)%message, 'catalogue: the row has no name') > 0, message=faults%items(3)%message)
       call assertTrue(index(faults%items(4)%message, 'has 4 columns, the header 3') > 0, message=faults%items(4)%message)

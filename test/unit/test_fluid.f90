@@ -141,12 +141,12 @@ contains
       call refuse('&fluid above_bit=10 /', 'needs where')
       call refuse('&fluid where=''inside'', float_collar=''closed'' /', 'needs above_bit')
       call refuse('&fluid density=1200, tvd_top=1001 /', 'deeper than the hole')
-      call refuse('&fluid density=1200 / &fluid density=1300 /', 'takes all of its place')
-      call refuse('&fluid density=1200 / &fluid where=''inside'' / &fluid where=''outside'' /', 'takes all of its place')
+      call refuse('&fluid density=1200 / &fluid density=1300 /', 'fills its whole length')
+      call refuse('&fluid density=1200 / &fluid where=''inside'' / &fluid where=''outside'' /', 'fills its whole length')
       call refuse('&fluid density=1200 / &fluid where=''inside'' above_bit=300 / &fluid where=''inside'' tvd_top=200 /', &
-                  'takes all of its place')
+                  'fills its whole length')
       call refuse('&fluid density=1200 / &fluid where=''inside'' above_bit=300 / &fluid where=''inside'' above_bit=500 /', &
-                  'takes all of its place')
+                  'fills its whole length')
       call refuse('&fluid where=''inside'' density=8000 /', 'floats: the mud')
    contains
       subroutine refuse(fluids, expected)

@@ -159,8 +159,8 @@ contains
       type(load_case_type) :: load_case
       type(error_type), allocatable :: error
       call refuse(empty, 'survey: md is not allocated')
-      call refuse(empty, 'holes: there is none; give sections from surface down')
-      call refuse(empty, 'strings: there is none')
+      call refuse(empty, 'holes: missing; give sections from surface down')
+      call refuse(empty, 'strings: missing')
       call fill(parts)
       deallocate (parts%survey%inclination)
       call refuse(parts, 'survey: inclination is not allocated')
@@ -274,7 +274,7 @@ contains
       type(model_parts_type) :: parts
       call fill(parts)
       call add_fluid(parts, density=1300.0_wp)
-      call refuse(parts, 'fluids(1): the fluid in fluids(2) takes all of its place')
+      call refuse(parts, 'fluids(1): the fluid in fluids(2) fills its whole length')
       call fill(parts)
       parts%fluids(1)%collar = collar_closed
       call refuse(parts, 'fluids(1): a float_collar')
@@ -291,7 +291,7 @@ contains
       call refuse(parts, 'numerics: max_iterations')
       parts%numerics = settings_of('auto')
       parts%numerics%linear_solver = 0
-      call refuse(parts, 'numerics: linear_solver = 0 is none of its numbers; needs one from 1 to ')
+      call refuse(parts, 'numerics: linear_solver = 0 is not valid; needs a number from 1 to ')
       call fill(parts)
       parts%rig%lines = 0
       call refuse(parts, 'rig: lines')
@@ -313,7 +313,7 @@ contains
       call refuse_case(load_case, 'bit_depth = 2500 m lies below the survey, which ends at 2400 m')
       load_case = drilling()
       load_case%operation = 99
-      call refuse_case(load_case, 'operation = 99 is no number of an operation; needs one from 1 to ')
+      call refuse_case(load_case, 'operation = 99 is not a valid operation; needs a number from 1 to ')
       load_case = drilling()
       load_case%operation = operation_ream
       call refuse_case(load_case, 'operation ream needs angular_speed > 0')
@@ -321,7 +321,7 @@ contains
       parts%strings(1)%components(2)%fatigue%curve = 9
       call new_model(model, parts, error)
       call assertTrue(allocated(error), message='fatigue curve')
-      if (allocated(error)) call assertTrue(index(error%message, 'curve = 9 is no number of a fatigue curve') > 0, &
+      if (allocated(error)) call assertTrue(index(error%message, 'curve = 9 is not a valid fatigue curve') > 0, &
                                             message=error%message)
       call fill(parts)
       parts%strings(1)%components(2)%length = 1000.0_wp

@@ -32,7 +32,7 @@ contains
       call refuse(parts, 'strings(1)%components(2): kind = ''??'' holds the letter U+061C')
       call fill(parts)
       parts%strings(1)%name = char(246)
-      call refuse(parts, 'is no UTF-8: byte 1 is hexadecimal F6')
+      call refuse(parts, 'is not UTF-8: byte 1 is hexadecimal F6')
       load_case = drilling()
       load_case%name = '-drill'
       call refuse_case(load_case, 'name = ''-drill'' begins with -')

@@ -49,10 +49,10 @@ contains
       call refuse(',3/9', 'a number lacks')
       call refuse('3,/9', 'a number lacks')
       call refuse('/4', 'a number lacks')
-      call refuse('3/', "'' is no number of parts, 1 to 9999")
-      call refuse('3/0', "'0' is no number of parts, 1 to 9999")
-      call refuse('3/4/5', "'4/5' is no number of parts, 1 to 9999")
-      call refuse('1/10000', "'10000' is no number of parts, 1 to 9999")
+      call refuse('3/', "'' is not a number of parts, 1 to 9999")
+      call refuse('3/0', "'0' is not a number of parts, 1 to 9999")
+      call refuse('3/4/5', "'4/5' is not a number of parts, 1 to 9999")
+      call refuse('1/10000', "'10000' is not a number of parts, 1 to 9999")
       call refuse('9-7/40', '9-7 runs backwards')
       call refuse('41/40', 'there is no part 41 of 40')
       call refuse('39-41/40', 'there is no part 41 of 40')
@@ -101,7 +101,7 @@ contains
       call start_faults(faults, 5)
       call note_part(faults, 1, part_whole, 'a1', '')
       call note_part(faults, 2, part_missing, 'a2', 'it is missing')
-      call assertEqual('the 5 parts do not make a whole; missing: 2'//newline// &
+      call assertEqual('the 5 parts are not complete; missing: 2'//newline// &
                        '  a2: it is missing; run --part 2/5'//newline//'  --part 2/5 runs them', faults_text(faults))
       call note_part(faults, 3, part_broken, 'a3', 'line 9 is damaged')
       call note_part(faults, 4, part_unfinished, 'a4', 'it lacks 3 of its points')
@@ -111,7 +111,7 @@ contains
       call note_part(faults, 3, part_missing, 'b3', 'it is missing')
       call note_part(faults, 4, part_missing, 'b4', 'it is missing')
       call note_part(faults, 5, part_missing, 'b5', 'it is missing')
-      call assertEqual('the 5 parts do not make a whole; missing: 2; broken: 3; not finished: 4-5'//newline// &
+      call assertEqual('the 5 parts are not complete; missing: 2; broken: 3; not finished: 4-5'//newline// &
                        '  a2: it is missing; run --part 2/5'//newline// &
                        '  a3: line 9 is damaged; remove it and run --part 3/5'//newline// &
                        '  a4: it lacks 3 of its points; go on with --part 4/5'//newline// &

@@ -48,7 +48,7 @@ contains
       call suite%addTest(TestMethod('two_at_a_time', test_two_at_a_time))
    end function picture_drawing_suite
 
-   !> Control bytes become blanks, what is no UTF-8 becomes '?', byte by byte; all else stays.
+   !> Control bytes become blanks, what is not UTF-8 becomes '?', byte by byte; all else stays.
    subroutine test_printable()
       integer :: i
       do i = 0, 255

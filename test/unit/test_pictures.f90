@@ -87,7 +87,7 @@ contains
    subroutine test_html_text()
       call assertEqual('a&lt;b&gt; &amp; &quot;c&quot;', html_safe('a<b> & "c"'))
       call assertEqual('x y', html_safe('x'//achar(9)//'y'))
-      ! u umlaut in UTF-8 stays, the same in Latin-1 is no UTF-8, nor is a cut letter or a stray second byte
+      ! u umlaut in UTF-8 stays, the same in Latin-1 is not UTF-8, nor is a cut letter or a stray second byte
       call assertEqual(char(195)//char(188), html_safe(char(195)//char(188)))
       call assertEqual('?z', html_safe(char(252)//'z'))
       call assertEqual('?', html_safe(char(195)))

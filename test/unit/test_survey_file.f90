@@ -111,7 +111,7 @@ contains
       call refuse('depth of what', 'depth msl,inc,azi|0,0,90', 'the header names no md')
       call refuse('twice', 'md,inc,md|0,0,0', 'the header names md twice')
       call refuse('short row', 'md,inc,azi|0,0', 'no value for azi')
-      call refuse('no number', 'md,inc,azi|0,0,90|500,ten,90', "inc = 'ten' is no number")
+      call refuse('no number', 'md,inc,azi|0,0,90|500,ten,90', "inc = 'ten' is not a number")
       call refuse('empty', '', 'survey file is empty')
       call refuse('gons', 'MD (m),Inc (gon),Azi (gon)|0,0,100|500,11.1,100', "inc in 'gon'")
       call refuse('a length for an angle', 'MD (m),Inc (m),Azi|0,0,90|500,10,90', "inc in 'm'")
@@ -228,11 +228,11 @@ contains
       call refuse('whole numbers', 'md;inc;azi|0;0;90|1,000;10;90|2,000;45;100', 'may have a decimal comma or one between')
       call refuse('points', 'md;inc;azi|0;0;90|1.000;10,5;90,25|2.000;45,5;100', 'may have a decimal point or one between')
       call refuse('quoted', 'md,inc,azi|0,0,"90,25"|"1,000",10,90|"2,000",45,100', 'may have a decimal comma or one between')
-      call refuse('blanks between', 'md;inc;azi|0;0;90|1 234,5;45,5;100', "md = '1 234,5' is no number")
-      call refuse('apostrophes', "md;inc;azi|0;0;90|1'234.5;45.5;100", 'is no number')
+      call refuse('blanks between', 'md;inc;azi|0;0;90|1 234,5;45,5;100', "md = '1 234,5' is not a number")
+      call refuse('apostrophes', "md;inc;azi|0;0;90|1'234.5;45.5;100", 'is not a number')
       call refuse('between blanks', 'md inc azi|0 0 90|1 034.5 45.5 100', 'number in column 4')
-      call refuse('wrong places', 'md;inc;azi|0;0;90|12,34.5;45.5;100', "md = '12,34.5' is no number")
-      call refuse('two commas', 'md;inc;azi|0;0;90|1,,5;45.5;100', "md = '1,,5' is no number")
+      call refuse('wrong places', 'md;inc;azi|0;0;90|12,34.5;45.5;100', "md = '12,34.5' is not a number")
+      call refuse('two commas', 'md;inc;azi|0;0;90|1,,5;45.5;100', "md = '1,,5' is not a number")
    end subroutine test_thousands
 
    !> Each number belongs to one heading.

@@ -145,7 +145,7 @@ contains
       call accept('one of them', 'MD,Inc,Azi,A1;0,0,9,0;500,10,9,90;1200,45,9,100', names=['  ', '  ', 'A1'])
       call accept('two words on two lines', 'Foo,Inc,Azi;Number 7,,;0,0,0;500,10,90;1200,45,100', &
                   names=['Foo Number 7', '            ', '            '])
-      call refuse('no such', table, "md_column = 'Fool' is no heading of the file. Headings seen: 'Foo', 'Bar (deg)'", &
+      call refuse('no such', table, "md_column = 'Fool' is not a heading of the file. Headings seen: 'Foo', 'Bar (deg)'", &
                   ['Fool', 'Bar ', 'Baz '])
       call refuse('twice', 'A,A,Inc,Azi;0,0,0,0;1,1,1,1', "md_column = 'A' stands twice", ['A', ' ', ' '])
    end subroutine test_names
@@ -188,9 +188,9 @@ contains
       do i = 1, size(damaged)
          call refuse(damaged(i), head//trim(damaged(i))//';1500,45,100', 'survey: ')
       end do
-      call refuse('between blanks', 'MD Inc Azi;0 0 0;500 1O.0 90;1200 45 100', "inc = '1O.0' is no number")
-      call refuse('one number left', 'MD Inc Azi;0 0 0;NaN 10.0 NaN;1200 45 100', "md = 'NaN' is no number")
-      call refuse('errors', 'MD Inc Azi;0 0 0;ERR 10.0 ERR;1200 45 100', "md = 'ERR' is no number")
+      call refuse('between blanks', 'MD Inc Azi;0 0 0;500 1O.0 90;1200 45 100', "inc = '1O.0' is not a number")
+      call refuse('one number left', 'MD Inc Azi;0 0 0;NaN 10.0 NaN;1200 45 100', "md = 'NaN' is not a number")
+      call refuse('errors', 'MD Inc Azi;0 0 0;ERR 10.0 ERR;1200 45 100', "md = 'ERR' is not a number")
       call refuse('text before numbers', 'MD Inc Azi;0 0 0;Tie 500 10 90;1200 45 100', 'survey: ')
       call refuse('another well', 'Well,MD,Inc,Azi;A,0,0,0;A,500,10,90;B,1200,45,100', &
                   "the row is of well 'B', rows above are of 'A'")
@@ -217,7 +217,7 @@ contains
       call refuse('html', '<html>', 'is a web page')
       call refuse('json', ' {"md": [0, 1]}', 'is JSON')
       call refuse('a list', '[[0, 0], [1, 0]]', 'is JSON')
-      call refuse('zeros', 'MD'//char(0)//char(0), 'is no text')
+      call refuse('zeros', 'MD'//char(0)//char(0), 'is not text')
       call accept('a heading in brackets', '[m] [deg] [deg];MD Inc Azi;0 0 0;500 10 90;1200 45 100')
    end subroutine test_formats
 

@@ -79,8 +79,8 @@ contains
       call refuse('entities', '<!DOCTYPE a [<!ENTITY b "b">]><a>&b;</a>', '', &
                   'has a document type (DTD), which is not read (line 1)')
       call refuse('outside', '<!DOCTYPE a SYSTEM "file:///etc/passwd"><a/>', '', 'has a document type')
-      call refuse('cut', head//'<trajectory>', '', 'is no sound XML')
-      call refuse('mismatch', head//'<a></b>', '', 'is no sound XML: mismatched tag (line 3)')
+      call refuse('cut', head//'<trajectory>', '', 'is not valid XML')
+      call refuse('mismatch', head//'<a></b>', '', 'is not valid XML: mismatched tag (line 3)')
       call refuse('deep', deep_document(), '', 'has elements in each other deeper than 100')
       call refuse('another document', '<wells><well/></wells>', '', 'no trajectoryStation is in it')
       call refuse('gons', head//'<trajectory><trajectoryStation><md uom="m">0</md>|<incl uom="gon">0</incl></trajectoryStation>'// &

@@ -26,7 +26,7 @@ contains
          last = letter_end(text, first)
          if (last == 0) then
             write (code, '(z2.2)') iachar(text(first:first))
-            fault = 'is no UTF-8: byte '//to_text(first)//' is hexadecimal '//code//'; save the file as UTF-8'
+            fault = 'is not UTF-8: byte '//to_text(first)//' is hexadecimal '//code//'; save the file as UTF-8'
             return
          end if
          if (turning_code(text(first:last)) /= '') then

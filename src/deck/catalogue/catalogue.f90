@@ -228,7 +228,7 @@ contains
             end if
             if (.not. legal) then
                call add_fault(faults, path, line, 'catalogue: '//trim(rule%key)//' = '//quoted(fields(i)%text)// &
-                              ' is no number that a deck may give')
+                              ' is not a number that a deck may give')
                cycle
             end if
             entry%has(columns(i)) = .true.

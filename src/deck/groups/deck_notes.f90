@@ -65,8 +65,8 @@ contains
          end associate
       end do
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
-         'group &solver: eps_n0 is large: what lies that close to the wall does not count as touching, so that contact '// &
-         'force and friction come out too small')
+         'group &solver: eps_n0 is large: contact this close to the wall is ignored, so contact force and friction are '// &
+         'too small')
       call note_block(draft, notes)
       call note_path(draft, notes)
       if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)

@@ -71,7 +71,7 @@ contains
          kind = 'is JSON. '//export
       else if (index(begin, achar(0)) > 0 .and. .not. (starts(begin, char(255)//char(254)) .or. &
                                                       starts(begin, char(254)//char(255)))) then
-         kind = 'is no text: it holds bytes of zero. '//export
+         kind = 'is not text: it holds zero bytes. '//export
       end if
    end function kind_of
 

@@ -124,7 +124,7 @@ contains
             ' stands twice in the header. Rename one of them'
          if (any(alike)) return
       end do
-      layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is no heading of the file. '// &
+      layout%unknown = trim(column_name(wanted))//'_column = '//quoted(asked%text)//' is not a heading of the file. '// &
                        seen_headings(headings)//nearest_heading(asked%text, headings)
    end subroutine find_named
 

@@ -192,7 +192,7 @@ contains
       do i = 4, size(layout%factor)
          if (.not. layout%told(i)) layout%factor(i) = layout%factor(column_md)
       end do
-      if (null /= '' .and. .not. layout%has_null) call fault('NULL = '//quoted(null)//' is no number')
+      if (null /= '' .and. .not. layout%has_null) call fault('NULL = '//quoted(null)//' is not a number')
       if (layout%foreign /= '') call fault(layout%foreign)
 
    contains

@@ -169,12 +169,12 @@ contains
          message = 'no value for '//trim(column_name(column))//': the row has '//to_text(size(row))// &
                    ' columns, the header puts it in column '//to_text(place)
       else if (row(place)%text == '') then
-         message = 'no value for '//trim(column_name(column))//'. Put # before a line that is no station'
+         message = 'no value for '//trim(column_name(column))//'. Put # before a line that is not a station'
       else if (column == column_azi .and. is_quadrant(row(place)%text)) then
          message = 'azi = '//quoted(row(place)%text)//' is a bearing by quadrants. Write azimuths from 0 to 360 deg'
       else
          message = trim(column_name(column))//' = '//quoted(row(place)%text)// &
-                   ' is no number. Put # before a line that is no station'
+                   ' is not a number. Put # before a line that is not a station'
       end if
    end function cell_fault
 

@@ -126,7 +126,7 @@ contains
       logical :: legal
       entry%line = tokens(at)%line
       call split_subscript(lower_case(tokens(at)%text), entry%key, entry%first, entry%last, legal)
-      if (.not. legal) call fault('the subscript of '//quoted(tokens(at)%text)//' is none; write key(1) = or key(2:5) =')
+      if (.not. legal) call fault('the subscript of '//quoted(tokens(at)%text)//' is not valid; write key(1) = or key(2:5) =')
       first = at + 2
       behind = first
       n = 0

@@ -192,7 +192,7 @@ contains
       case (kind_logical)
          legal = item%kind == token_word
          if (legal) call read_logical(item%text, value%flag, legal)
-         if (.not. legal) message = name//' = '//shown(item)//' is no logical; write .true. or .false.'
+         if (.not. legal) message = name//' = '//shown(item)//' is not a logical value; write .true. or .false.'
       case default
          legal = item%kind == token_word
          number = 0.0_wp
@@ -205,7 +205,7 @@ contains
             end if
          end if
          if (.not. legal) then
-            message = name//' = '//shown(item)//' is no '//needed_number(rule)//'; '//needed_text(rule, units)// &
+            message = name//' = '//shown(item)//' is not a '//needed_number(rule)//'; '//needed_text(rule, units)// &
                       value_advice(item%text, rule, units)
             return
          end if

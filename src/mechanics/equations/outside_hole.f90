@@ -145,7 +145,7 @@ contains
              in_units(units, unit_length, outside%md, shown_depth)//', of '// &
              in_units(units, unit_diameter, outside%clearance, shown)//' clearance'
       if (outside%elements > 1) text = text//'. '//to_text(outside%elements)// &
-         ' elements stand outside by more than a fifth of theirs'
+         ' elements stand outside by more than a fifth of their clearance'
       if (outside%gives_way) then
          text = 'The wall gives way: the string stands '//text
          if (outside%wall < default_wall) text = text//'. Set wall_stiffness to '// &

@@ -132,7 +132,7 @@ contains
                                   'them, or give another folder by output_dir or --output'//links)
    end subroutine check_links
 
-   !> Refuses (failure) a folder of pictures that stands elsewhere, behind a link, or is no folder.
+   !> Refuses (failure) a folder of pictures that stands elsewhere, behind a link, or is not a folder.
    subroutine check_picture_folder(job, error)
       type(job_type), intent(in) :: job
       type(error_type), allocatable, intent(out) :: error
@@ -144,7 +144,7 @@ contains
          call raise(error, status_failure, path//' is a link to '//link_target(path)//', and nothing is written outside the '// &
                     'output folder; remove the link, or give another folder by output_dir or --output')
       else if (there%exists .and. .not. there%is_folder) then
-         call raise(error, status_failure, path//' is no folder; remove it, or give another folder by output_dir or --output')
+         call raise(error, status_failure, path//' is not a folder; remove it, or give another folder by output_dir or --output')
       end if
    end subroutine check_picture_folder
 

@@ -114,7 +114,7 @@ contains
       if (.not. allocated(survey%inclination)) call add_fault(report, 'survey', 0, &
          'inclination is not allocated; give that of each station')
       if (.not. any(survey%interpolation == [interpolation_minimum_curvature, interpolation_spline])) &
-         call add_fault(report, 'survey', 0, 'interpolation = '//to_text(survey%interpolation)//' is none')
+         call add_fault(report, 'survey', 0, 'interpolation = '//to_text(survey%interpolation)//' is not valid')
       if (report%count > before) return
       md = survey%md
       inclination = survey%inclination
@@ -153,7 +153,7 @@ contains
       before = report%count
       n = 0
       if (allocated(parts%holes)) n = size(parts%holes)
-      if (n == 0) call add_fault(report, 'holes', 0, 'there is none; give sections from surface down')
+      if (n == 0) call add_fault(report, 'holes', 0, 'missing; give sections from surface down')
       allocate (model%holes(n))
       do i = 1, n
          model%holes(i) = parts%holes(i)
@@ -216,7 +216,7 @@ contains
       integer :: i, j, n
       n = 0
       if (allocated(parts%strings)) n = size(parts%strings)
-      if (n == 0) call add_fault(report, 'strings', 0, 'there is none; give one, its components from the bit upwards')
+      if (n == 0) call add_fault(report, 'strings', 0, 'missing; give one, its components from the bit upwards')
       allocate (model%strings(n))
       do i = 1, n
          where = 'strings('//to_text(i)//')'

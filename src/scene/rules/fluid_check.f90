@@ -35,7 +35,7 @@ contains
       do i = 1, size(fluids)
          hider = hidden_by(i)
          if (hider == 0) cycle
-         call add_part_fault(found, 'fluid', i, '', 'the fluid in ', 'fluid', hider, ' takes all of its place; list fluids '// &
+         call add_part_fault(found, 'fluid', i, '', 'the fluid in ', 'fluid', hider, ' fills its whole length; list fluids '// &
                              'of a side from the top down, each with the md_top, tvd_top or above_bit where it begins')
       end do
    contains

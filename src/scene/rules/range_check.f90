@@ -158,7 +158,7 @@ contains
       type(fatigue_curve_type), intent(in) :: fatigue
       type(error_list_type), intent(inout) :: found
       if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call add_part_fault(found, ranges%part, ranges%place, &
-         prefix//'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is no number of a fatigue curve')
+         prefix//'fatigue_curve', 'curve = '//to_text(fatigue%curve)//' is not a valid fatigue curve')
       if (fatigue%curve == fatigue_own) call check_range(ranges, prefix//'fatigue_limit', fatigue%limit, found)
       call check_range(ranges, 'tensile_strength', fatigue%tensile, found)
       call check_range(ranges, 'fatigue_share', fatigue%share, found)
@@ -199,7 +199,7 @@ contains
       if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
       call check_range(ranges, 'surface_pressure', fluid%surface_pressure, found)
       if (.not. any(fluid%collar == [collar_none, collar_closed, collar_open_below])) &
-         call add_part_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is no number of a collar')
+         call add_part_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is not a valid collar')
    end subroutine check_fluid_ranges
 
    !> The same for a load case.
@@ -211,7 +211,7 @@ contains
       type(range_checker_type) :: checker
       type(load_case_type) :: visited
       if (load_case%operation < 1 .or. load_case%operation > operation_count) call add_part_fault(found, 'load_case', place, &
-         'operation', 'operation = '//to_text(load_case%operation)//' is no number of an operation; needs one from 1 to '// &
+         'operation', 'operation = '//to_text(load_case%operation)//' is not a valid operation; needs a number from 1 to '// &
          to_text(operation_count))
       visited = load_case
       checker%found => found
@@ -239,8 +239,8 @@ contains
          character(*), intent(in) :: key
          integer, intent(in) :: number, highest
          if (number >= 1 .and. number <= highest) return
-         call add_part_fault(found, 'solver', 0, key, key//' = '//to_text(number)//' is none of its numbers; '// &
-                             'needs one from 1 to '//to_text(highest))
+         call add_part_fault(found, 'solver', 0, key, key//' = '//to_text(number)//' is not valid; '// &
+                             'needs a number from 1 to '//to_text(highest))
       end subroutine check_choice
    end subroutine check_numerics_ranges
 

@@ -59,7 +59,7 @@ contains
       missing = faults%seen(part_missing, :) .and. .not. (broken .or. faults%seen(part_unfinished, :) .or. &
                                                           faults%seen(part_whole, :))
       unfinished = (faults%seen(part_missing, :) .or. faults%seen(part_unfinished, :)) .and. .not. (broken .or. missing)
-      text = 'the '//to_text(parts)//' parts do not make a whole'//named('missing', missing)//named('broken', broken)// &
+      text = 'the '//to_text(parts)//' parts are not complete'//named('missing', missing)//named('broken', broken)// &
          named('not finished', unfinished)//new_line('a')//first_errors(faults%records, most_lines, '  ')
       text = text//new_line('a')//'  --part '//part_list_text(places(broken .or. missing .or. unfinished))//'/'//to_text(parts)
       if (any(broken)) then

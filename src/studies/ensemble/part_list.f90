@@ -33,7 +33,7 @@ contains
       if (slash == 0) then
          failure = 'it has no /'
       else if (.not. is_count(text(slash + 1:))) then
-         failure = quoted(text(slash + 1:))//' is no number of parts, 1 to 9999'
+         failure = quoted(text(slash + 1:))//' is not a number of parts, 1 to 9999'
       end if
       if (failure /= '') return
       read (text(slash + 1:), *) parts

@@ -90,11 +90,11 @@ contains
       failure = ''
       allocate (record%numbers(0), record%texts(0), record%places(0), record%settings(0))
       if (size(lines) < head_lines) then
-         failure = 'it is no record: it has '//to_text(size(lines))//' lines'
+         failure = 'it is not a record: it has '//to_text(size(lines))//' lines'
          return
       end if
       if (lines(1)%text /= title) then
-         failure = 'it is no record: it begins '//quoted(lines(1)%text)
+         failure = 'it is not a record: it begins '//quoted(lines(1)%text)
          return
       end if
       settings = 0

@@ -113,7 +113,7 @@ contains
       end do
    end subroutine adjust
 
-   !> Student's quantile for a freedom that is no whole number: by a straight line in its inverse.
+   !> Student's quantile for a freedom that is not a whole number: by a straight line in its inverse.
    pure function quantile_between(probability, freedom) result(quantile)
       real(wp), intent(in) :: probability
       real(wp), intent(in) :: freedom       !< >= 1

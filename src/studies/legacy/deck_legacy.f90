@@ -72,7 +72,7 @@ contains
          do k = 1, column_count
             if (columns(k)%last == 0 .and. columns(k)%required) call group_fault(group, trim(column_name(k)), &
                trim(column_name(k))//' = '//quoted(columns(k)%place)// &
-               ' is no place of characters, other columns are; give all as ''first:last''', faults)
+               ' is not a range of characters, other columns are; give all as ''first:last''', faults)
          end do
       end if
       if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, &
@@ -96,14 +96,15 @@ contains
             call group_fault(group, key, key//' is empty; give a heading, a number, or characters ''first:last''', faults)
          else if (is_number(column%place)) then
             read (column%place, *) column%number
-            if (column%number == 0) call group_fault(group, key, key//' = 0 is no column; the first is 1', faults)
+            if (column%number == 0) call group_fault(group, key, key//' = 0 is not a column; the first is 1', faults)
          else if (colon > 0) then
             if (is_number(column%place(:colon - 1)) .and. is_number(column%place(colon + 1:))) then
                read (column%place(:colon - 1), *) column%first
                read (column%place(colon + 1:), *) column%last
             end if
             if (column%first < 1 .or. column%last < column%first) &
-               call group_fault(group, key, key//' = '//quoted(column%place)//' are no characters of a row; as in ''11:20''', &
+               call group_fault(group, key, key//' = '//quoted(column%place)// &
+                  ' is not a range of characters; write as in ''11:20''', &
                   faults)
          end if
          column%unit_name = unit_label(units, column_quantity(k))

@@ -76,7 +76,7 @@ contains
       call take_lines(lines, skip, columns, table, faults)
       call check_rows(columns, table, faults)
       if (table%sound .and. .not. any(columns(2:column_count)%number > 0 .or. columns(2:column_count)%last > 0)) &
-         call fault(table, 0, 'it has none of axial, torque, side_force; name at least one of its columns', faults)
+         call fault(table, 0, 'it has no column axial, torque or side_force; name at least one of its columns', faults)
       sound = table%sound
       skipped = skipped_words([table%commented], ['that begin with #'])
       allocate (md, source=table%numbers(:table%n, 1))
@@ -341,7 +341,7 @@ contains
       logical :: legal
       call read_cell(field, table%separator == ',', table%line, table%marks, number, legal)
       table%numbers(table%n, k) = number*column%unit
-      if (.not. legal) call fault(table, table%line, trim(column_name(k))//' = '//quoted(field)//' is no number', faults)
+      if (.not. legal) call fault(table, table%line, trim(column_name(k))//' = '//quoted(field)//' is not a number', faults)
    end subroutine take
 
    !> SI value of a unit of a column, letter case, points, dashes and stars aside; 0 where it is none.

@@ -39,8 +39,8 @@ contains
          do k = 1, size(steering%cases)
             associate (case => draft%cases(steering%cases(k)))
                if (.not. case%sound .or. case%load_case%wob > 0.0_wp) cycle
-               call group_fault(groups(i), trim(key), trim(key)//' goes by '//'weight on bit, and load case '// &
-                  quoted(case%load_case%name)//' (line '//to_text(case%line)//') has none; needs wob > 0 or no '//trim(key), &
+               call group_fault(groups(i), trim(key), trim(key)//' needs weight on bit, and load case '// &
+                  quoted(case%load_case%name)//' (line '//to_text(case%line)//') has no wob > 0; give wob > 0 or no '//trim(key), &
                   faults)
             end associate
          end do

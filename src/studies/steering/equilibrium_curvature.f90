@@ -42,8 +42,8 @@ module dg_equilibrium_curvature
    !> Largest turn of the hole along the part that is solved [rad]; where it curves more less of the string is solved.
    real(wp), parameter :: most_turn = 100.0_wp*degree
    !> Said of a curvature for which no beam on short elements was found, as between stabilizers and walls of 1e10 kN/m2.
-   character(*), parameter :: rough_message = 'no beam on short elements was found: side force, tilt and curvature may be off '// &
-      'by a fifth; a softer wall (gk_max, mud_sheath) has one'
+   character(*), parameter :: rough_message = 'side force, tilt and dogleg may be off by 20 %: no solution on short '// &
+      'elements. A softer wall (gk_max, mud_sheath) helps'
    !> Distance of stations [m].
    real(wp), parameter :: station = 30.0_wp
 

@@ -87,7 +87,7 @@ contains
             else if (case%sound .and. string_load(draft%rig, case%load_case%operation, case%load_case%measured_hookload%value) &
                      <= 0.0_wp) then
                call group_fault(group, 'cases', 'load case '//quoted(case%load_case%name)//' (line '//to_text(case%line)// &
-                  ') has no more measured_hookload than block_weight of &rig alone; nothing is left for the string', faults)
+                  ') has a measured_hookload that is not larger than block_weight; no weight is left for the string', faults)
             else if (kind == find_resistance .and. case%sound .and. sticking%depth > case%load_case%bit_depth) then
                call group_fault(group, 'sticking_depth', 'sticking_depth = '//shown(sticking%depth)// &
                   ' lies below the bit of load case '//quoted(case%load_case%name)//' at '//shown(case%load_case%bit_depth), &

@@ -57,7 +57,7 @@ contains
       call solve_case(model, result%model, result%case_index, free, error, stop=by_signals())
       call show_time(progress, 1.0_wp/real(usual_solutions(find_resistance)*size(sticking%models)*size(sticking%cases), wp))
       if (free%status /= result_converged) then
-         result%message = 'the free string has none: '//free%message
+         result%message = 'free string: '//free%message
          return
       end if
       result%free_hookload = free%hookload
@@ -83,7 +83,7 @@ contains
       if (size(measured) > 1 .and. sticking%torque_deviation%present) deviation(2) = sticking%torque_deviation%value
       call fit_least_squares(function, start, lower, widest*max(measured, 1.0_wp), max(measured, 1.0_wp), measured, deviation, fit)
       if (fit%status /= fit_done) then
-         result%message = 'the held string has none: '//function%message
+         result%message = 'held string: '//function%message
          return
       end if
       result%status = sticking_found
@@ -168,7 +168,7 @@ contains
                                 any_deviation*measured, fit)
          if (fit%status == fit_done) call solve_held(function, fit%unknowns, held(i), totals_only=.false.)
          if (fit%status /= fit_done .or. held(i)%status /= result_converged) then
-            result%message = 'the string held there has none: '//function%message
+            result%message = 'held string: '//function%message
             return
          end if
       end do

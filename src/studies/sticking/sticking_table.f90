@@ -69,7 +69,8 @@ contains
       call append_table(lines, table)
       call append_text(lines, 'Free: hook load of a free string. Above: tension just above the point. Below: tension there '// &
                        'in a free string.')
-      call append_text(lines, 'Resists: Above - Below; > 0 holds the string down, < 0 up. +-: 95 % interval, by the gauge alone.')
+      call append_text(lines, 'Resists: Above - Below; > 0 holds the string down, < 0 up. '// &
+                       '+-: 95 % interval from the error of the gauge alone.')
       if (any(results%status == sticking_at_bound)) call append_text(lines, &
          '! less torque was measured than friction above the point takes. Lower the friction around the hole')
    end subroutine append_resistances

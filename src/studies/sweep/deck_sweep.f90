@@ -82,7 +82,7 @@ contains
          end if
          if (.not. any(sweep%operations == listed(i)%operation)) then
             call group_fault(group, 'measured_operations', 'measured_operations holds '// &
-               trim(operation_name(listed(i)%operation))//', which is none of the operations of this sweep', faults)
+               trim(operation_name(listed(i)%operation))//', which is not an operation of this sweep', faults)
             return
          end if
          if (depths(i) < sweep%depths(1) .or. depths(i) > sweep%depths(size(sweep%depths))) then

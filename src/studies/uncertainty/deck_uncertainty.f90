@@ -100,7 +100,7 @@ contains
       if (is_given(group, 'friction_from')) then
          call take_estimate(group, estimates, uncertainty, regular)
          if (.not. regular) call group_fault(group, 'friction_from', 'friction_from = '//quoted(text_of(group, &
-            'friction_from', ''))//' is no &calibrate of this deck with apply = .true.', faults)
+            'friction_from', ''))//' is not a &calibrate of this deck with apply = .true.', faults)
          if (any([is_given(group, 'friction'), is_given(group, 'friction_deviation'), is_given(group, 'friction_correlation'), &
                   is_given(group, 'friction_deviations'), is_given(group, 'friction_correlations'), &
                   is_given(group, 'friction_parameter')])) &

@@ -128,7 +128,7 @@ contains
       do attempt = 1, most_tries
          there = identity_of_link(lock%path)
          if (there%exists .and. .not. there%is_regular) then
-            call raise(error, status_failure, 'cannot lock the output folder: '//lock%path//' is no file; remove it')
+            call raise(error, status_failure, 'cannot lock the output folder: '//lock%path//' is not a file; remove it')
             return
          end if
          lock%file = c_fopen(c_text(lock%path), c_text('a+e'))       ! 'e': not for child processes

@@ -206,7 +206,7 @@ contains
          if (context%refused /= '') then
             failure = context%refused
          else
-            failure = 'is no sound XML: '//from_c_text(error_text(error_code(context%parser)))
+            failure = 'is not valid XML: '//from_c_text(error_text(error_code(context%parser)))
          end if
          failure = failure//' (line '//to_text(line)//')'
       end if
