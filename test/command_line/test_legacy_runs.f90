@@ -271,7 +271,7 @@ contains
       character(*), parameter :: good = 'md,axial|0,150|900,0', line = deck_path//':21:'
       call refuse(good, ", axial_unit = 'tons'", line, "axial_unit = 'tons' is unknown; legal: N, daN, kN, kdaN, t, lbf, klbf, kip")
       call refuse(good, ", axial = '5:4'", line, "axial = '5:4' is not a range of characters")
-      call refuse(good, ", md = '1:4', axial = 'axial'", line, 'is not a range of characters')
+      call refuse(good, ", md = '1:4', axial = 'axial'", line, 'other columns are characters')
       call refuse(good, ", axial = '0'", line, 'axial = 0 is not a column')
       call refuse(good, ", axil = '2'", line, "did you mean 'axial'?")
       call refuse(good, " / &legacy label = 'X', file = '../test_legacy_table.txt', case = 'u'", line, 'labels must be unique')

@@ -280,7 +280,7 @@ contains
       call refuse(parts, 'fluids(1): a float_collar')
       call fill(parts)
       parts%fluids(1)%collar = 17
-      call refuse(parts, 'fluids(1): collar = 17')
+      call refuse(parts, 'fluids(1): collar = 17 is not a valid collar')
       call fill(parts)
       parts%numerics = settings_of('auto')
       parts%numerics%gk_contact = 500.0_wp

@@ -72,7 +72,7 @@ contains
          do k = 1, column_count
             if (columns(k)%last == 0 .and. columns(k)%required) call group_fault(group, trim(column_name(k)), &
                trim(column_name(k))//' = '//quoted(columns(k)%place)// &
-               ' is not a range of characters, other columns are; give all as ''first:last''', faults)
+               ' is a heading or a number, other columns are characters; give all as ''first:last''', faults)
          end do
       end if
       if (sound) call read_legacy_file(table%file, integer_of(group, 'skip', 0), columns, table%md, table%values, &

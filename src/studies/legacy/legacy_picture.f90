@@ -46,7 +46,7 @@ contains
          associate (dimension => quantity_of(quantity))
             unit = unit_factor(job%units, dimension)
             do k = 0, 1
-               call add_depth_panel(chart, place(), trim(axis_name(quantity))//either(', theirs less ours', '', k == 1), dimension)
+               call add_depth_panel(chart, place(), trim(axis_name(quantity))//either(', legacy - drillgap', '', k == 1), dimension)
                do m = 1, size(job%models)
                   associate (one => comparisons(m))
                      if (.not. allocated(one%md)) cycle
