@@ -19,6 +19,7 @@ contains
       use dg_test_output_folder, only: output_folder_suite
       use dg_test_standard_output, only: standard_output_suite
       use dg_test_odd_decks, only: odd_decks_suite
+      use dg_test_printed_figures, only: printed_figures_suite
       use dg_test_program, only: program_suite
       use dg_test_legacy_runs, only: legacy_runs_suite
       use dg_test_import_runs, only: import_runs_suite
@@ -59,6 +60,7 @@ contains
       call suite%addTest(unusual_decks_suite())
       call suite%addTest(program_suite())
       call suite%addTest(can_be_done_suite())
+      call suite%addTest(printed_figures_suite())
       call suite%addTest(followed_faults_suite())
       call suite%addTest(followed_keys_suite())
       call suite%addTest(followed_studies_suite())

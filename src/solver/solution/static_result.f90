@@ -42,6 +42,8 @@ module dg_static_result
    real(wp), parameter :: in_balance = 1.0e-8_wp
    !> A message tells of contact forces that differ by more than this part of the whole [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
+   !> A part of the string that is longer than this part of it is not named [-].
+   real(wp), parameter :: nearly_all = 0.9_wp
    !> A message tells of another hook load that differs by more than this part of the largest axial force, and of another largest
    !> moment that differs by more than this part of it [-].
    real(wp), parameter :: worth_telling = 5.0e-3_wp, moments_worth_telling = 0.02_wp
@@ -76,7 +78,7 @@ contains
          select case (outcome)
          case (outcome_converged)
             result%status = result_converged
-            if (whirls) call warn_of_whirling(model%units, mesh, work, result)
+            if (whirls) call warn_of_whirling(model%units, mesh, work, equations%force_scale, result)
          case (outcome_outside)
             call look_outside(model, mesh, work, worst, place)
             result%status = result_not_converged
@@ -131,19 +133,27 @@ contains
       end associate
    end subroutine fill_result
 
-   !> Says of a string that whirls how much of it does, and what that leaves open.
-   pure subroutine warn_of_whirling(units, mesh, work, result)
+   !> Says of a string that whirls how much of it does, and what that leaves open, where it changes torque at surface or the
+   !> sum of contact forces (over weight and bit load) by a part that is worth telling. On a side that is held, friction m R across
+   !> bears a part of the load w, and the contact force is R = w/sqrt(1 + m^2). Without that friction it is w.
+   pure subroutine warn_of_whirling(units, mesh, work, force_scale, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
+      real(wp), intent(in) :: force_scale       !< weight and bit load [N]
       type(case_result_type), intent(inout) :: result
-      real(wp) :: friction, length
-      friction = maxval(mesh%friction_around, mask=work%sideways < 1.0_wp)
+      real(wp) :: high(mesh%elements), pressed(mesh%elements), length, by_contact, by_torque
+      high = 1.0_wp - sqrt((1.0_wp + (work%sideways*mesh%friction_around)**2)/(1.0_wp + mesh%friction_around**2))
+      pressed = max(work%normal, 0.0_wp)
+      by_contact = sum(high*pressed)/force_scale
+      by_torque = sum(high*pressed*mesh%friction_around*mesh%radius)/max(abs(work%top_torque), least_moment)
+      if (max(by_contact, by_torque) < unlike) return
       length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
       call add_message(result, 'Over '//in_units(units, unit_length, length, shown_range)// &
-                       ' the rotating string does not stay on one side of the hole. Sideways friction is ignored, so '// &
-                       'contact force and friction torque there may be up to '// &
-                       to_text(100.0_wp*(1.0_wp - 1.0_wp/sqrt(1.0_wp + friction**2)), shown_clearances)//' % low')
+                       ' the rotating string does not stay on one side of the hole. Sideways friction is ignored there, so '// &
+                       'contact force may be up to '//to_text(rounded_up(100.0_wp*maxval(high), shown_clearances), &
+                       shown_clearances)//' % too high there, and torque at surface '// &
+                       to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' % too high')
    end subroutine warn_of_whirling
 
    !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
@@ -229,15 +239,17 @@ contains
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
       real(wp) :: share
-      associate (found => result%unlike_contact)
+      character(:), allocatable :: place
+      associate (found => result%unlike_contact, md => result%profile%md)
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
+         place = ''
+         if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
+            in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
          call add_message(result, 'Contact force uncertain by '// &
                           to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
-                          ' %, mostly between '// &
-                          in_units(units, unit_length, found%md(1), shown_depth)//' and '// &
-                          in_units(units, unit_length, found%md(2), shown_depth)//': '// &
+                          ' %'//place//': '// &
                           in_units(units, unit_force, found%by_analysis, shown)//' on the long elements of hook load '// &
                           'and torque, '//in_units(units, unit_force, found%by_beam, shown)//' on the short ones of '// &
                           'moments and side forces. '// &
