@@ -2,7 +2,7 @@
 module dg_test_printed_figures
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: replaced, results_path, run_deck_text, run_type, unwrapped
+   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
@@ -19,6 +19,10 @@ contains
       suite = TestSuite('printed_figures')
       call suite%addTest(TestMethod('whirling', test_whirling))
       call suite%addTest(TestMethod('uncertain_contact', test_contact))
+      call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
+      call suite%addTest(TestMethod('overpull', test_overpull))
+      call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
+      call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
    end function printed_figures_suite
 
    !> A string on a slant. `loads` are those of its load case.
@@ -31,6 +35,20 @@ contains
              "&fluid density = 1200 /"//newline//"&component name = 'dp', od = 127, id = 108.6, joint_od = 168 /"//newline// &
              "&load_case name = 'c', bit_depth = 1000, "//loads//" /"//newline
    end function slant
+
+   !> A well with collars, drill pipe and the limits of a rig.
+   function well(model, friction, loads) result(text)
+      character(*), intent(in) :: model, friction, loads
+      character(:), allocatable :: text
+      text = "&job models = '"//model//"', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+             "&trajectory md = 0, 600, 1200, 3500, inc = 0, 0, 60, 60, azi = 4*0 /"//newline// &
+             "&hole diameter = 215.9, friction = "//friction//" /"//newline//"&fluid density = 1200 /"//newline// &
+             "&rig max_hookload = 2000, max_torque = 40 /"//newline// &
+             "&component name = 'dc', kind = 'collar', length = 100, od = 165.1, id = 71.4, yield = 758 /"//newline// &
+             "&component name = 'dp', od = 127, id = 108.6, mass = 31.9, joint_od = 168, yield = 931 /"//newline// &
+             "&load_case name = 'c', bit_depth = 3500, "//loads//" /"//newline// &
+             "&solver fidelity = 'fast' /"//newline
+   end function well
 
    !> Torque without sideways friction lies above that of a string that keeps its side, by what the message says. Nothing is said
    !> where the torque does not change, as in a vertical hole.
@@ -72,6 +90,90 @@ contains
                                    "&component name = 'hw', length = 300, od = 127, id = 76.2, joint_od = 160 / &component"))
       call assertTrue(index(unwrapped(run%output), place//'0 m and 700 m: ') > 0, message=run%output)
    end subroutine test_contact
+
+   !> The weight on bit of the deck, where it takes the string weight alone.
+   subroutine test_weight_on_bit()
+      type(run_type) :: run
+      run = run_deck_text(slant('mcge', "operation = 'rotary', tob = 4, wob = 50.3"))
+      call assertTrue(index(unwrapped(run%output), 'WOB takes 50.3 of ') > 0, message=run%output)
+   end subroutine test_weight_on_bit
+
+   !> The overpull that is possible, and what limits it, does not depend on the overpull that was asked. With 1 % less it can be
+   !> done, with 1 % more it cannot.
+   subroutine test_overpull()
+      character(*), parameter :: words = 'verpull up to about '
+      type(run_type) :: run
+      real(wp) :: pull, other
+      run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = -1500"))
+      pull = value_after(run%output, words)
+      call assertTrue(index(unwrapped(run%output), '. As far as checked, o'//words) > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ' kN is possible: then hook load with block (rig) is at its limit') > 0, &
+                      message=run%output)
+      run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = -1000"))
+      other = value_after(run%output, words)
+      call assertTrue(abs(pull - other) < 0.01_wp*pull, message=to_text(pull)//' and '//to_text(other))
+      run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = "//to_text(-0.99_wp*pull)))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = "//to_text(-1.01_wp*pull)))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+   end subroutine test_overpull
+
+   !> Burst is judged where friction of a coil leaves no solution. Then no friction makes it possible; with less pressure one does.
+   subroutine test_burst()
+      character(*), parameter :: advice = 'String weight is enough at about ', also = 'Also too much: burst, 20000 of 17100 psi.'
+      type(run_type) :: run
+      real(wp) :: factor
+      run = run_deck_text(lateral(1.0_wp, '20000'))
+      call assertTrue(index(content(results_path//'/summary.csv'), ',locked_up,') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), also) > 0, message=run%output)
+      call assertEqual(0, index(unwrapped(run%output), advice), message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Without a solution no other limit but pressure can be judged') > 0, &
+                      message=run%output)
+      run = run_deck_text(lateral(1.0_wp, '10000'))
+      call assertEqual(0, index(unwrapped(run%output), 'Also too much'), message=run%output)
+      factor = value_after(run%output, advice)
+      run = run_deck_text(lateral(0.97_wp*factor, '10000'))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      run = run_deck_text(lateral(0.97_wp*factor, '20000'))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+   contains
+      !> A lateral in which friction of a coil takes all weight.
+      function lateral(scale, pump) result(text)
+         real(wp), intent(in) :: scale          !< on friction [-]
+         character(*), intent(in) :: pump       !< [psi]
+         character(:), allocatable :: text
+         text = "&job units = 'field', models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+                '&trajectory md = 0, 2000, 8200, 9200, 15000, inc = 0, 0, 0, 90, 90, azi = 5*178 /'//newline// &
+                '&hole diameter = 8.5, friction = 0.2 /'//newline//'&fluid density = 9.6 /'//newline// &
+                "&component name = 'MWD', kind = 'collar', length = 120, od = 6.75, id = 3.25, yield = 110 /"//newline// &
+                "&component name = 'DP', od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, yield = 135 /"//newline// &
+                "&load_case name = 'c', operation = 'sliding', bit_depth = 15000, wob = 60, friction = "// &
+                to_text(0.3_wp*scale)//', pump_pressure = '//pump//' /'//newline//"&solver fidelity = 'fast' /"//newline
+      end function lateral
+   end subroutine test_burst
+
+   !> The soft string's yes ends at the weight on bit at which coils yield.
+   subroutine test_yield()
+      type(run_type) :: run
+      real(wp) :: most
+      run = run_deck_text(deck(250.0_wp))
+      call assertTrue(index(unwrapped(run%output), 'Compressed pipe yields, its buckling counted: WOB 250 kN, ') > 0, &
+                      message=run%output)
+      most = value_after(run%output, 'WOB 250 kN, ')
+      run = run_deck_text(deck(most))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Close to its limit: yield under WOB, WOB ') > 0, message=run%output)
+      run = run_deck_text(deck(1.01_wp*most))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+   contains
+      function deck(wob) result(text)
+         real(wp), intent(in) :: wob     !< [kN]
+         character(:), allocatable :: text
+         text = replaced(well('soft', '0.2', "operation = 'rotary', tob = 2, wob = "//to_text(wob)), &
+                         'od = 127, id = 108.6, mass = 31.9, joint_od = 168', 'od = 73, id = 54.6, mass = 16.1, joint_od = 105')
+         text = replaced(text, 'diameter = 215.9', 'diameter = 311')
+      end function deck
+   end subroutine test_yield
 
    !> The number behind words of an output; 0 where they are absent, which fails the test.
    function value_after(output, words) result(value)

@@ -7,9 +7,7 @@ module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
-   use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
-   use dg_drillstring, only: component_tops, topmost
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
@@ -17,21 +15,24 @@ module dg_find_verdict
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type
    use dg_packer, only: packer_push
+   use dg_passed_pressure, only: find_passed_pressure
    use dg_trajectory, only: top_md
    use dg_turning_loads, only: find_turning_loads
    use dg_upper_friction, only: raise_friction
-   use dg_utilisation, only: as_much, find_utilisation, has_rating, joint_ratings, lacks_rating, limit_count, limit_joint_torsion, &
-                             limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
-                             limit_von_mises, part_limits, utilisation_type
+   use dg_unrated_limits, only: note_unrated
+   use dg_utilisation, only: as_much, find_utilisation, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, verdict_type
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: find_verdict, passed_weight
+
+   !> Halvings of an overpull until its digits are known.
+   integer, parameter :: halvings = 16
 
 contains
 
@@ -49,6 +50,8 @@ contains
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
             verdict%weight_alone = .true.
+            call find_passed_pressure(model, result%case_index, design, verdict%also, verdict%also_load, verdict%also_allowed, &
+                                      verdict%pressures_judged)
             if (block_way(load_case%operation) <= 0) then
                verdict%most_wob = given(weight_that_arrives(model, result))
             end if
@@ -59,8 +62,8 @@ contains
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
             call judge_strengths(whole%utilisation, verdict)
-            call find_pull_excess(whole, design, verdict%pull_excess)
             call judge_weight(model, result, whole%wob_lockup, verdict)
+            if (result%model /= model_mcge) call judge_compressed(load_case, whole, verdict)
             call judge_fatigue(whole%fatigue, limit_fatigue, load_case%hours, verdict)
             call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, load_case%hours, verdict)
             if (cannot_scale(model, result)) then
@@ -178,7 +181,11 @@ contains
       end if
       without%most_wob = verdict%most_wob
       call judge_other(model, bare, result, design, rig_limit, without)
-      if (without%answer /= answer_no) return
+      if (without%answer /= answer_no) then
+         if (model%cases(result%case_index)%wob < 0.0_wp) &
+            call find_most_pull(model, other_model, result, design, rig_limit, verdict)
+         return
+      end if
       verdict%limit_without_load = without%limit
       if (without%limit /= limit_lock_up) verdict%excess_without_load = without%load%value - without%allowed%value
    end subroutine judge_without_load
@@ -221,24 +228,58 @@ contains
       if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
    end subroutine judge_strengths
 
-   !> Pull beyond the limits that are passed. Absent where less pull does not bring all of them back, or it is not known how much.
-   pure subroutine find_pull_excess(whole, design, excess)
-      type(whole_string_type), intent(in) :: whole
+   !> Largest overpull with which no limit is passed, of a case that can be done without. Bisection.
+   pure subroutine find_most_pull(model, other_model, result, design, rig_limit, verdict)
+      type(model_type), intent(in) :: model
+      type(model_type), intent(in) :: other_model    !< with the friction that the answer goes by
+      type(case_result_type), intent(in) :: result   !< of `model`
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(out) :: excess   !< [N]
-      logical :: passed(limit_count), by_force(limit_count)
-      associate (use => whole%utilisation)
-         passed = use%used%present .and. use%used%value > 1.0_wp + as_much
-         if (.not. any(passed)) return
-         by_force = .false.
-         by_force([limit_rig, limit_slips, limit_tension]) = .true.
-         excess = given(max(0.0_wp, maxval(use%load*(1.0_wp - 1.0_wp/max(use%used%value, 1.0_wp)), mask=passed .and. by_force)))
-      end associate
-      by_force(limit_von_mises) = whole%overpull_margin%present .and. .not. design%von_mises > 1.0_wp
-      if (passed(limit_von_mises) .and. by_force(limit_von_mises)) &
-         excess%value = max(excess%value, -whole%overpull_margin%value)
-      excess%present = .not. any(passed .and. .not. by_force)
-   end subroutine find_pull_excess
+      type(optional_real), intent(in) :: rig_limit   !< [N]
+      type(verdict_type), intent(inout) :: verdict
+      type(model_type) :: less
+      type(verdict_type) :: there
+      real(wp) :: low, high
+      integer :: i
+      less = other_model
+      low = 0.0_wp
+      high = -model%cases(result%case_index)%wob
+      verdict%pull_limit = verdict%limit
+      do i = 1, halvings
+         less%cases(result%case_index)%wob = -0.5_wp*(low + high)
+         there = verdict_type()
+         call judge_other(model, less, result, design, rig_limit, there)
+         if (there%answer == answer_no) then
+            high = 0.5_wp*(low + high)
+            verdict%pull_limit = there%limit
+         else
+            low = 0.5_wp*(low + high)
+         end if
+      end do
+      verdict%most_pull = given(low)
+   end subroutine find_most_pull
+
+   !> Takes the yield of compressed pipe by the soft string, whose stresses have no bending of coils. It is named where it is
+   !> passed, or where the string is in helical buckling and uses more of it than of other limits.
+   pure subroutine judge_compressed(load_case, whole, verdict)
+      type(load_case_type), intent(in) :: load_case
+      type(whole_string_type), intent(in) :: whole
+      type(verdict_type), intent(inout) :: verdict
+      real(wp) :: share
+      if (.not. whole%wob_yield%present) return
+      share = 2.0_wp
+      if (whole%wob_yield%value > 0.0_wp) share = load_case%wob/whole%wob_yield%value
+      if (share > 1.0_wp) then
+         if (verdict%answer == answer_no) return
+         verdict%answer = answer_no
+      else if (.not. (whole%helical_length > 0.0_wp .and. is_most(share, verdict))) then
+         return
+      end if
+      verdict%limit = limit_wob_yield
+      verdict%used = optional_real(whole%wob_yield%value > 0.0_wp, share)
+      verdict%load = given(load_case%wob)
+      verdict%allowed = whole%wob_yield
+      verdict%md%present = .false.
+   end subroutine judge_compressed
 
    !> Takes string weight or lock-up, where one of them is passed or used more than the strengths. They are not known where the
    !> survey begins below surface.
@@ -271,6 +312,12 @@ contains
             verdict%used = optional_real(weight > 0.0_wp, share)
             verdict%load = given(weight - result%hookload)
             verdict%allowed = given(weight)
+            ! Both numbers agree with the deck where weight on bit takes the weight alone.
+            if (load_case%wob > 0.0_wp .and. .not. (moves_axially(load_case%operation) .or. &
+                                                    verdict%pressure_pushes .or. verdict%packer_pushes)) then
+               verdict%load = given(load_case%wob)
+               verdict%allowed = given(load_case%wob + result%hookload)
+            end if
             verdict%md%present = .false.
          end if
          if (passed > 0) verdict%answer = answer_no
@@ -337,32 +384,4 @@ contains
       is = share > 0.0_wp
       if (verdict%used%present) is = share > verdict%used%value
    end function is_most
-
-   !> Limits that count for a load case and have no rating in the deck, of all or of some components.
-   pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(optional_real), intent(in) :: rig_limit
-      type(design_factors_type), intent(in) :: design
-      logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
-      logical :: turns
-      integer :: i, string, top
-      turns = rotates(model%cases(case_index)%operation)
-      string = string_index(model%strings, model%cases(case_index)%string)
-      associate (parts => model%strings(string)%components)
-         do i = 1, size(part_limits)
-            associate (limit => part_limits(i))
-               unrated(limit) = any(lacks_rating(parts, limit)) .or. .not. any(has_rating(parts, limit))
-            end associate
-         end do
-         if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
-         if (.not. any(is_rated(parts%rating))) unrated(joint_ratings) = .false.
-         top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
-         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp)
-      end associate
-      unrated(limit_rig) = .not. rig_limit%present
-      unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
-      unrated(limit_fatigue) = turns
-      unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
-   end subroutine note_unrated
 end module dg_find_verdict

@@ -7,7 +7,7 @@ module dg_verdict
    implicit none
    private
    public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
-             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_title, limit_code
+             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
@@ -16,12 +16,13 @@ module dg_verdict
 
    !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
    !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue: the part of its life
-   !> that the hours of the case take of the pipe, of its body or its connections.
+   !> that the hours of the case take of the pipe, of its body or its connections. Yield under WOB: the weight on bit over the one
+   !> at which compressed pipe yields with the bending of coils, which the soft string has not in its stresses.
    integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3, &
-                         limit_joint_fatigue = limit_count + 4
-   integer, parameter :: every_limit_count = limit_count + 4
-   character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(13) :: 'string weight', 'lock-up', &
-      'fatigue', 'joint fatigue']
+                         limit_joint_fatigue = limit_count + 4, limit_wob_yield = limit_count + 5
+   integer, parameter :: every_limit_count = limit_count + 5
+   character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(15) :: 'string weight', 'lock-up', &
+      'fatigue', 'joint fatigue', 'yield under WOB']
 
    !> Friction that an answer goes by: of the deck; of a calibration without a 95 % interval; of one with it, and the answer holds
    !> at its upper end; or is no at its upper end alone.
@@ -47,8 +48,10 @@ module dg_verdict
       type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is passed, too
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and what is allowed [N, N.m, Pa or s]
-      logical :: weight_alone = .false.             !< no by lock-up without a solution: other limits are not known
-      type(optional_real) :: pull_excess            !< no by limits that less pull brings back: pull beyond them [N]
+      logical :: weight_alone = .false.             !< no by lock-up without a solution: limits other than pressure are not known
+      logical :: pressures_judged = .false.         !< burst or collapse of such a string has been judged
+      type(optional_real) :: most_pull              !< no, pulling: largest overpull with which no limit is passed [N]
+      integer :: pull_limit = 0                     !< limit that is passed with more
       integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none
       real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, but for lock-up [N, N.m or Pa]
       !> Hook load and torque at surface if the string were turned, where that would help [N, N.m].

@@ -16,7 +16,7 @@ module dg_verdict_text
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_given, friction_upper_end, &
                          friction_upper_end_alone, limit_code, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
-                         limit_string_weight, limit_title, verdict_type
+                         limit_string_weight, limit_title, limit_wob_yield, verdict_type
    implicit none
    private
    public :: task_text, verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
@@ -72,6 +72,10 @@ contains
             text = capital(push_text(units, load_case, verdict%load%value - verdict%allowed%value))
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
+      case (limit_wob_yield)
+         text = 'Compressed pipe yields, its buckling counted: WOB '//force_text(units, load_case%wob)//', '// &
+                force_text(units, at_most(units, unit_force, verdict%allowed%value, shown))//' allowed by the soft string. '// &
+                'Model mcge solves its bending'
       case default
          text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
                 load_text(units, verdict%limit, verdict%load%value)
@@ -185,7 +189,7 @@ contains
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)//'. Check it by a case operation = '''// &
                 either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
-      if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, load_case, verdict)
+      if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, verdict)
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
             text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
@@ -195,23 +199,21 @@ contains
             text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
-      if (verdict%weight_alone) text = text//'. Without a solution no other limit can be judged'
+      if (verdict%weight_alone) text = text//'. Without a solution no other limit '// &
+         either('but pressure ', '', verdict%pressures_judged)//'can be judged'
    end function help_text
 
    !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.
-   pure function overpull_text(units, load_case, verdict) result(text)
+   pure function overpull_text(units, verdict) result(text)
       type(unit_system_type), intent(in) :: units
-      type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
-      real(wp) :: left
       text = ''
-      if (block_way(load_case%operation) <= 0 .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue, limit_lock_up])) return
-      text = '. Possible without overpull'
-      if (.not. verdict%pull_excess%present) return
-      ! Less overpull takes as much off the load at least: drag falls with it.
-      left = -load_case%wob - verdict%pull_excess%value
-      if (left > 0.0_wp) text = '. Overpull up to '//force_text(units, left)//' is possible'
+      if (.not. verdict%most_pull%present .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue])) return
+      if (.not. verdict%most_pull%value > 0.0_wp) return
+      text = either('. As far as checked, o', '. O', any(verdict%not_checked))//'verpull up to about '// &
+             force_text(units, at_most(units, unit_force, verdict%most_pull%value, shown))// &
+             ' is possible: then '//shown_title(verdict%pull_limit)//' is at its limit'
    end function overpull_text
 
    !> The limit used most and what is left of it.
@@ -220,6 +222,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
+      logical :: by_wob
       if (verdict%limit == 0) then
          text = 'No limit is known'
          return
@@ -229,12 +232,12 @@ contains
       if (verdict%limit == limit_string_weight) then
          text = text//takers_text(load_case, verdict)//' '
       end if
-      if (verdict%limit == limit_lock_up) text = text//'WOB '
+      by_wob = any(verdict%limit == [limit_lock_up, limit_wob_yield])
+      if (by_wob) text = text//'WOB '
       if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
-         load_text(units, verdict%limit, verdict%allowed%value)//trim(merge(' by the soft string', repeat(' ', 19), &
-                                                                            verdict%limit == limit_lock_up))//', '
+         load_text(units, verdict%limit, verdict%allowed%value)//either(' by the soft string, ', ', ', by_wob)
       text = text//to_text(verdict%used%value/percent, shown_factor)//' % used'
-      if (verdict%allowed%present .and. verdict%limit /= limit_lock_up) text = text//', '// &
+      if (verdict%allowed%present .and. .not. by_wob) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text

@@ -101,7 +101,7 @@ contains
                       'reason of a no, with numbers; else empty', verdict_reason(units, load_case, verdict))
       call put_filled(row, 'limit', quantity_text, 'limit that decides; for yes the limit used most', limit_code(verdict%limit))
       call put(row, 'used', quantity_percent, 'used part of this limit', in_percent(verdict%used))
-      call put(row, 'limit_md', quantity_length, 'depth of this limit; empty for string_weight and lock_up', verdict%md)
+      call put(row, 'limit_md', quantity_length, 'depth of this limit; empty for a limit of the whole string', verdict%md)
       call put_filled(row, 'not_checked', quantity_text, &
                       'limits for which the deck gives no rating, separated by blanks', unchecked_codes(verdict))
       call put(row, 'friction_reserve', quantity_none, &

@@ -1,0 +1,47 @@
+!> Limits that count for a load case and have no rating in the deck.
+module dg_unrated_limits
+   use dg_kinds, only: wp
+   use dg_connection_rating, only: is_rated
+   use dg_design_factors, only: design_factors_type
+   use dg_drillstring, only: component_tops, topmost
+   use dg_load_case, only: rotates
+   use dg_missing, only: optional_real
+   use dg_model, only: model_type, string_index
+   use dg_trajectory, only: top_md
+   use dg_utilisation, only: has_rating, joint_ratings, lacks_rating, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
+                             limit_top_drive, limit_torsion, part_limits
+   use dg_verdict, only: limit_fatigue, limit_joint_fatigue
+   implicit none
+   private
+   public :: note_unrated
+
+contains
+
+   !> Limits that count for a load case and have no rating in the deck, of all or of some components.
+   pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(optional_real), intent(in) :: rig_limit
+      type(design_factors_type), intent(in) :: design
+      logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
+      logical :: turns
+      integer :: i, string, top
+      turns = rotates(model%cases(case_index)%operation)
+      string = string_index(model%strings, model%cases(case_index)%string)
+      associate (parts => model%strings(string)%components)
+         do i = 1, size(part_limits)
+            associate (limit => part_limits(i))
+               unrated(limit) = any(lacks_rating(parts, limit)) .or. .not. any(has_rating(parts, limit))
+            end associate
+         end do
+         if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
+         if (.not. any(is_rated(parts%rating))) unrated(joint_ratings) = .false.
+         top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
+         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp)
+      end associate
+      unrated(limit_rig) = .not. rig_limit%present
+      unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
+      unrated(limit_fatigue) = turns
+      unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
+   end subroutine note_unrated
+end module dg_unrated_limits
