@@ -265,7 +265,7 @@ contains
       end do
    end subroutine test_threads
 
-   !> One depth, out and in: both tell the same mixture of two sections.
+   !> One depth, out and in: both tell the same mixture of two sections. One factor for all, as the warning advises, is found.
    subroutine test_not_separated()
       type(run_type) :: run
       type(text_type), allocatable :: lines(:)
@@ -276,6 +276,13 @@ contains
       if (anyExceptions()) return
       call assertEqual('not_separated', field(lines(2)%text, 12), message=lines(2)%text)
       call assertEqual('', field(lines(2)%text, 9), message='no interval')
+      call assertTrue(index(run%output, 'or find one factor for all (separate = ''none'')') > 0, message=run%output)
+      run = run_deck_text(straight_deck(70.0_wp, 150.0_wp, 60.0_wp, "&calibrate cases = 'b', 'c', separate = 'none' /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, 'cannot tell these factors apart'), message=run%output)
+      lines = lines_of(results_path//'/calibration.csv')
+      if (anyExceptions()) return
+      call assertEqual('found', field(lines(2)%text, 12), message=lines(2)%text)
    end subroutine test_not_separated
 
    !> A model that finds no solution: said by name, marked in the files, status 3.

@@ -173,12 +173,13 @@ contains
       end do
       do k = 1, size(result%statistics%mixtures)
          associate (mixture => result%statistics%mixtures(k))
-            call append_text(lines, 'Warning: the measurements cannot tell these factors apart, only a mixture of them '// &
-               '(singular value '//to_text(mixture%ratio, 2)//' of the largest):')
+            call append_text(lines, 'Warning: the measurements cannot tell these factors apart. Each of them may be wrong, '// &
+               'together they fit:')
             do j = 1, size(mixture%unknowns)
                call append_text(lines, '         '//unknown_text(units, model, calibration%unknowns(mixture%unknowns(j))))
             end do
-            call append_text(lines, '         measure at other depths or in other operations, or separate less')
+            call append_text(lines, '         measure at other depths or in other operations, or find one factor for all '// &
+               '(separate = ''none'')')
          end associate
       end do
       if (result%halvings > 0) call append_text(lines, 'Note: not every load case has a solution with the factors of the deck; '// &

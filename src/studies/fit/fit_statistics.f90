@@ -12,7 +12,6 @@ module dg_fit_statistics
    !> Unknowns of which the data tell only a combination.
    type :: mixture_type
       integer, allocatable :: unknowns(:)    !< numbers, the heaviest first
-      real(wp) :: ratio = 0.0_wp             !< singular value over the largest [-]: how little the data feel of it
    end type mixture_type
 
    type :: statistics_type
@@ -150,7 +149,6 @@ contains
       do k = 1, weak      ! singular values fall
          associate (mixture => statistics%mixtures(k))
             mixture%unknowns = columns(descending(abs(right(n - weak + k, :)), sharing))
-            mixture%ratio = values(n - weak + k)/values(1)
          end associate
       end do
       if (values(n) <= nothing_known*values(1)) return
