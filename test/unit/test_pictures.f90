@@ -324,6 +324,7 @@ contains
       call chart_script(chart, lines)
       call assertEqual([1.0_wp, 2.0_wp], chart%panels(1)%curves(1)%points(:, 1), 1.0e-9_wp, message='2 % in 1 s')
       call assertEqual(2, size(chart%panels(1)%curves(1)%points), message='the finest has no mark')
+      call assertTrue(index(chart%title, ': error against the finest settings, and solution time') > 0, message=chart%title)
       call assertTrue(has_text(lines, "title 'soft'"))
       call assertFalse(has_text(lines, "title 'mcge'"))
       call assertFalse(has_text(lines, 'error of torque'))

@@ -192,7 +192,7 @@ contains
             end do
             call add_picture(list, run%job, study_chart(run%job%units, load_case, self%plan%models, self%variants, &
                                                         self%records(:, k)), &
-                             'Error against the finest variant, and cost', self%plan%cases(k), &
+                             'Error against the finest settings, and solution time', self%plan%cases(k), &
                              data, error)
          end associate
       end do

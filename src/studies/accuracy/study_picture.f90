@@ -42,7 +42,7 @@ contains
       integer :: i, k, drawn
       best = records%in_pareto_set
       chart = new_chart('study_'//load_case%name, 'Study of '//load_case%name// &
-                        ': error against the finest variant, and cost', units, 860, [0.89_wp, 0.955_wp])
+                        ': error against the finest settings, and solution time', units, 860, [0.89_wp, 0.955_wp])
       do k = 1, size(errors)
          if (errors(k) == error_torque .and. .not. rotates(load_case%operation)) cycle
          drawn = size(chart%panels)
