@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
+      call suite%addTest(TestMethod('packer', test_packer))
    end function printed_figures_suite
 
    !> A string on a slant. `loads` are those of its load case.
@@ -174,6 +175,24 @@ contains
          text = replaced(text, 'diameter = 215.9', 'diameter = 311')
       end function deck
    end subroutine test_yield
+
+   !> A packer and its seals have no limits in a deck: the answer says so.
+   subroutine test_packer()
+      type(run_type) :: run
+      character(:), allocatable :: text
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+             '&trajectory md = 0, 3000, inc = 0, 0 /'//newline// &
+             '&hole diameter = 159, friction = 0.3, cased = .true. /'//newline// &
+             '&fluid density = 1000 /'//newline//'&component od = 73, id = 62, yield = 552 /'//newline// &
+             "&boundary packer_bore = 82, packer_hold = 'landed' /"//newline// &
+             "&load_case name = 'c', operation = 'static', bit_depth = 3000, wob = 40 /"//newline
+      run = run_deck_text(text)
+      call assertTrue(index(unwrapped(run%output), '. For the packer: travel of its seals, force on it.') > 0, message=run%output)
+      run = run_deck_text(replaced(replaced(text, 'landed', 'free'), ', wob = 40', ''))
+      call assertTrue(index(unwrapped(run%output), '. For the packer: travel of its seals.') > 0, message=run%output)
+      run = run_deck_text(replaced(text, "&boundary packer_bore = 82, packer_hold = 'landed' /", ''))
+      call assertEqual(0, index(unwrapped(run%output), 'For the packer'), message=run%output)
+   end subroutine test_packer
 
    !> The number behind words of an output; 0 where they are absent, which fails the test.
    function value_after(output, words) result(value)
