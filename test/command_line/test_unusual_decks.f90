@@ -22,6 +22,8 @@ contains
       call suite%addTest(TestMethod('loads', test_loads))
       call suite%addTest(TestMethod('ways_of_loads', test_ways))
       call suite%addTest(TestMethod('conditions', test_conditions))
+      call suite%addTest(TestMethod('measured_and_block', test_measured))
+      call suite%addTest(TestMethod('sections_and_collars', test_sections))
    end function unusual_decks_suite
 
    !> A lateral in field units.
@@ -184,4 +186,43 @@ contains
       call usual('tob = 5 ', 'tob = 5, above_ambient_bottom = 540, temperature_change_bottom = 450 ')
       call usual('tob = 5 ', 'tob = 5, rpm = 60, hours = 300 ')
    end subroutine test_conditions
+
+   !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 211 klbf in mud.
+   subroutine test_measured()
+      character(*), parameter :: up = "'up', operation = 'up', bit_depth = 15000", rig = '&fluid'
+      call mistake(up, up//', measured_hookload = 25', 'measured_hookload = 25 klbf is ')
+      call mistake(up, up//', measured_hookload = 1100', ' % of what the string weighs in mud, ')
+      call usual(up, up//', measured_hookload = 250')
+      call mistake(up, up//", measured_hookload = 150 / &load_case name = 'down', operation = 'down', bit_depth = 15000, "// &
+                   'measured_hookload = 260', &
+                   'measured_hookload = 150 klbf of pick-up is below the 260 klbf of slack-off in ''down''. Are the two swapped?')
+      call usual(up, up//", measured_hookload = 260 / &load_case name = 'down', operation = 'down', bit_depth = 15000, "// &
+                 'measured_hookload = 150')
+      call mistake(rig, '&rig block_weight = 5 / '//rig, 'group &rig: block_weight = 5 klbf is ')
+      call mistake(rig, '&rig block_weight = 8, max_hookload = 500 / '//rig, &
+                   'block_weight = 8 klbf is 1.6 % of max_hookload. Is it in tonnes? 8 t are 17.64 klbf')
+      call usual(rig, '&rig block_weight = 60, max_hookload = 500 / '//rig)
+      call mistake(up, up//', measured_hookload = 110 / &rig block_weight = 120', &
+                   'measured_hookload is no more than block_weight of &rig')
+      call mistake(', tob = 5 ', ' ', 'case ''turn'' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
+      call usual('tob = 5 ', 'tob = 0 ')
+   end subroutine test_measured
+
+   !> A cased section below an open one, too many collars, one station that turns off and back.
+   subroutine test_sections()
+      character(*), parameter :: path = 'md = 0, 2000, 8200, 9200, 12000, 15000'//newline// &
+         '  inc = 0, 0, 0, 90, 91, 90, azi = 178, 178, 178, 178, 178, 178', &
+         close = 'md = 0, 2000, 4000, 8000, 8100, 8200, 15000, inc = 0, 0, 45, 45, '
+      call mistake('friction = 0.20, cased = .true. /', 'friction = 0.20 / &hole name = ''liner'', md_bottom = 9000, '// &
+                   'diameter = 8.6, friction = 0.2, cased = .true. /', '''liner'' is cased, ''casing'' above it is not')
+      call usual('friction = 0.20, cased = .true. /', 'friction = 0.20, cased = .true. / &hole name = ''liner'', '// &
+                 'md_bottom = 9000, diameter = 8.6, friction = 0.2, cased = .true. /')
+      call usual('friction = 0.20, cased = .true. /', 'friction = 0.20 /')
+      call mistake('length = 90, od = 6.75', 'length = 3900, od = 6.75', 'String ''main'' has 3900 ft of collars. Usual is at '// &
+                   'most 1640 ft. Is a length mistyped?')
+      call usual('length = 90, od = 6.75', 'length = 900, od = 6.75')
+      call mistake(path, close//'54, 45, 45, azi = 7*178', 'inclination goes from 45 to 54 and back to 45 deg at 8100 ft')
+      call usual(path, close//'47, 45, 45, azi = 7*178')
+      call usual(path, close//'54, 63, 63, azi = 7*178')
+   end subroutine test_sections
 end module dg_test_unusual_decks

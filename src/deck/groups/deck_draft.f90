@@ -62,7 +62,7 @@ module dg_deck_draft
       integer :: line = 0
       integer :: line_name = 0, line_depth = 0, line_string = 0
       character(:), allocatable :: length_reference   !< name of a load case; '': none
-      integer :: line_reference = 0, line_wob = 0     !< 0: no wob is given
+      integer :: line_reference = 0, line_wob = 0, line_tob = 0   !< 0: not given
    end type draft_case_type
 
    type :: draft_type

@@ -7,7 +7,7 @@ module dg_deck_notes
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
-   use dg_load_case, only: operation_trip_out, rotates
+   use dg_load_case, only: rotates
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing, missing
    use dg_path_difference, only: find_difference, path_difference_type
@@ -67,7 +67,6 @@ contains
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
          'group &solver: eps_n0 is large: contact this close to the wall is ignored, so contact force and friction are '// &
          'too small')
-      call note_block(draft, notes)
       call note_path(draft, notes)
       if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
       call find_uses(draft, uses, deepest_bit, below)
@@ -84,23 +83,6 @@ contains
       end do
       call note_tools(draft, job, uses, notes)
    end subroutine note_oddities
-
-   !> Hook loads measured without the block, it seems: less than the block alone, of strings that are pulled.
-   subroutine note_block(draft, notes)
-      type(draft_type), intent(in) :: draft
-      type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i
-      if (.not. draft%rig%given) return
-      do i = 1, size(draft%cases)
-         associate (case => draft%cases(i)%load_case)
-            if (.not. case%measured_hookload%present .or. case%operation /= operation_trip_out) cycle
-            if (case%measured_hookload%value > draft%rig%block_weight) cycle
-            call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload is no more than block_weight of '// &
-                             '&rig; with &rig it is what the indicator shows, the block counted in')
-            return
-         end associate
-      end do
-   end subroutine note_block
 
    !> Bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
    subroutine note_tools(draft, job, uses, notes)

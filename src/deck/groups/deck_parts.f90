@@ -243,6 +243,7 @@ contains
       item%length_reference = text_of(group, 'length_reference', '')
       item%line_reference = line_of(group, 'length_reference')
       if (is_given(group, 'wob')) item%line_wob = line_of(group, 'wob')
+      if (is_given(group, 'tob')) item%line_tob = line_of(group, 'tob')
       friction = optional_of(group, 'friction')
       associate (case => item%load_case)
          case%name = text_of(group, 'name', '')

@@ -30,6 +30,7 @@ module dg_open_deck
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: unit_system, unit_system_type, si_units
    use dg_unusual_input, only: note_unusual
+   use dg_unusual_rig, only: note_rig
    implicit none
    private
    public :: open_deck, close_deck
@@ -97,6 +98,7 @@ contains
       call note_unusual(deck%draft, deck%uses, fitted, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
+      call note_rig(model, deck%draft%units, notes)
       job%notes = notes
    end subroutine close_deck
 

@@ -18,10 +18,11 @@ module dg_unusual_case
 contains
 
    !> Adds a note for each matter of a load case.
-   subroutine note_case(units, what, load_case, notes)
+   subroutine note_case(units, what, load_case, has_tob, notes)
       type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: what        !< the case, by name
       type(load_case_type), intent(in) :: load_case
+      logical, intent(in) :: has_tob          !< the deck gives it, be it 0
       type(text_type), allocatable, intent(inout) :: notes(:)
       call note(usual_wob, load_case%wob)
       call note(usual_tob, load_case%tob)
@@ -33,6 +34,9 @@ contains
                                         load_case%operation == operation_rotate_off_bottom)) &
          call append_text(notes, what//': wob = '//in_units(units, unit_force, load_case%wob, digits)// &
                           ' pushes the bit in '//trim(operation_name(load_case%operation))//'. An overpull is a wob below 0')
+      if (load_case%operation == operation_rotary_drilling .and. load_case%wob > 0.0_wp .and. .not. has_tob .and. &
+          .not. load_case%measured_hookload%present) &
+         call append_text(notes, what//' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
       if (load_case%friction_axial%present) then
          if (load_case%friction_axial%value > 0.0_wp) call note(usual_friction, load_case%friction_axial%value)

@@ -29,6 +29,8 @@ module dg_unusual_input
    character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
    !> A string that is longer than the hole by more than this [m].
    real(wp), parameter :: above_surface = 1.0_wp
+   !> Longest collars of a string [m]: 30 to 40 joints.
+   real(wp), parameter :: longest_collars = 500.0_wp
    integer, parameter :: digits = 4, depth_digits = 6
 
 contains
@@ -63,6 +65,8 @@ contains
       end do
       call note_order(draft, notes)
       call note_length(draft, notes)
+      call note_collars(draft, notes)
+      call note_cased(draft, notes)
       call note_range(draft%units, 'group &rig', usual_block, draft%rig%block_weight, notes)
       if (draft%rig%max_hookload%present) call note_range(draft%units, 'group &rig', usual_hookload, draft%rig%max_hookload%value, &
                                                           notes)
@@ -71,7 +75,7 @@ contains
       call note_range(draft%units, 'group &job', usual_gravity, draft%gravity, notes)
       do i = 1, size(draft%cases)
          call note_case(draft%units, trim(draft%cases(i)%what)//' '//quoted(draft%cases(i)%load_case%name), &
-                        draft%cases(i)%load_case, notes)
+                        draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
       end do
 
    contains
@@ -208,4 +212,37 @@ contains
                           '. What stands above surface is left out. Leave out the length of the last component')
       end do
    end subroutine note_length
+
+   !> More drill collars than any string has.
+   subroutine note_collars(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: lowest(size(draft%components)), i
+      real(wp) :: length
+      logical :: collar(size(draft%components))
+      lowest = lowest_of(draft)
+      collar = [(index(lower_case(draft%components(i)%component%kind), 'collar') > 0, i=1, size(collar))]
+      do i = 1, size(draft%components)
+         if (lowest(i) /= i) cycle
+         length = sum(draft%components%component%length, mask=collar .and. lowest == i)
+         if (length > longest_collars) call append_text(notes, 'String '//quoted(draft%components(i)%string)//' has '// &
+            in_units(draft%units, unit_length, length, digits)//' of collars. Usual is at most '// &
+            in_units(draft%units, unit_length, longest_collars, digits)//'. Is a length mistyped?')
+      end do
+   end subroutine note_collars
+
+   !> A cased section below an open one. What has no friction, as the gap above a riser, is no open hole.
+   subroutine note_cased(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      do i = 2, size(draft%holes)
+         if (.not. draft%holes(i)%section%cased .or. draft%holes(i - 1)%section%cased .or. &
+             .not. draft%holes(i - 1)%section%friction_axial > 0.0_wp) cycle
+         call append_text(notes, 'group &hole in line '//to_text(draft%holes(i)%line)//': '// &
+            quoted(draft%holes(i)%section%name)//' is cased, '//quoted(draft%holes(i - 1)%section%name)// &
+            ' above it is not. Give cased = .true. above, too, or leave it out')
+         return
+      end do
+   end subroutine note_cased
 end module dg_unusual_input

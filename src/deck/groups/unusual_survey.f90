@@ -19,6 +19,9 @@ module dg_unusual_survey
    real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 0.6_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
    !> Angle to both neighbours from which a station that points another way is a slip [rad].
    real(wp), parameter :: spike = 25.0_wp*degree
+   !> The same between close stations, with both doglegs above a rate: 54 for 45. Motors and rotary steerables do not turn back
+   !> from one station to the next by as much [rad, rad/m].
+   real(wp), parameter :: close_spike = 3.0_wp*degree, spike_rate = 5.0_wp*degree/30.0_wp
    !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
    real(wp), parameter :: largest_radian = 1.6_wp*degree, least_radian = 0.5_wp*degree, near_right_angle = 0.005_wp*degree
    !> Largest inclination of a survey in radians, read as degrees, where its azimuths are below 2 pi, too [rad].
@@ -127,7 +130,9 @@ contains
          place = 0
          worst = 0.5_wp
          do i = 2, size(stations%md) - 1
-            if (min(angles(i), angles(i + 1)) <= spike) cycle
+            if (min(angles(i), angles(i + 1)) <= merge(close_spike, spike, &
+               angles(i) > spike_rate*(stations%md(i) - stations%md(i - 1)) .and. &
+               angles(i + 1) > spike_rate*(stations%md(i + 1) - stations%md(i)))) cycle
             dogleg = between(i - 1, i + 1)/min(angles(i), angles(i + 1))
             if (dogleg >= worst) cycle
             worst = dogleg

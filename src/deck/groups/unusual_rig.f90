@@ -1,0 +1,150 @@
+!> Hook loads, measured or of the block, that do not fit the weight of their string: mostly another unit, or two that are swapped.
+module dg_unusual_rig
+   use dg_kinds, only: wp
+   use dg_component, only: buoyed_weight
+   use dg_drillstring, only: component_tops
+   use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_trip_in, operation_trip_out, rotates
+   use dg_model, only: model_type, string_index
+   use dg_text, only: append_text, either, quoted, text_type, to_text
+   use dg_trajectory, only: top_md, true_vertical_depth
+   use dg_unit_kind, only: in_units, unit_force
+   use dg_units, only: unit_system_type
+   implicit none
+   private
+   public :: note_rig
+
+   !> Block weight over the weight of the heaviest string, and over the largest hook load of the rig [-]. Block and hook of rigs
+   !> without a top drive have 3 % of what the rig carries, with it 6 to 10 %. Tonnes read as kN are a tenth.
+   real(wp), parameter :: lightest_block = 0.035_wp, lightest_of_rig = 0.02_wp
+   !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
+   !> klbf read as kN 0.22; kN read as klbf are 4.4.
+   real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
+   !> Depths that are the same [m].
+   real(wp), parameter :: same_depth = 1.0_wp
+   real(wp), parameter :: tonne = 1000.0_wp, percent = 0.01_wp
+   integer, parameter :: digits = 4, few_digits = 2
+
+contains
+
+   !> One note a matter, with the first load case where it is so.
+   subroutine note_rig(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: weights(size(model%cases))
+      integer :: i
+      if (top_md(model%trajectory) > 0.0_wp) return
+      weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
+      call note_block(model, units, weights, notes)
+      call note_measured(model, units, weights, notes)
+      call note_swapped(model, units, notes)
+   end subroutine note_rig
+
+   !> A block that is lighter than that of any rig that carries such a string.
+   subroutine note_block(model, units, weights, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: weights(:)      !< of strings, by load case [N]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: heaviest
+      character(:), allocatable :: share
+      if (size(weights) == 0) return
+      heaviest = maxval(weights)
+      associate (block => model%rig%block_weight, most => model%rig%max_hookload)
+         if (.not. block > 0.0_wp) return
+         if (block < lightest_block*heaviest) then
+            share = to_text(block/heaviest/percent, few_digits)//' % of the string, which weighs '// &
+                    in_units(units, unit_force, heaviest, digits)//' in mud'
+         else if (most%present .and. block < lightest_of_rig*most%value) then
+            share = to_text(block/most%value/percent, few_digits)//' % of max_hookload'
+         else
+            return
+         end if
+         call append_text(notes, 'group &rig: block_weight = '//in_units(units, unit_force, block, digits)//' is '// &
+            share//'. Is it in tonnes? '// &
+            to_text(block/units%force, digits)//' t are '// &
+            in_units(units, unit_force, block/units%force*tonne*model%gravity, digits))
+      end associate
+   end subroutine note_block
+
+   !> A measured hook load that is far from what string and block weigh, or was measured without the block, it seems.
+   subroutine note_measured(model, units, weights, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: weights(:)      !< of strings, by load case [N]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: expected, share
+      logical :: bears_all       ! the hook bears the whole weight at least
+      integer :: i
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (.not. case%measured_hookload%present) cycle
+            expected = weights(i) - case%wob
+            if (model%rig%given) expected = expected + model%rig%block_weight
+            if (.not. expected > 0.0_wp) cycle
+            share = case%measured_hookload%value/expected
+            if (case%measured_hookload%value <= model%rig%block_weight .and. case%operation == operation_trip_out .and. &
+                case%measured_hookload%value > least_measured*weights(i)) then
+               call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload is no more than block_weight of '// &
+                                '&rig; with &rig it is what the indicator shows, the block counted in')
+               return
+            end if
+            bears_all = block_way(case%operation) > 0 .or. (rotates(case%operation) .and. .not. moves_axially(case%operation))
+            if (.not. (share > most_measured .or. (share < least_measured .and. bears_all))) cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload = '// &
+               in_units(units, unit_force, case%measured_hookload%value, digits)//' is '// &
+               to_text(share/percent, few_digits)//' % of what '//either('string and block weigh', 'the string weighs', &
+               model%rig%given)//' in mud'//either(' less WOB', '', case%wob > 0.0_wp)//', '// &
+               in_units(units, unit_force, expected, digits)//'. Check the unit')
+            return
+         end associate
+      end do
+   end subroutine note_measured
+
+   !> A pick-up weight below the slack-off weight of the same string at the same depth.
+   subroutine note_swapped(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do i = 1, size(model%cases)
+         do k = 1, size(model%cases)
+            associate (up => model%cases(i), down => model%cases(k))
+               if (up%operation /= operation_trip_out .or. down%operation /= operation_trip_in .or. up%string /= down%string) cycle
+               if (.not. (up%measured_hookload%present .and. down%measured_hookload%present)) cycle
+               if (abs(up%bit_depth - down%bit_depth) > same_depth .or. abs(up%wob) > 0.0_wp .or. abs(down%wob) > 0.0_wp) cycle
+               if (up%measured_hookload%value >= down%measured_hookload%value) cycle
+               call append_text(notes, 'load case '//quoted(up%name)//': measured_hookload = '// &
+                  in_units(units, unit_force, up%measured_hookload%value, digits)//' of pick-up is below the '// &
+                  in_units(units, unit_force, down%measured_hookload%value, digits)//' of slack-off in '//quoted(down%name)// &
+                  '. Are the two swapped?')
+               return
+            end associate
+         end do
+      end do
+   end subroutine note_swapped
+
+   !> Weight of a string in mud along the hole [N].
+   function hanging_weight(model, load_case) result(weight)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp) :: weight
+      real(wp), allocatable :: tops(:)
+      real(wp) :: upper, lower
+      integer :: i
+      weight = 0.0_wp
+      associate (string => model%strings(string_index(model%strings, load_case%string)), bit => load_case%bit_depth)
+         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
+         lower = bit
+         do i = 1, size(tops)
+            upper = max(bit - tops(i), top_md(model%trajectory))
+            if (upper < lower) weight = weight + (true_vertical_depth(model%trajectory, lower) - &
+               true_vertical_depth(model%trajectory, upper))* &
+               buoyed_weight(string%components(i), density_at(model%mud, side_outside, 0.5_wp*(lower + upper), bit), &
+                             density_at(model%mud, side_inside, 0.5_wp*(lower + upper), bit), model%gravity)
+            lower = upper
+         end do
+      end associate
+   end function hanging_weight
+end module dg_unusual_rig
