@@ -122,7 +122,8 @@ contains
 
    !> Hook loads that know only a mixture of two sections, or are below the weight of the string.
    subroutine test_apart()
-      character(*), parameter :: apart = "measure at other depths or in other operations, or separate less"
+      character(*), parameter :: apart = "measure at other depths or in other operations, or "// &
+                                          "find one factor for all (separate = 'none')"
       character(:), allocatable :: deck
       deck = straight_deck(70.0_wp, 150.0_wp, 60.0_wp, "cases = 'b', 'c'")
       call follow_run(deck, apart, "cases = 'b', 'c'", "cases = 'a', 'b', 'c'")
