@@ -45,11 +45,11 @@ contains
       call put(row, 'model', quantity_text, 'as in summary.csv', found%model)
       call put(row, 'parameter', quantity_text, &
                'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point', found%parameter)
-      call put(row, 'hole', quantity_text, 'hole section that it is for; empty: all named', found%hole)
-      call put(row, 'operation', quantity_text, 'operation that it is for; empty: all', found%operation)
-      call put(row, 'bit_depth', quantity_length, 'depth of the bit that it is for; empty: all', found%bit_depth)
-      call put(row, 'start', quantity_none, 'the factor as the deck has it (mean over cases and sections)', found%start)
-      call put(row, 'value', quantity_none, 'the factor that fits best', found%factor%value)
+      call put(row, 'hole', quantity_text, 'hole section of the factor; empty: all named', found%hole)
+      call put(row, 'operation', quantity_text, 'operation of the factor; empty: all', found%operation)
+      call put(row, 'bit_depth', quantity_length, 'bit depth of the factor; empty: all', found%bit_depth)
+      call put(row, 'start', quantity_none, 'factor in the deck (mean over cases and sections)', found%start)
+      call put(row, 'value', quantity_none, 'best fit', found%factor%value)
       call put(row, 'lower', quantity_none, &
                'lower end of its 95 % confidence interval; empty: not known', lower_end(found%factor))
       call put(row, 'upper', quantity_none, 'upper end', upper_end(found%factor))
@@ -59,35 +59,35 @@ contains
                'not_separated (only a combination is determined), no_fit, no_solution; '// &
                'below_bit: the string is free', found%verdict)
       call put(row, 'scatter', quantity_none, &
-               'of all residuals divided by standard deviations (of the deck, else 2 % of the mean); about 1 where '// &
-               'these are right', found%scatter)
-      call put(row, 'message', quantity_text, 'why there is no fit', found%message)
+               'scatter of residuals divided by standard deviations (of the deck, else 2 % of the mean); about 1 if these are '// &
+               'right', found%scatter)
+      call put(row, 'message', quantity_text, 'reason of a missing fit', found%message)
       call put(row, 'offset', quantity_force, &
-               'what the gauge shows beyond string and block, in rows of a hookload_offset', found%offset%value)
+               'reading of the gauge in excess of string and block, in rows of hookload_offset', found%offset%value)
       call put(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval', lower_end(found%offset))
       call put(row, 'offset_upper', quantity_force, 'upper end', upper_end(found%offset))
       call put(row, 'case', quantity_text, &
                'load case, in rows of sticking and free_point (its second pull)', found%load_case)
       call put(row, 'depth', quantity_length, &
-               'of the stuck point, as given (sticking) or found with friction (free_point)', found%held%depth)
+               'depth of the stuck point, as given (sticking) or found with friction (free_point)', found%held%depth)
       call put(row, 'depth_frictionless', quantity_length, &
                'free point by the usual formula, without friction', found%held%depth_frictionless)
       call put(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
-      call put(row, 'tension_below', quantity_force, 'there in a free string', found%held%tension_below)
+      call put(row, 'tension_below', quantity_force, 'the same in a free string', found%held%tension_below)
       call put(row, 'resistance', quantity_force, &
                'above less below: > 0 holds the string down, < 0 up', &
                difference(found%held%tension_above, found%held%tension_below))
       call put(row, 'resistance_interval', quantity_force, &
                'half its 95 % interval, from hookload_deviation alone', found%held%half_width)
       call put(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
-      call put(row, 'torque_below', quantity_moment, 'there in a free string', found%held%torque_below)
+      call put(row, 'torque_below', quantity_moment, 'the same in a free string', found%held%torque_below)
       call put(row, 'torque_resistance', quantity_moment, &
                'above less below', difference(found%held%torque_above, found%held%torque_below))
       call put(row, 'applied', quantity_none, &
-               'the factor that the rest of the run used; empty: that of the deck', found%applied)
+               'factor used in the rest of the run; empty: that of the deck', found%applied)
       call put(row, 'hookload_deviation', quantity_force, &
                'standard deviation of hook loads by the residuals', found%hookload_deviation)
-      call put(row, 'torque_deviation', quantity_moment, 'of torques', found%torque_deviation)
+      call put(row, 'torque_deviation', quantity_moment, 'standard deviation of torques by the residuals', found%torque_deviation)
    end function factor_row
 
    pure function lower_end(estimate) result(lower)
