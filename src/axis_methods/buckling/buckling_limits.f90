@@ -6,9 +6,9 @@
 !> - In a bend the compression itself presses the string on or lifts it off (He & Kyllingstad 1995, SPE 25370):
 !>   n = |w_across - F k| with the curvature vector k of the hole. So F is a root of F = 2 sqrt(EI n(F)/c).
 !> - In a vertical hole nothing presses; there the weight of the string itself carries it up to Lubinski's (1950)
-!>   1.94 (EI w^2)^(1/3) at the lower end of the compressed part. That is for a string of 8 (EI/w)^(1/3); longer ones buckle
-!>   earlier, towards 1.02 of a length without bound. The limit is the larger of the two: without the second every near-vertical
-!>   hole would raise an alarm.
+!>   1.94 (EI w^2)^(1/3) at that end of the compressed part where it is compressed most. That is for a string of 8 (EI/w)^(1/3);
+!>   longer ones buckle earlier, towards 1.02 of a length without bound. The limit is the larger of the two: without the second
+!>   every near-vertical hole would raise an alarm.
 !> - Helical: published limits lie between 1.41 and 2.83 times the sinusoidal one. Two are given: sqrt(2) times
 !>   (Chen, Lin & Cheatham 1990, from energy) and 2 sqrt(2) - 1 times (Wu & Juvkam-Wold 1993, while loading); in a
 !>   vertical hole 5.55 (EI w^2)^(1/3) (Wu & Juvkam-Wold 1993).
@@ -168,13 +168,14 @@ contains
       if (weight > 0.0_wp) force = 2.0_wp*weight/(bend + sqrt(bend**2 + clearance/ei*weight))
    end function least_curved_limit
 
-   !> Unit of force of a heavy vertical string [N], (EI w^2)^(1/3); 0 where its weight does not hang from above.
+   !> Unit of force of a heavy vertical string [N], (EI w^2)^(1/3). A string that floats, or stands on its upper end, is compressed
+   !> there most: the same string upside down.
    elemental function vertical_unit(ei, weight) result(force)
       real(wp), intent(in) :: ei       !< bending stiffness [N.m2]
-      real(wp), intent(in) :: weight   !< along the hole, w cos(theta) [N/m]
+      real(wp), intent(in) :: weight   !< along the hole, w cos(theta), of either sign [N/m]
       real(wp) :: force
       force = 0.0_wp
-      if (weight > 0.0_wp) force = (ei*weight**2)**(1.0_wp/3.0_wp)
+      if (abs(weight) > 0.0_wp) force = (ei*weight**2)**(1.0_wp/3.0_wp)
    end function vertical_unit
 
    !> Helical limit [N] by one of the two factors: of the inclined hole or of the vertical one, the larger.

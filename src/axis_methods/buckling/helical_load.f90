@@ -28,7 +28,7 @@ contains
       real(wp) :: load
       !> Of one without weight; loads are divided by it [N].
       real(wp), parameter :: next_to_none = 1.0e-6_wp
-      load = max(2.0_wp*lubinski_first*vertical_unit(ei, abs(weight)), next_to_none)
+      load = max(2.0_wp*lubinski_first*vertical_unit(ei, weight), next_to_none)
    end function least_helical_load
 
    !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
