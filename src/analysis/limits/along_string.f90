@@ -16,7 +16,7 @@ module dg_along_string
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_mcge
-   use dg_joint_bending, only: joint_magnification
+   use dg_joint_bending, only: joint_magnification, pulled_magnification
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
@@ -41,7 +41,7 @@ module dg_along_string
       real(wp), allocatable :: per_moment(:)        !< bending stress that a unit moment makes there [1/m3]
       real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
-      real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
+      real(wp), allocatable :: von_mises(:)         !< largest in the section, with bending between tool joints [Pa]
       real(wp), allocatable :: yield_left(:)        !< yield strength at the temperature there over that of the deck [-]
       real(wp), allocatable :: safety_factor(:)     !< yield strength there over von_mises [-]
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
@@ -76,7 +76,7 @@ contains
       type(along_string_type), intent(out) :: along
       real(wp), allocatable :: tops(:)
       type(fluid_column_type) :: outside, inside
-      real(wp) :: bit, weight, depths(size(result%profile%md))
+      real(wp) :: bit, weight, curvature, moment, depths(size(result%profile%md))
       integer :: i, k, n, string, part, hole, first, last, arc(2)
       logical :: apart, solved      ! joint by joint; bending between contacts
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
@@ -107,9 +107,12 @@ contains
             along%inside_pressure(i) = pressure_at(inside, depths(i), profile%tvd(i))
             along%hole_diameter(i) = model%holes(hole)%diameter
             along%yield_left(i) = yield_left(components(part), warmth(i))
-            call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), along)
-            call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), &
-                           curvature_at(model, profile%md(i), arc(first)), solved, along)
+            curvature = curvature_at(model, profile%md(i), arc(first))
+            moment = profile%bending(i)
+            if (.not. solved) moment = moment_between(components(part), profile%axial(i), moment, &
+                                                      max(curvature, curvature_at(model, profile%md(i), arc(last))))
+            call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, along)
+            call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), curvature, solved, along)
             if (has_joints(components(part)) .and. .not. solved) &
                along%joint_side_force(i) = profile%side_force(i)*components(part)%joint_spacing
             do k = first, last
@@ -127,7 +130,7 @@ contains
             end if
             if (components(part)%yield > 0.0_wp) along%overpull(i) = &
                pull_margin(components(part), along%yield_left(i)*components(part)%yield, profile%axial(i), profile%torque(i), &
-                           profile%bending(i), along%curvature(i), solved, along%buckling(i) /= buckling_none, &
+                           moment, along%curvature(i), along%buckling(i) /= buckling_none, &
                            along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
@@ -167,13 +170,36 @@ contains
       end do
    end subroutine put_joint_forces
 
+   !> Largest moment next to tool joints, or between them, of a string that was not solved joint by joint [N.m]: its own or that of
+   !> the hole's curvature, and what the pipe bends more there. In tension the body's contact with the wall counts; in compression
+   !> beyond the closed form it is its own.
+   elemental function moment_between(part, axial, moment, curvature) result(largest)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: axial       !< effective [N]
+      real(wp), intent(in) :: moment      !< its own, >= 0 [N.m]
+      real(wp), intent(in) :: curvature   !< of the hole [1/m]
+      real(wp) :: largest
+      real(wp) :: factor
+      largest = moment
+      if (.not. (has_joints(part) .and. curvature > 0.0_wp)) return
+      associate (ei => bending_stiffness(part), half => 0.5_wp*part%joint_spacing, off => 0.5_wp*(part%joint_od - part%od))
+         if (axial > 0.0_wp) then
+            factor = pulled_magnification(axial, ei, half, curvature, off)
+         else
+            factor = joint_magnification(axial, ei, half, curvature, off)
+         end if
+         if (.not. is_missing(factor)) largest = max(moment, ei*curvature) + ei*curvature*(factor - 1.0_wp)
+      end associate
+   end function moment_between
+
    !> Stresses at row `i`, whose pressures and yield strength are there already.
-   pure subroutine put_stress(i, part, axial, torque, moment, along)
+   pure subroutine put_stress(i, part, axial, torque, moment, largest, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
-      real(wp), intent(in) :: axial    !< effective [N]
-      real(wp), intent(in) :: torque   !< [N.m]
-      real(wp), intent(in) :: moment   !< [N.m]
+      real(wp), intent(in) :: axial     !< effective [N]
+      real(wp), intent(in) :: torque    !< [N.m]
+      real(wp), intent(in) :: moment    !< [N.m]
+      real(wp), intent(in) :: largest   !< the same next to tool joints or between them, for von Mises' stress [N.m]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
       real(wp) :: od, yield
@@ -186,6 +212,8 @@ contains
       along%per_moment(i) = 0.5_wp*od/tube_inertia(od, part%id)
       along%torsional_stress(i) = stress%torsional
       along%hoop_stress(i) = stress%hoop
+      if (largest > moment) stress = pipe_stress(od, part%id, along%true_axial(i), torque, largest, along%pressure(i), &
+                                                 along%inside_pressure(i))
       along%von_mises(i) = stress%von_mises
       if (.not. part%yield > 0.0_wp) return
       yield = along%yield_left(i)*part%yield
