@@ -91,7 +91,6 @@ module dg_whole_string
 contains
 
    !> All of it, from a result and its columns along the string.
-   !>
    !> The weights on bit are those of a soft string with the friction of this case, whatever the model of the
    !> result: a search with beams would cost a hundred solutions. The first two leave out what a buckled string adds to
    !> the contact force; the third has it. Absent for operations that pull.
@@ -103,6 +102,7 @@ contains
       type(whole_string_type), intent(out) :: whole
       type(groove_type), allocatable :: grooves(:)
       type(fatigue_type), allocatable :: parts(:)
+      real(wp) :: coiled
       integer :: i
       associate (profile => result%profile)
          call add_deformation(model, result, along, whole)
@@ -117,10 +117,11 @@ contains
          call least_of(along%standoff, profile%md, whole%least_standoff, whole%least_standoff_md)
          whole%buckling = maxval(along%buckling)
          do i = 2, size(profile%md)
-            associate (length => profile%md(i) - profile%md(i - 1), state => maxval(along%buckling(i - 1:i)))
-               if (minval(along%buckling(i - 1:i)) == buckling_none) cycle
-               if (state == buckling_sinusoidal) whole%sinusoidal_length = whole%sinusoidal_length + length
-               if (state > buckling_sinusoidal) whole%helical_length = whole%helical_length + length
+            associate (length => profile%md(i) - profile%md(i - 1), axial => profile%axial(i - 1:i))
+               coiled = length*share_beyond(along%helical(i - 1:i), axial)
+               whole%helical_length = whole%helical_length + coiled
+               whole%sinusoidal_length = whole%sinusoidal_length + &
+                                         max(length*share_beyond(along%sinusoidal(i - 1:i), axial) - coiled, 0.0_wp)
             end associate
          end do
          i = maxloc(profile%bending, dim=1)
@@ -158,6 +159,19 @@ contains
       call add_margins(model, result, rig_limit, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
+
+   !> Part of the string between two rows whose compression is beyond a limit, by a straight line [-]; none without a limit.
+   pure function share_beyond(limit, axial) result(share)
+      real(wp), intent(in) :: limit(2)   !< compression, may be missing [N]
+      real(wp), intent(in) :: axial(2)   !< tension > 0 [N]
+      real(wp) :: share, beyond(2)
+      share = 0.0_wp
+      if (any(is_missing(limit))) return
+      beyond = -axial - limit
+      if (.not. any(beyond > 0.0_wp)) return
+      share = 1.0_wp
+      if (any(beyond < 0.0_wp)) share = maxval(beyond)/(maxval(beyond) - minval(beyond))
+   end function share_beyond
 
    !> A number that may be missing as one that may be absent.
    elemental subroutine take(number, optional)
@@ -348,7 +362,6 @@ contains
       real(wp) :: bit, moment
       integer :: i, place
       margin = endless
-      place = 1
       bit = model%cases(result%case_index)%bit_depth
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, &
                           other=other_loads_type(coiled=.true., wob=given(wob)))
@@ -357,7 +370,8 @@ contains
          depths = piece_depths(result%profile)
          do i = 1, size(axial)
             if (axial(i) >= 0.0_wp) cycle
-            associate (part => string%components(component_at(tops, bit - depths(i))))
+            place = component_at(tops, bit - depths(i))
+            associate (part => string%components(place))
                if (.not. part%yield > 0.0_wp) cycle
                moment = result%profile%bending(i)
                if (along%buckling(i) /= buckling_none) moment = bending_stiffness(part)*along%curvature(i)
