@@ -1,5 +1,5 @@
-!> Concentrated contacts against statics: a slick assembly that lands, two stabilizers, the end of a bend under tension, tool
-!> joints.
+!> Concentrated contacts against statics: a slick assembly that lands, two stabilizers, a blade between held ends, the end of
+!> a bend under tension, tool joints.
 module dg_test_contacts
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
@@ -10,6 +10,7 @@ module dg_test_contacts
    use dg_load_case, only: operation_static, operation_trip_out
    use dg_missing, only: is_missing
    use dg_model, only: model_type
+   use dg_profile, only: side_above, side_below, state_free
    use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
    implicit none
    private
@@ -28,6 +29,7 @@ contains
       suite = TestSuite('contacts')
       call suite%addTest(TestMethod('slick_assembly_lands', test_slick))
       call suite%addTest(TestMethod('two_stabilizers', test_stabilizers))
+      call suite%addTest(TestMethod('blade_between_held_ends', test_blade))
       call suite%addTest(TestMethod('end_of_a_bend', test_bend))
       call suite%addTest(TestMethod('tool_joints', test_joints))
    end function contacts_suite
@@ -120,8 +122,71 @@ contains
       landed = w*(depth - result%contacts(edges(1))%md)
       call note('carried over weight', (sum(result%contacts([blades, edges])%force) + bit)/landed)
       call assertRelativelyEqual(landed, sum(result%contacts([blades, edges])%force) + bit, within)
+      call check_part(result, parts(1)%length, parts(2)%length, result%contacts(blades(2))%force)
+      call check_part(result, sum(parts(1:3)%length), parts(4)%length, result%contacts(blades(1))%force)
       call check_sum(result)
    end subroutine test_stabilizers
+
+   !> Two equal spans of a level collar that is held in the middle of the hole at both ends. Weight presses a short blade between
+   !> them onto the low side with 5 w L/8 - 48 EI c/L^3, L being the length of both spans and c the clearance of the blade. The rows
+   !> of the blade hold that force, the rows of the free collar beside it none.
+   subroutine test_blade()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: parts(3)
+      integer, allocatable :: blades(:)
+      integer :: i, upper, lower
+      real(wp), parameter :: length = 10.0_wp, blade = 0.1_wp, blade_od = 0.2127_wp
+      real(wp) :: force
+      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+      do i = 1, 3
+         parts(i) = pipe(w, od, id)
+      end do
+      parts(1:2)%length = [0.5_wp*(length - blade), blade]
+      parts(2)%joint_od = blade_od
+      parts(2)%kind = 'stabilizer'
+      deallocate (model%strings(1)%components)
+      allocate (model%strings(1)%components, source=parts)
+      call hold_ends(model)
+      call set_wall(model)
+      call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'blade between held ends')
+      force = 0.625_wp*w*length - 24.0_wp*bending_stiffness(pipe(w, od, id))*(hole - blade_od)/length**3
+      blades = those(result, contact_blades)
+      call assertEqual(1, size(blades))
+      if (size(blades) /= 1) return
+      call note('contact force of the blade over the closed form', result%contacts(blades(1))%force/force)
+      call assertRelativelyEqual(force, result%contacts(blades(1))%force, 0.002_wp, message='blade')
+      call check_part(result, parts(1)%length, blade, result%contacts(blades(1))%force)
+      associate (p => result%profile)
+         upper = findloc(p%side, side_above, dim=1)
+         lower = findloc(p%side, side_below, dim=1, back=.true.)
+         call assertEqual([0.0_wp, 0.0_wp], p%side_force([upper, lower]), message='side force of the collar beside it')
+         call assertEqual([state_free, state_free], p%gap_state([upper, lower]), message='state of the collar beside it')
+         call assertTrue(all(p%side_force([upper + 1, lower - 1]) > force/blade), message='both edges of the blade press')
+         call assertTrue(all(p%gap_state([upper + 1, lower - 1]) /= state_free), message='state of the edges')
+      end associate
+      call check_sum(result)
+   end subroutine test_blade
+
+   !> By the trapezoid rule the rows of a part of the string, of which two stand at each end, hold its contact force.
+   subroutine check_part(result, from_bit, length, force)
+      type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: from_bit       !< of the lower end of the part [m]
+      real(wp), intent(in) :: length         !< of the part [m]
+      real(wp), intent(in) :: force          !< [N]
+      real(wp), parameter :: same_place = 1.0e-6_wp
+      real(wp) :: bottom
+      integer :: first, last
+      associate (p => result%profile)
+         bottom = p%md(size(p%md)) - from_bit
+         first = findloc(abs(p%md - bottom + length) < same_place .and. p%side == side_below, .true., dim=1)
+         last = findloc(abs(p%md - bottom) < same_place .and. p%side == side_above, .true., dim=1)
+         call assertTrue(first > 0 .and. last > first, message='rows at both ends')
+         if (.not. (first > 0 .and. last > first)) return
+         call assertRelativelyEqual(force, sum(0.5_wp*(p%side_force(first + 1:last) + p%side_force(first:last - 1))* &
+                                               (p%md(first + 1:last) - p%md(first:last - 1))), same, message='area over the part')
+      end associate
+   end subroutine check_part
 
    !> Weightless pipe pulled with T out of an arc of curvature k into straight hole. Its moment is EI k where it lies on the
    !> wall and fades from there as exp(-x sqrt(T/EI)): the shear force jumps by k sqrt(T EI), sqrt(EI/T) within the arc,

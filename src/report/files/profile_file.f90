@@ -28,7 +28,8 @@ contains
       call put(list, 'azimuth', quantity_angle, 'azimuth of the hole axis; 0 in a vertical hole', profile%azimuth)
       call put(list, 'axial', quantity_force, 'effective axial force, tension positive', profile%axial)
       call put(list, 'torque', quantity_moment, 'torque; positive for right-hand rotation from the top', profile%torque)
-      call put(list, 'side_force', quantity_line_load, 'normal contact force per length', profile%side_force)
+      call put(list, 'side_force', quantity_line_load, &
+               'normal contact force per length; the area over a blade is its contact force', profile%side_force)
       call put(list, 'bending', quantity_moment, &
                'resultant bending moment of both planes, curvature of the hole included; soft: EI times the curvature of the '// &
                'hole', profile%bending)
@@ -37,7 +38,8 @@ contains
                'where the string lies: degrees from the high side (from north where the hole is vertical), clockwise '// &
                'looking down the hole', profile%clock)
       call put(list, 'gap_state', quantity_text, &
-               'free, elastic or rigid: the hardest of the adjoining elements', profile%gap_state, state_name)
+               'free, elastic or rigid: the hardest of the adjoining elements; where two rows stand, of its own side', &
+               profile%gap_state, state_name)
       call put(list, 'true_axial', quantity_force, &
                'axial force in the wall of the pipe: effective - (p_o A_o - p_i A_i)', along%true_axial)
       call put(list, 'shear', quantity_force, 'resultant shear force; empty for soft', profile%shear)

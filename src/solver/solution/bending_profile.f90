@@ -28,6 +28,7 @@ module dg_bending_profile
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_moved_walls, only: firm, less_firm
+   use dg_recovery, only: part_profile
    use dg_trajectory, only: arc_at, frame_on_arc, inclination_of, top_md, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -65,7 +66,7 @@ module dg_bending_profile
 contains
 
    !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
-   !> be off. Where the beam finds no equilibrium near that of the analysis, the profile stays as it is, and that error is missing.
+   !> be off. Where the beam finds no equilibrium near that of the analysis, only its rows are doubled, and that error is missing.
    subroutine bend_profile(model, mesh, gaps, work, result, steep)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -83,7 +84,10 @@ contains
       steep = 0.0_wp
       if (.not. all(solved%bends)) steep = [mesh%md(findloc(solved%bends, .false., dim=1)), &
                                            mesh%md(findloc(solved%bends, .false., dim=1, back=.true.) + 1)]
-      if (.not. any(solved%bends)) return
+      if (.not. any(solved%bends)) then
+         call part_profile(model, result%case_index, mesh, gaps, work, result%profile)
+         return
+      end if
       call find_breaks(model, mesh, gaps, solved, .true., breaks, longest)
       allocate (nodes, source=graded_nodes(breaks, longest))
       if (any(stands_alone(mesh, gaps, [(e, e=1, mesh%elements)]))) then
@@ -102,7 +106,10 @@ contains
          if (result%unlike_contact%share <= most_unlike) exit
          result%moment_error = missing
       end do
-      if (is_missing(result%moment_error)) return
+      if (is_missing(result%moment_error)) then
+         call part_profile(model, result%case_index, mesh, gaps, work, result%profile)
+         return
+      end if
       result%moment_error = result%moment_error + alike       ! rows may be so far from the beam
       result%beam_nodes = size(beam%md)
       call take_bit(model%trajectory, mesh, beam, bent, result)
@@ -110,7 +117,7 @@ contains
       result%shortening = shortening_of(beam%place, bent%y)
       scale = contact_scale(solved%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
-      call merge_rows(model%trajectory, mesh, work, beam, bent, scale, result%profile)
+      call merge_rows(model, mesh, gaps, work, beam, bent, scale, result)
    end subroutine bend_profile
 
    !> Side force of the bit where it is held, and tilt of the bit: those of the beam. In the last of the analysis' elements the

@@ -4,9 +4,12 @@ module dg_bending_rows
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
    use dg_bending_element, only: contact_xi
    use dg_bending_nodes, only: rows_needed
-   use dg_case_result, only: unlike_contact_type
+   use dg_case_result, only: case_result_type, unlike_contact_type
+   use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type, reach_of
-   use dg_profile, only: new_profile, profile_type, state_elastic, state_rigid
+   use dg_model, only: model_type
+   use dg_profile, only: new_profile, profile_type, side_above, side_below, state_elastic, state_free, state_rigid, taken_rows
+   use dg_profile_rows, only: lay_rows
    use dg_trajectory, only: arc_at, azimuth_of, clock_angle, frame_on_arc, inclination_of, point_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
    implicit none
@@ -22,54 +25,90 @@ module dg_bending_rows
 contains
 
    !> Makes the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
-   !> Straight lines between the rows are then within a quarter of a per cent of the largest moment.
-   pure subroutine merge_rows(trajectory, mesh, work, beam, bent, scale, profile)
-      type(trajectory_type), intent(in) :: trajectory
+   !> Straight lines between the rows are then within a quarter of a per cent of the largest moment. Where something changes two
+   !> rows stand at one depth, each with the contact of its own side.
+   pure subroutine merge_rows(model, mesh, gaps, work, beam, bent, scale, result)
+      type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
-      real(wp), intent(in) :: scale(:)                !< see contact_scale
-      type(profile_type), intent(inout) :: profile    !< on entry of the analysis, on return of the beam
-      type(profile_type) :: own
-      real(wp) :: moment(size(beam%md)), share, side_force(size(beam%md)), above(size(beam%md)), weight, across(2)
+      real(wp), intent(in) :: scale(:)                  !< see contact_scale
+      type(case_result_type), intent(inout) :: result   !< its profile on entry of the analysis, on return of the beam
+      type(profile_type) :: own, profile
+      real(wp) :: moment(size(beam%md)), share, above(size(beam%md)), weight, across(2)
       logical :: kept(size(beam%md))
       integer, allocatable :: rows(:)
-      integer :: n, o, e, row
-      call choose_moments(mesh, beam, bent%forces, profile%bending, moment, kept)
+      integer :: n, o, row
+      own = result%profile
+      call choose_moments(mesh, beam, bent%forces, own%bending, moment, kept)
       rows = pack([(n, n=1, size(kept))], kept)
-      side_force = side_forces(mesh, work, beam, bent, scale, rows)
       above = contact_above(mesh, beam, bent)
-      own = profile
       profile = new_profile(size(rows))
       do row = 1, size(rows)
          n = rows(row)
          o = beam%owner(min(n, size(beam%owner)))
          share = (beam%md(n) - mesh%md(o))/mesh%length(o)
          profile%md(row) = beam%md(n)
-         call put_place(trajectory, mesh%arc(o), row, profile)
+         call put_place(model%trajectory, mesh%arc(o), row, profile)
          weight = mesh%weight(o)*mesh%chord(3, o)
          profile%axial(row) = own%axial(o) - share*weight - above(n)*(own%axial(o) - own%axial(o + 1) - weight)
          profile%torque(row) = (1.0_wp - above(n))*own%torque(o) + above(n)*own%torque(o + 1)
          profile%bending(row) = moment(n)
-         profile%side_force(row) = side_force(n)
          if (beam%held(n)) then       ! a node of the mesh
             if (share > 0.5_wp) o = o + 1
             profile%displacement(row) = own%displacement(o)
             profile%clock(row) = own%clock(o)
             profile%shear(row) = own%shear(o)
-            profile%gap_state(row) = own%gap_state(o)
          else
             across = bent%y(1:2, n)
             profile%displacement(row) = length_of(across)
-            profile%clock(row) = clock_in_hole(trajectory, mesh%arc(o), beam%place(n), across)
+            profile%clock(row) = clock_in_hole(model%trajectory, mesh%arc(o), beam%place(n), across)
             profile%shear(row) = length_of(bent%forces(1:2, n) + beam%axial(n)*bent%y(3:4, n))
-            e = max(o - 1, 1)
-            if (side_force(n) > 0.0_wp) profile%gap_state(row) = merge(state_rigid, state_elastic, profile%displacement(row) > &
-               min(reach_of(mesh, e), reach_of(mesh, o)) + minval(mesh%eps_nmax(e:o))*minval(mesh%clearance(e:o)))
          end if
       end do
+      call put_contact(model, mesh, gaps, beam, rows, contact_at_rows(mesh, work, beam, bent, scale, rows), result%case_index, &
+                       profile)
+      result%profile = profile
    end subroutine merge_rows
+
+   !> Doubles the rows where something changes, and puts side force and state of contact into all rows. The area under straight lines
+   !> between the rows of a part of the string is the contact force of that part.
+   pure subroutine put_contact(model, mesh, gaps, beam, rows, force, case_index, profile)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(bending_beam_type), intent(in) :: beam
+      integer, intent(in) :: rows(:)                    !< nodes of the beam that are rows
+      real(wp), intent(in) :: force(:, :)               !< at the rows, of contact_at_rows [N]
+      integer, intent(in) :: case_index
+      type(profile_type), intent(inout) :: profile      !< with one row a node on entry
+      integer, allocatable :: from(:), side(:)
+      real(wp) :: length(2), share(2)
+      integer :: state(2), element(2), row, i, k, n
+      call lay_rows(model, case_index, profile%md, from, side)
+      profile = taken_rows(profile, from)
+      profile%side = side
+      do i = 1, size(from)
+         row = from(i)
+         n = rows(row)
+         length = beam%md([n, rows(min(row + 1, size(rows)))]) - beam%md([rows(max(row - 1, 1)), n])
+         share = merge(0.0_wp, 1.0_wp, [side(i) == side_below, side(i) == side_above])
+         profile%side_force(i) = 2.0_wp*sum(share*force(:, row))/sum(share*length)
+         element = beam%owner([max(n - 1, 1), min(n, size(beam%owner))])
+         do k = 1, 2
+            state(k) = state_free
+            if (beam%held(n)) then
+               state(k) = gaps%state(element(k))
+            else if (force(k, row) > 0.0_wp) then
+               state(k) = merge(state_rigid, state_elastic, profile%displacement(i) > &
+                                reach_of(mesh, element(k)) + mesh%eps_nmax(element(k))*mesh%clearance(element(k)))
+            end if
+         end do
+         profile%gap_state(i) = maxval(state, mask=share > 0.0_wp)
+      end do
+   end subroutine put_contact
 
    !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments are
    !> alike, those of the analysis stand.
@@ -114,35 +153,30 @@ contains
       call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
    end subroutine choose_moments
 
-   !> Contact force per metre at the rows [N/m], 0 at the other nodes. The area under straight lines between the rows is the sum of
-   !> contact of the analysis.
-   pure function side_forces(mesh, work, beam, bent, scale, rows) result(per_metre)
+   !> Contact force at each row, of the piece of string above it and of the piece below it (2,rows) [N]. A force between two rows is
+   !> shared by both, as by the ends of a lever.
+   pure function contact_at_rows(mesh, work, beam, bent, scale, rows) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       real(wp), intent(in) :: scale(:)        !< see contact_scale
       integer, intent(in) :: rows(:)          !< nodes of the beam that are rows, the first and the last among them
-      real(wp) :: per_metre(size(beam%md))
-      real(wp) :: forces(size(beam%md)), share
-      integer :: n, row, upper, lower
-      forces = nodal_contact(mesh, work, beam, bent, scale)
-      per_metre = 0.0_wp
+      real(wp) :: forces(2, size(rows))
+      real(wp) :: ends(2, size(beam%element)), share(2)
+      integer :: e, row
+      ends = contact_at_ends(mesh, work, beam, bent, scale)
+      forces = 0.0_wp
       row = 1
-      do n = 1, size(forces)
-         if (n > rows(row + 1)) row = row + 1
-         upper = rows(row)
-         lower = rows(row + 1)
-         share = (beam%md(n) - beam%md(upper))/(beam%md(lower) - beam%md(upper))
-         per_metre(upper) = per_metre(upper) + (1.0_wp - share)*forces(n)
-         per_metre(lower) = per_metre(lower) + share*forces(n)
+      do e = 1, size(beam%element)
+         if (e == rows(row + 1)) row = row + 1
+         associate (upper => beam%md(rows(row)), lower => beam%md(rows(row + 1)))
+            share = (beam%md(e:e + 1) - upper)/(lower - upper)
+         end associate
+         forces(2, row) = forces(2, row) + sum((1.0_wp - share)*ends(:, e))
+         forces(1, row + 1) = forces(1, row + 1) + sum(share*ends(:, e))
       end do
-      do row = 1, size(rows)
-         upper = rows(max(row - 1, 1))
-         lower = rows(min(row + 1, size(rows)))
-         per_metre(rows(row)) = 2.0_wp*per_metre(rows(row))/(beam%md(lower) - beam%md(upper))
-      end do
-   end function side_forces
+   end function contact_at_rows
 
    !> Part of the contact of its element of the analysis above a node of the beam [-]. Friction has made that part of its torque and
    !> axial force there. Of an element without contact it is the part of its length.
@@ -174,16 +208,16 @@ contains
       above(size(above)) = 1.0_wp
    end function contact_above
 
-   !> Contact forces at the nodes of the beam [N]. They are distributed as the beam has them, and scaled to the sum of the
-   !> analysis. The force of a tool joint is spread over its element of the analysis. Where the string is not bent again they are
-   !> those of the analysis.
-   pure function nodal_contact(mesh, work, beam, bent, scale) result(forces)
+   !> Contact forces of the elements of the beam, at both of their ends (2,e) [N]. They are distributed as the beam has them, and
+   !> scaled to the sum of the analysis. The force of a tool joint is spread over its element of the analysis. Where the string is
+   !> not bent again they are those of the analysis.
+   pure function contact_at_ends(mesh, work, beam, bent, scale) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       real(wp), intent(in) :: scale(:)        !< see contact_scale
-      real(wp) :: forces(size(beam%md))
+      real(wp) :: forces(2, size(beam%element))
       integer :: e, o, p
       forces = 0.0_wp
       p = 1
@@ -191,20 +225,20 @@ contains
          o = beam%owner(e)
          associate (share => 0.5_wp*(beam%md(e + 1) - beam%md(e))/mesh%length(o))
             if (scale(o) > 0.0_wp) then
-               forces(e) = forces(e) + scale(o)*sum((1.0_wp - contact_xi)*bent%pressed(:, e))
-               forces(e + 1) = forces(e + 1) + scale(o)*sum(contact_xi*bent%pressed(:, e))
+               forces(1, e) = scale(o)*sum((1.0_wp - contact_xi)*bent%pressed(:, e))
+               forces(2, e) = scale(o)*sum(contact_xi*bent%pressed(:, e))
                do while (p < size(bent%points))
                   if (beam%point_owner(p) >= o) exit
                   p = p + 1
                end do
                if (size(bent%points) == 0) cycle
-               if (beam%point_owner(p) == o) forces(e:e + 1) = forces(e:e + 1) + scale(o)*share*bent%points(p)
+               if (beam%point_owner(p) == o) forces(:, e) = forces(:, e) + scale(o)*share*bent%points(p)
             else
-               forces(e:e + 1) = forces(e:e + 1) + share*max(work%normal(o), 0.0_wp)
+               forces(:, e) = share*max(work%normal(o), 0.0_wp)
             end if
          end associate
       end do
-   end function nodal_contact
+   end function contact_at_ends
 
    !> By what the beam's contact forces in each element of the analysis are multiplied, so that each run of elements that is bent
    !> again has the analysis' sum [-]; 0 where the analysis' own forces are taken.

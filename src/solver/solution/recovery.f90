@@ -7,13 +7,15 @@ module dg_recovery
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
-   use dg_profile, only: new_profile, profile_type
+   use dg_model, only: model_type
+   use dg_profile, only: new_profile, profile_type, side_above, side_none, taken_rows
+   use dg_profile_rows, only: lay_rows
    use dg_trajectory, only: azimuth_of, clock_angle, inclination_of, trajectory_type
    use dg_vector, only: cross
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: recover_profile, recover_gaps, recover_bit, check_equilibrium, buoyed_axial_weight
+   public :: recover_profile, part_profile, recover_gaps, recover_bit, check_equilibrium, buoyed_axial_weight
 
 contains
 
@@ -73,6 +75,27 @@ contains
          profile%side_force(n) = max(profile%side_force(n), 0.0_wp)/share
       end do
    end subroutine recover_profile
+
+   !> Doubles the rows of recover_profile where something changes: each side has side force and state of its own element.
+   pure subroutine part_profile(model, case_index, mesh, gaps, work, profile)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      type(workspace_type), intent(in) :: work
+      type(profile_type), intent(inout) :: profile      !< at the nodes of the mesh on entry
+      integer, allocatable :: from(:), side(:)
+      integer :: i, e
+      call lay_rows(model, case_index, profile%md, from, side)
+      profile = taken_rows(profile, from)
+      profile%side = side
+      do i = 1, size(side)
+         if (side(i) == side_none) cycle
+         e = merge(from(i) - 1, from(i), side(i) == side_above)
+         profile%side_force(i) = max(work%normal(e), 0.0_wp)/mesh%length(e)
+         profile%gap_state(i) = gaps%state(e)
+      end do
+   end subroutine part_profile
 
    !> The state table at the end, one row per element from the top down.
    pure subroutine recover_gaps(mesh, gaps, work, rows)
