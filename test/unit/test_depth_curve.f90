@@ -1,9 +1,9 @@
-!> Curves as pictures show them: points left out move no line, forces on a length are the integral, strays are few.
+!> Curves as pictures show them: points left out move no line, strays are few.
 module dg_test_depth_curve
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_constants, only: pi
-   use dg_depth_curve, only: bands_of, force_on_length, kept_points, least_around, lone_angles
+   use dg_depth_curve, only: bands_of, kept_points, least_around, lone_angles
    use dg_missing, only: is_missing, missing
    implicit none
    private
@@ -16,7 +16,6 @@ contains
       suite = TestSuite('depth_curve')
       call suite%addTest(TestMethod('points_kept', test_points))
       call suite%addTest(TestMethod('gaps_and_jumps', test_gaps))
-      call suite%addTest(TestMethod('force_on_length', test_force))
       call suite%addTest(TestMethod('least_and_bands', test_least))
       call suite%addTest(TestMethod('strays', test_strays))
    end function depth_curve_suite
@@ -52,20 +51,6 @@ contains
       call assertTrue(all(kept_points(depth, [0.0_wp, 0.0_wp, 0.0_wp, missing, 0.0_wp, 0.0_wp], 0.1_wp) .eqv. &
                           [.true., .false., .true., .true., .true., .true.]), message='a gap')
    end subroutine test_gaps
-
-   !> A load that grows with depth, 2 + 3 s: its integral by hand. Ends of the string cut the length.
-   subroutine test_force()
-      real(wp), parameter :: md(5) = [0.0_wp, 1.0_wp, 4.0_wp, 4.0_wp, 10.0_wp]
-      real(wp), parameter :: load(5) = 2.0_wp + 3.0_wp*md
-      call assertEqual([whole(0.0_wp, 1.0_wp), whole(2.0_wp, 4.0_wp), whole(3.0_wp, 5.0_wp), whole(9.0_wp, 10.0_wp)], &
-                       force_on_length(md, load, 2.0_wp, [0.0_wp, 3.0_wp, 4.0_wp, 10.0_wp]), 1.0e-12_wp)
-   contains
-      pure function whole(from, to) result(force)
-         real(wp), intent(in) :: from, to
-         real(wp) :: force
-         force = 2.0_wp*(to - from) + 1.5_wp*(to**2 - from**2)
-      end function whole
-   end subroutine test_force
 
    subroutine test_least()
       real(wp), parameter :: depth(5) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp]

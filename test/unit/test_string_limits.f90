@@ -249,12 +249,14 @@ contains
       call assertTrue(all(is_missing(along%standoff)), message='soft')
    end subroutine test_standoff
 
-   !> Smeared joints have their share of the string's contact; those solved one by one stand at the row nearest to them.
+   !> Pipe on the wall as a whole, its side force straight from 100 to 200 N/m: a joint bears the integral over a spacing, which
+   !> ends with its component. Of a component shorter than that it is all of it. Joints solved one by one stand at the row nearest
+   !> to them.
    subroutine test_joint_forces()
       type(model_type) :: model
       type(case_result_type) :: result
       type(along_string_type) :: along
-      real(wp), parameter :: spacing = 9.0_wp
+      real(wp), parameter :: spacing = 9.0_wp, short = 2.0_wp**(-10)
       call build(model, result, 60.0_wp, operation_trip_out)
       result%profile%side_force = [100.0_wp, 200.0_wp, 200.0_wp, 300.0_wp]
       call find_along_string(model, result, along)
@@ -262,8 +264,15 @@ contains
       model%strings(1)%components(2)%joint_od = 0.16_wp
       model%strings(1)%components(2)%joint_spacing = spacing
       call find_along_string(model, result, along)
-      call assertEqual([900.0_wp, 1800.0_wp], along%joint_side_force(:2), 1.0e3_wp*rounding)
+      call assertEqual([900.0_wp, 1800.0_wp] + [50.0_wp, -50.0_wp]*spacing**2/(depth - 50.0_wp), along%joint_side_force(:2), &
+                       1.0e3_wp*rounding)
       call assertTrue(is_missing(along%joint_side_force(3)), message='a collar has none')
+      result%profile%side_force(2) = 1.0e6_wp
+      result%profile%md(1) = depth - 50.0_wp - short
+      call find_along_string(model, result, along)
+      call assertEqual(0.5_wp*(100.0_wp + 1.0e6_wp)*short*[1.0_wp, 1.0_wp], along%joint_side_force(:2), 1.0e3_wp*rounding, &
+                       message='an edge of a short part')
+      result%profile%md(1) = 0.0_wp
       model%numerics%discrete_joints = .true.
       result%model = model_mcge
       allocate (result%contacts, source=[contact_point_type(contact_joint, result%profile%md(1) + 1.0_wp, 5.0e3_wp)])

@@ -8,10 +8,11 @@ module dg_test_contacts
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static, operation_trip_out
-   use dg_missing, only: is_missing
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_profile, only: side_above, side_below, state_free
    use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
+   use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
    public :: contacts_suite
@@ -129,14 +130,17 @@ contains
 
    !> Two equal spans of a level collar that is held in the middle of the hole at both ends. Weight presses a short blade between
    !> them onto the low side with 5 w L/8 - 48 EI c/L^3, L being the length of both spans and c the clearance of the blade. The rows
-   !> of the blade hold that force, the rows of the free collar beside it none.
+   !> of the blade hold that force, the rows of the free collar beside it none. On the length of a joint of pipe the largest side
+   !> force is that force over this length.
    subroutine test_blade()
       type(model_type) :: model
       type(case_result_type) :: result
       type(component_type) :: parts(3)
       integer, allocatable :: blades(:)
       integer :: i, upper, lower
-      real(wp), parameter :: length = 10.0_wp, blade = 0.1_wp, blade_od = 0.2127_wp
+      real(wp), parameter :: length = 10.0_wp, blade = 0.1_wp, blade_od = 0.2127_wp, joint = 9.5_wp
+      type(along_string_type) :: along
+      type(whole_string_type) :: whole
       real(wp) :: force
       call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
       do i = 1, 3
@@ -157,6 +161,10 @@ contains
       call note('contact force of the blade over the closed form', result%contacts(blades(1))%force/force)
       call assertRelativelyEqual(force, result%contacts(blades(1))%force, 0.002_wp, message='blade')
       call check_part(result, parts(1)%length, blade, result%contacts(blades(1))%force)
+      call find_along_string(model, result, along)
+      call find_whole_string(model, result, along, optional_real(), whole)
+      call assertRelativelyEqual(force/joint, whole%side_force, 0.002_wp, message='largest side force')
+      call assertEqual(0.5_wp*length, whole%side_force_md, 0.5_wp*blade + 1.0e-6_wp, message='where')
       associate (p => result%profile)
          upper = findloc(p%side, side_above, dim=1)
          lower = findloc(p%side, side_below, dim=1, back=.true.)
@@ -221,8 +229,9 @@ contains
       type(along_string_type) :: along
       type(component_type) :: jointed
       integer, allocatable :: joints(:)
-      real(wp), parameter :: spacing = 9.5_wp
-      jointed = pipe(263.0_wp, 0.127_wp, 0.1086_wp)
+      real(wp), parameter :: spacing = 9.5_wp, weight = 263.0_wp      ! m, N/m
+      integer :: row
+      jointed = pipe(weight, 0.127_wp, 0.1086_wp)
       jointed%joint_od = 0.1683_wp
       jointed%joint_spacing = spacing
       call new_well(model, [0.0_wp, 300.0_wp, 600.0_wp], [0.0_wp, 0.0_wp, 40.0_wp], [0.0_wp, 0.0_wp, 0.0_wp], 0.2159_wp, 0.25_wp, &
@@ -231,8 +240,11 @@ contains
       call hold_ends(model)
       call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'smeared')
       call find_along_string(model, result, along)
-      call assertRelativelyEqual(spacing*result%profile%side_force(size(result%profile%md)/2), &
-                                 along%joint_side_force(size(result%profile%md)/2), same)
+      row = minloc(abs(result%profile%md - 350.0_wp), dim=1)     ! in the bend, pulled to its high side
+      associate (p => result%profile)
+         call assertRelativelyEqual(spacing*(p%axial(row)*40.0_wp*degree/300.0_wp - weight*sin(p%inclination(row))), &
+                                    along%joint_side_force(row), 0.002_wp, message='T k - w sin(inclination) on a joint')
+      end associate
       call check_sum(result)
       model%numerics%discrete_joints = .true.
       call solve(model, operation_trip_out, 0.0_wp, 0.0_wp, result, 'one by one')

@@ -17,6 +17,7 @@ module dg_along_string
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_mcge
    use dg_joint_bending, only: joint_magnification, pulled_magnification
+   use dg_line_load, only: force_between
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
@@ -113,8 +114,6 @@ contains
                                                       max(curvature, curvature_at(model, profile%md(i), arc(last))))
             call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, along)
             call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), curvature, solved, along)
-            if (has_joints(components(part)) .and. .not. solved) &
-               along%joint_side_force(i) = profile%side_force(i)*components(part)%joint_spacing
             do k = first, last
                if (k == first .or. arc(2) /= arc(1)) &
                   call put_limits(model, i, profile%md(i), -profile%axial(i), components(part), weight, &
@@ -134,6 +133,7 @@ contains
                            along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
+      if (.not. apart) call put_joint_loads(model%strings(string)%components, tops, bit, result, along)
       if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
 
    contains
@@ -156,6 +156,34 @@ contains
       stress = along%bending_stress(row)
       if (.not. is_missing(along%jointed_bending(row))) stress = along%jointed_bending(row)
    end function body_bending
+
+   !> Contact forces of tool joints whose pipe lies on the wall as a whole: each bears that of joint_spacing of its component, half
+   !> of it above and half below. At the ends of the component the length ends with it; a shorter component has its own force.
+   pure subroutine put_joint_loads(components, tops, bit, result, along)
+      type(component_type), intent(in) :: components(:)
+      real(wp), intent(in) :: tops(:)    !< from component_tops [m]
+      real(wp), intent(in) :: bit        !< [m]
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(inout) :: along
+      real(wp), dimension(size(result%profile%md)) :: depths, upper, lower, force
+      real(wp) :: above, below, length
+      logical :: bears(size(depths))
+      integer :: i, part
+      depths = piece_depths(result%profile)
+      do i = 1, size(depths)
+         part = component_at(tops, bit - depths(i))
+         above = max(bit - tops(part), result%profile%md(1))
+         below = bit
+         if (part > 1) below = bit - tops(part - 1)
+         length = min(components(part)%joint_spacing, below - above)
+         upper(i) = min(max(result%profile%md(i) - 0.5_wp*length, above), below - length)
+         lower(i) = upper(i) + length
+         bears(i) = has_joints(components(part)) .and. &
+                    .not. (components(part)%centralizer%present .and. result%model == model_mcge)
+      end do
+      force = force_between(result%profile%md, result%profile%side_force, upper, lower)
+      where (bears) along%joint_side_force = force
+   end subroutine put_joint_loads
 
    !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at other rows with joints.
    pure subroutine put_joint_forces(result, along)

@@ -8,10 +8,11 @@ module dg_whole_string
    use dg_case_result, only: case_result_type
    use dg_casing_wear, only: find_casing_wear, groove_type, worst_groove
    use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
-   use dg_drillstring, only: component_at, component_tops
+   use dg_drillstring, only: component_at, component_tops, pipe_joint
    use dg_fatigue, only: fatigue_type, find_fatigue
    use dg_job, only: model_mcge
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type
+   use dg_line_load, only: largest_mean
    use dg_load_case, only: block_way
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
@@ -46,7 +47,7 @@ module dg_whole_string
       type(optional_real) :: contact_difference     !< of two analyses in the part where they differ most [-]
       real(wp) :: von_mises = 0.0_wp                !< largest stress [Pa]
       type(optional_real) :: von_mises_error        !< how far that stress may be off by bending_error, over it [-]
-      real(wp) :: side_force = 0.0_wp               !< largest [N/m]
+      real(wp) :: side_force = 0.0_wp               !< largest mean on the length of a joint of pipe [N/m]
       real(wp) :: side_force_md = 0.0_wp            !< where [m]
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
       type(optional_real) :: wob_no_hookload        !< weight on bit that leaves no hook load [N]
@@ -133,8 +134,9 @@ contains
          whole%von_mises = along%von_mises(i)
          if (whole%bending_error%present .and. whole%von_mises > 0.0_wp) whole%von_mises_error = &
             given(whole%bending_error%value*whole%bending*along%per_moment(i)/whole%von_mises)
-         i = maxloc(profile%side_force, dim=1)
-         whole%side_force = profile%side_force(i)
+         call largest_mean(profile%md, profile%side_force, &
+                           pipe_joint(model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
+                                      profile%md(size(profile%md)) - profile%md(1)), whole%side_force, i)
          whole%side_force_md = profile%md(i)
       end associate
       whole%packer_force = optional_real(model%boundary%packer_bore > 0.0_wp, model%cases(result%case_index)%wob)

@@ -94,8 +94,11 @@ contains
                'length of sinusoidal buckling, by published loads', whole%sinusoidal_length)
       call put(row, 'helical_length', quantity_length, &
                'length of helical buckling, by the lower published load', whole%helical_length)
-      call put(row, 'largest_side_force', quantity_line_load, 'along the string', whole%side_force)
-      call put(row, 'largest_side_force_md', quantity_length, 'where', whole%side_force_md)
+      call put(row, 'largest_side_force', quantity_line_load, &
+               'largest mean on the length of a joint of pipe: joint_spacing of the longest component with joints, else 9.5 m', &
+               whole%side_force)
+      call put(row, 'largest_side_force_md', quantity_length, &
+               'depth of this value: of that length, the row with the most side force', whole%side_force_md)
       call put(row, 'wob_buckling', quantity_force, &
                'weight on bit at which buckling begins (soft string); 0: buckles without WOB; empty for operations that pull', &
                whole%wob_buckling)

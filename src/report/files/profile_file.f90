@@ -82,8 +82,8 @@ contains
       call put(list, 'joint_von_mises', quantity_stress, &
                'von Mises stress in a tool joint at this depth; empty without joints', along%joint_von_mises)
       call put(list, 'joint_side_force', quantity_force, &
-               'contact force of a tool joint: side_force times the distance of joints; of joints solved one by one that '// &
-               'of the joint that stands here, 0 between; empty without joints', along%joint_side_force)
+               'contact force of a tool joint, if one stands here: of joint_spacing of its component; of joints solved one '// &
+               'by one that of the joint that stands here, 0 between; empty without joints', along%joint_side_force)
       call put(list, 'standoff', quantity_percent, &
                'least distance of the body from the wall: 100 centred, 0 touching; mcge only', percent_of(along%standoff))
       call put(list, 'inside_pressure', quantity_pressure, &

@@ -9,7 +9,8 @@ module dg_page_curves
    use dg_profile, only: profile_type
    use dg_quantity, only: quantity_force
    use dg_constants, only: pi
-   use dg_depth_curve, only: force_on_length, kept_points
+   use dg_depth_curve, only: kept_points
+   use dg_line_load, only: force_on_length
    use dg_merge_sort, only: sorted_places
    use dg_missing, only: is_missing
    use dg_profile_file, only: profile_series

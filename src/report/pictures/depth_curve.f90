@@ -1,11 +1,11 @@
-!> Values along the string as a picture shows them: no more points than the eye tells apart and no peak lost, contact forces on the
-!> length of a joint, bands where a curve goes to and fro too often to be a line.
+!> Values along the string as a picture shows them: no more points than the eye tells apart and no peak lost, bands where a curve
+!> goes to and fro too often to be a line.
 module dg_depth_curve
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
    implicit none
    private
-   public :: kept_points, force_on_length, least_around, bands_of, lone_angles
+   public :: kept_points, least_around, bands_of, lone_angles
 
 contains
 
@@ -56,49 +56,6 @@ contains
          high = huge(high)
       end do
    end function kept_points
-
-   !> Force [N] that a line load [N/m] has on `length` [m] of string, half of it above and half below each place. The string ends
-   !> where its rows do.
-   pure function force_on_length(md, load, length, places) result(force)
-      real(wp), intent(in) :: md(:)        !< [m], never decreasing
-      real(wp), intent(in) :: load(:)      !< as many, straight between rows
-      real(wp), intent(in) :: length
-      real(wp), intent(in) :: places(:)    !< [m], never decreasing
-      real(wp) :: force(size(places))
-      real(wp) :: total(size(md)), upper(size(places)), lower(size(places))
-      integer :: i
-      total(1) = 0.0_wp
-      do i = 2, size(md)
-         total(i) = total(i - 1) + 0.5_wp*(md(i) - md(i - 1))*(load(i) + load(i - 1))
-      end do
-      upper = totals_at(md, load, total, places - 0.5_wp*length)
-      lower = totals_at(md, load, total, places + 0.5_wp*length)
-      force = lower - upper
-   end function force_on_length
-
-   !> The integral from the first row to each place.
-   pure function totals_at(md, load, total, places) result(totals)
-      real(wp), intent(in) :: md(:), load(:), total(:), places(:)
-      real(wp) :: totals(size(places))
-      real(wp) :: step, share
-      integer :: i, row
-      row = 1
-      do i = 1, size(places)
-         do while (row < size(md) - 1)
-            if (md(row + 1) > places(i)) exit
-            row = row + 1
-         end do
-         if (places(i) <= md(1)) then
-            totals(i) = 0.0_wp
-         else if (places(i) >= md(size(md))) then
-            totals(i) = total(size(md))
-         else
-            step = places(i) - md(row)
-            share = step/(md(row + 1) - md(row))
-            totals(i) = total(row) + step*(load(row) + 0.5_wp*share*(load(row + 1) - load(row)))
-         end if
-      end do
-   end function totals_at
 
    !> Least of the values that are within half a width of each depth; `missing` where none of them is there.
    pure function least_around(depth, values, width) result(least)

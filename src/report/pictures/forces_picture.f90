@@ -7,11 +7,11 @@ module dg_forces_picture
    use dg_chart, only: add_curve, add_depth_curve, add_depth_panel, add_key, add_points, beside, chart_type, fit_range, new_chart, &
                        set_depth
    use dg_quantity, only: quantity_angle, quantity_force, quantity_moment
-   use dg_component, only: has_joints
    use dg_curve_look, only: colour_black, colour_grey, colour_of, limit_dash, line_style, mark_style
-   use dg_depth_curve, only: force_on_length, kept_points, least_around, lone_angles
-   use dg_drillstring, only: component_tops, drillstring_type
+   use dg_depth_curve, only: kept_points, least_around, lone_angles
+   use dg_drillstring, only: pipe_joint
    use dg_job, only: job_type, model_name
+   use dg_line_load, only: force_on_length
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
@@ -59,8 +59,8 @@ contains
             end do
          end if
          call fit_range(chart)
-         call add_side_force(chart, results, joint_length(model%strings(string_index(model%strings, load_case%string)), &
-                                                          load_case%bit_depth - results(1)%profile%md(1)))
+         call add_side_force(chart, results, pipe_joint(model%strings(string_index(model%strings, load_case%string)), &
+                                                        load_case%bit_depth - results(1)%profile%md(1)))
          call add_clock(chart, results)
       end associate
    contains
@@ -211,22 +211,6 @@ contains
       where (angles > 270.0_wp) angles = angles - 360.0_wp
       call add_curve(chart, angles, pack(profile%md(rows), shown)/chart%units%length, look, '')
    end subroutine add_contact
-
-   !> Length of a joint of that component with joints which makes most of the string; of pipe of range 2 where none has any [m].
-   pure function joint_length(string, length) result(joint)
-      type(drillstring_type), intent(in) :: string
-      real(wp), intent(in) :: length         !< of the string in the hole [m]
-      real(wp) :: joint
-      real(wp), parameter :: usual = 9.5_wp
-      real(wp) :: tops(size(string%components)), lengths(size(string%components))
-      integer :: longest
-      tops = component_tops(string, length)
-      lengths(1) = tops(1)
-      lengths(2:) = tops(2:) - tops(:size(tops) - 1)
-      longest = maxloc(lengths, mask=has_joints(string%components), dim=1)
-      joint = usual
-      if (longest > 0) joint = string%components(longest)%joint_spacing
-   end function joint_length
 
    !> The axial forces, and those limits that matter, as far as they do not crush them: where the string is nearest to
    !> buckling, and the least one where it is compressed.

@@ -6,7 +6,7 @@ module dg_drillstring
    implicit none
    private
    public :: drillstring_type, component_at, component_tops, topmost, joint_ends, all_centralizer_ends, tool_ends, pad_within, &
-             bend_within, at_joint
+             bend_within, at_joint, pipe_joint
 
    type :: drillstring_type
       character(:), allocatable :: name
@@ -58,6 +58,22 @@ contains
       integer :: index
       index = findloc(tops >= tops(size(tops)), .true., dim=1)
    end function topmost
+
+   !> Length of a joint of that component with joints which makes most of the string; of pipe of range 2 where none has any [m].
+   pure function pipe_joint(string, length) result(joint)
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: length         !< of the string in the hole [m]
+      real(wp) :: joint
+      real(wp), parameter :: usual = 9.5_wp
+      real(wp) :: tops(size(string%components)), lengths(size(string%components))
+      integer :: longest
+      tops = component_tops(string, length)
+      lengths(1) = tops(1)
+      lengths(2:) = tops(2:) - tops(:size(tops) - 1)
+      longest = maxloc(lengths, mask=has_joints(string%components), dim=1)
+      joint = usual
+      if (longest > 0) joint = string%components(longest)%joint_spacing
+   end function pipe_joint
 
    !> Ends of all tool joints, as distances above the bit [m]; components with centralizers have none. Joints stand every
    !> joint_spacing from a component's lower end, half a joint at its ends.

@@ -73,8 +73,8 @@ contains
       result%profile = profile
    end subroutine merge_rows
 
-   !> Doubles the rows where something changes, and puts side force and state of contact into all rows. The area under straight lines
-   !> between the rows of a part of the string is the contact force of that part.
+   !> Doubles the rows where something changes, and puts side force and state of contact into all rows. The area under straight
+   !> lines between the rows of a part of the string is the contact force of that part.
    pure subroutine put_contact(model, mesh, gaps, beam, rows, force, case_index, profile)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

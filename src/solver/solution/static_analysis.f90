@@ -30,7 +30,7 @@ module dg_static_analysis
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
-   use dg_recovery, only: recover_profile
+   use dg_recovery, only: part_profile, recover_profile
    use dg_refinement, only: take_over
    use dg_solution, only: solution_type
    use dg_soft_string_loads, only: soft_totals_type
@@ -230,7 +230,10 @@ contains
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
          call add_remarks(model%units, mesh, model%numerics, numerics, result)
-         if (.not. (result%status == result_converged .and. moments)) return
+         if (.not. result%status == result_converged) return
+         if (profile .and. .not. moments) &
+            call part_profile(model, case_index, mesh, solution%gaps, solution%work, result%profile)
+         if (.not. moments) return
          deallocate (solution%state)
          call keep_for_moments(solution%work)
          call find_moments(model, solution, result)
