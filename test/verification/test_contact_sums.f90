@@ -171,9 +171,9 @@ contains
 
    !> The default wall is as good as rigid: with ten times its stiffness a packed assembly has the same hook load, torque, contact
    !> and largest moment within 0.3 %. A wall of 1e4 kN/m2 has not. The side force of the bit, 53 kN on a lever of 0.3 m to the
-   !> nearest blade, is felt by the micrometres that even this wall yields.
+   !> nearest blade, changes with micrometres of yielding: the short elements take the default wall as rigid.
    subroutine test_default_wall()
-      real(wp), parameter :: within = 3.0e-3_wp, bit_within = 1.5e-2_wp
+      real(wp), parameter :: within = 3.0e-3_wp, bit_within = 1.0e-3_wp
       type(case_result_type) :: result, stiffer, softer
       call solve_packed('', result)
       call solve_packed('&solver gk_contact = 1.0e9 /', stiffer)
@@ -184,11 +184,12 @@ contains
       call assertRelativelyEqual(maxval(stiffer%profile%bending), maxval(result%profile%bending), within, message='moment')
       call assertRelativelyEqual(stiffer%bit_side_force, result%bit_side_force, bit_within, message='side force of the bit')
       call note('a soft wall: side force over that at the default wall', softer%bit_side_force/result%bit_side_force)
-      call assertGreaterThan(abs(softer%bit_side_force/result%bit_side_force - 1.0_wp), 3.0_wp*bit_within, message='a soft wall')
+      call assertGreaterThan(abs(softer%bit_side_force/result%bit_side_force - 1.0_wp), 0.05_wp, message='a soft wall')
    end subroutine test_default_wall
 
-   !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. Where a
-   !> blade stands 0.3 m above the bit it is not, and the result says so.
+   !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. So it is
+   !> where a blade stands 0.3 m above the bit. On a blade of 2 mm the wall of the long elements yields by a third of the clearance,
+   !> that of the short ones does not, and the result says so.
    subroutine test_two_analyses()
       real(wp), parameter :: within = 3.0e-3_wp
       type(case_result_type) :: result
@@ -205,7 +206,19 @@ contains
       end associate
       call assertEqual(0, index(result%message, said), message='nothing is said')
       call solve_packed('', result)
-      call assertGreaterThan(index(result%message, said), 0, message='a blade 0.3 m above the bit')
+      call assertEqual(0, index(result%message, said), message='a blade 0.3 m above the bit')
+      deallocate (deck)
+      allocate (deck(0))
+      call append_text(deck, '&trajectory md = 0, 10, inc = 90, 90, azi = 0, 0 /')
+      call append_text(deck, '&hole diameter = 215.9 /')
+      call append_text(deck, "&component kind = 'collar', length = 0.999, od = 171.45, id = 71.4, mass = 152.9 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 0.002, od = 171.45, id = 71.4, mass = 152.9, "// &
+                       'joint_od = 215.2 /')
+      call append_text(deck, "&component kind = 'collar', od = 171.45, id = 71.4, mass = 152.9 /")
+      call append_text(deck, "&load_case name = 'a', operation = 'static', bit_depth = 10 /")
+      call solve_deck(deck, 0.0_wp, .false., result)
+      call note('a blade of 2 mm: largest difference of a part over the whole', result%unlike_contact%share)
+      call assertGreaterThan(index(result%message, said), 0, message='a blade of 2 mm')
    end subroutine test_two_analyses
 
    !> A helically buckled string whose contact differs between both analyses by 30 %. On shorter elements both agree, and hook load

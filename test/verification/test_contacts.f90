@@ -1,5 +1,5 @@
-!> Concentrated contacts against statics: a slick assembly that lands, two stabilizers, a blade between held ends, the end of
-!> a bend under tension, tool joints.
+!> Concentrated contacts against statics: a slick assembly that lands, two stabilizers, a blade between held ends, a tight
+!> blade near the bit, the end of a bend under tension, tool joints.
 module dg_test_contacts
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('slick_assembly_lands', test_slick))
       call suite%addTest(TestMethod('two_stabilizers', test_stabilizers))
       call suite%addTest(TestMethod('blade_between_held_ends', test_blade))
+      call suite%addTest(TestMethod('tight_blade_near_the_bit', test_near_bit))
       call suite%addTest(TestMethod('end_of_a_bend', test_bend))
       call suite%addTest(TestMethod('tool_joints', test_joints))
    end function contacts_suite
@@ -175,6 +176,40 @@ contains
       end associate
       call check_sum(result)
    end subroutine test_blade
+
+   !> The same collar with a blade of 2 mm, a metre from the bit, with 0.35 or 0.7 mm of clearance. The wall is the default one, taken
+   !> as rigid. Simply supported ends: without the blade the place lies y lower, the blade presses with R = (y - c)/f, the bit
+   !> with w L/2 - R b/L.
+   subroutine test_near_bit()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: parts(3)
+      integer :: i, k
+      real(wp), parameter :: length = 10.0_wp, blade = 2.0e-3_wp, from_bit = 1.0_wp, clearances(2) = [0.35e-3_wp, 0.7e-3_wp]
+      real(wp) :: ei, free, flexibility, force, bit
+      ei = bending_stiffness(pipe(w, od, id))
+      free = w*from_bit*(length**3 - 2.0_wp*length*from_bit**2 + from_bit**3)/(24.0_wp*ei)
+      flexibility = (from_bit*(length - from_bit))**2/(3.0_wp*ei*length)
+      do k = 1, size(clearances)
+         call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+         do i = 1, 3
+            parts(i) = pipe(w, od, id)
+         end do
+         parts(1:2)%length = [from_bit - 0.5_wp*blade, blade]
+         parts(2)%joint_od = hole - 2.0_wp*clearances(k)
+         parts(2)%kind = 'stabilizer'
+         deallocate (model%strings(1)%components)
+         allocate (model%strings(1)%components, source=parts)
+         call hold_ends(model)
+         call set_wall(model)
+         call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'tight blade near the bit')
+         force = (free - clearances(k))/flexibility
+         bit = abs(0.5_wp*w*length - force*(length - from_bit)/length)
+         call note('side force of the bit [N]', bit)
+         call note('that found, over it, less one', result%bit_side_force/bit - 1.0_wp)
+         call assertRelativelyEqual(bit, result%bit_side_force, 0.003_wp, message='side force of the bit')
+      end do
+   end subroutine test_near_bit
 
    !> By the trapezoid rule the rows of a part of the string, of which two stand at each end, hold its contact force.
    subroutine check_part(result, from_bit, length, force)

@@ -281,8 +281,8 @@ contains
          if (allocated(mesh%blade)) &
             beam%element(e)%blade = [dot_product(mesh%blade(:, o), n_1), dot_product(mesh%blade(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
-         beam%element(e)%law%contact = gaps%law(o)%contact/mesh%length(o)
-         beam%element(e)%law%maximum = gaps%law(o)%maximum/mesh%length(o)
+         beam%element(e)%law%contact = hardened(gaps%law(o)%contact/mesh%length(o))
+         beam%element(e)%law%maximum = hardened(gaps%law(o)%maximum/mesh%length(o))
          if (is_point(mesh, gaps, o)) then
             beam%element(e)%law%clearance = out_of_reach
             if (e > 1) then
@@ -310,6 +310,16 @@ contains
       if (nodes(1) <= mesh%md(1)) call hold_free_end(1, beam)
       if (nodes(n) >= mesh%md(mesh%nodes)) call hold_free_end(n, beam)
    end subroutine new_beam
+
+   !> Stiffness of a wall as the beam takes it [N/m2]: one that is meant to be rigid, as by default, is so. An edge that presses on
+   !> some centimetres of it would give way by a twentieth of the clearance of a tight blade, and the bit beside it with it. A wall
+   !> whose yielding is meant, of 1e10 N/m2 or less, changes by at most 1e-4. In between it goes over without a step.
+   elemental function hardened(given) result(stiffness)
+      real(wp), intent(in) :: given       !< [N/m2]
+      real(wp) :: stiffness
+      real(wp), parameter :: nearly_rigid = 1.0e11_wp, rigid = 1.0e13_wp      ! N/m2
+      stiffness = min(given*(1.0_wp + rigid/nearly_rigid*(given/nearly_rigid)**6), max(given, rigid))
+   end function hardened
 
    !> Raises the stiffness that holds a compressed string to what a free end asks for. On a bed of stiffness k per length a long
    !> string buckles under 2 sqrt(k EI), at a free end under sqrt(k EI) (Hetenyi, Beams on Elastic Foundation, 1946). That mode
