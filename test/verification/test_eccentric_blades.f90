@@ -29,10 +29,11 @@ module dg_test_eccentric_blades
    public :: eccentric_blades_suite
 
    integer, parameter :: spans = 8
-   real(wp), parameter :: span = 6.0_wp, blade = 0.02_wp, od = 0.1651_wp, id = 0.0714_wp, hole = 0.2159_wp, clearance = 0.001_wp
+   real(wp), parameter :: span = 6.0_wp, blade = 2.0e-3_wp, od = 0.1651_wp, id = 0.0714_wp, hole = 0.2159_wp, clearance = 0.001_wp
    real(wp), parameter :: depth = 150.0_wp, off = 0.008_wp
    real(wp), parameter :: weight = 20.0e3_wp, out_of_balance = 3.0e-5_wp   !< of a span [N], [-]
-   real(wp), parameter :: close = 5.0e-3_wp           !< blades have a length
+   !> Blades have a length. On a rigid wall a level one bears a couple, up to half its length times its force.
+   real(wp), parameter :: close = 5.0e-3_wp
 
 contains
 

@@ -20,9 +20,10 @@ module dg_test_pads
    public :: pads_suite
 
    integer, parameter :: spans = 8
-   real(wp), parameter :: span = 10.0_wp, blade = 0.02_wp, od = 0.1651_wp, id = 0.0714_wp, hole = 0.2159_wp, clearance = 0.001_wp
+   real(wp), parameter :: span = 10.0_wp, blade = 2.0e-3_wp, od = 0.1651_wp, id = 0.0714_wp, hole = 0.2159_wp, clearance = 0.001_wp
    real(wp), parameter :: depth = 300.0_wp, force = 4000.0_wp
-   real(wp), parameter :: close = 5.0e-3_wp           !< blades have a length
+   !> Blades have a length. On a rigid wall a level one bears a couple, up to half its length times its force.
+   real(wp), parameter :: close = 5.0e-3_wp
 
 contains
 
