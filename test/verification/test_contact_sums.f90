@@ -187,7 +187,8 @@ contains
       call assertGreaterThan(abs(softer%bit_side_force/result%bit_side_force - 1.0_wp), 0.05_wp, message='a soft wall')
    end subroutine test_default_wall
 
-   !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. So it is
+   !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. So
+   !> it is
    !> where a blade stands 0.3 m above the bit. On a blade of 2 mm the wall of the long elements yields by a third of the clearance,
    !> that of the short ones does not, and the result says so.
    subroutine test_two_analyses()

@@ -177,7 +177,8 @@ contains
       call check_sum(result)
    end subroutine test_blade
 
-   !> The same collar with a blade of 2 mm, a metre from the bit, with 0.35 or 0.7 mm of clearance. The wall is the default one, taken
+   !> The same collar with a blade of 2 mm, a metre from the bit, with 0.35 or 0.7 mm of clearance. The wall is the default
+   !> one, taken
    !> as rigid. Simply supported ends: without the blade the place lies y lower, the blade presses with R = (y - c)/f, the bit
    !> with w L/2 - R b/L.
    subroutine test_near_bit()
