@@ -103,7 +103,7 @@ contains
       type(whole_string_type), intent(out) :: whole
       type(groove_type), allocatable :: grooves(:)
       type(fatigue_type), allocatable :: parts(:)
-      real(wp) :: coiled
+      real(wp) :: length, coiled
       integer :: i
       associate (profile => result%profile)
          call add_deformation(model, result, along, whole)
@@ -118,12 +118,11 @@ contains
          call least_of(along%standoff, profile%md, whole%least_standoff, whole%least_standoff_md)
          whole%buckling = maxval(along%buckling)
          do i = 2, size(profile%md)
-            associate (length => profile%md(i) - profile%md(i - 1), axial => profile%axial(i - 1:i))
-               coiled = length*share_beyond(along%helical(i - 1:i), axial)
-               whole%helical_length = whole%helical_length + coiled
-               whole%sinusoidal_length = whole%sinusoidal_length + &
-                                         max(length*share_beyond(along%sinusoidal(i - 1:i), axial) - coiled, 0.0_wp)
-            end associate
+            length = profile%md(i) - profile%md(i - 1)
+            coiled = length*share_beyond(along%helical(i - 1:i), profile%axial(i - 1:i))
+            whole%helical_length = whole%helical_length + coiled
+            whole%sinusoidal_length = whole%sinusoidal_length + &
+                                      max(length*share_beyond(along%sinusoidal(i - 1:i), profile%axial(i - 1:i)) - coiled, 0.0_wp)
          end do
          i = maxloc(profile%bending, dim=1)
          whole%bending = profile%bending(i)
@@ -171,8 +170,7 @@ contains
       if (any(is_missing(limit))) return
       beyond = -axial - limit
       if (.not. any(beyond > 0.0_wp)) return
-      share = 1.0_wp
-      if (any(beyond < 0.0_wp)) share = maxval(beyond)/(maxval(beyond) - minval(beyond))
+      share = maxval(beyond)/(maxval(beyond) - min(minval(beyond), 0.0_wp))
    end function share_beyond
 
    !> A number that may be missing as one that may be absent.
