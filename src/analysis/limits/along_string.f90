@@ -42,7 +42,8 @@ module dg_along_string
       real(wp), allocatable :: per_moment(:)        !< bending stress that a unit moment makes there [1/m3]
       real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
-      real(wp), allocatable :: von_mises(:)         !< largest in the section, with bending between tool joints [Pa]
+      real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
+      real(wp), allocatable :: jointed_von_mises(:) !< the same with the bending next to tool joints or between them [Pa]
       real(wp), allocatable :: yield_left(:)        !< yield strength at the temperature there over that of the deck [-]
       real(wp), allocatable :: safety_factor(:)     !< yield strength there over von_mises [-]
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
@@ -129,7 +130,7 @@ contains
             end if
             if (components(part)%yield > 0.0_wp) along%overpull(i) = &
                pull_margin(components(part), along%yield_left(i)*components(part)%yield, profile%axial(i), profile%torque(i), &
-                           moment, along%curvature(i), along%buckling(i) /= buckling_none, &
+                           profile%bending(i), along%curvature(i), solved, along%buckling(i) /= buckling_none, &
                            along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
@@ -227,9 +228,9 @@ contains
       real(wp), intent(in) :: axial     !< effective [N]
       real(wp), intent(in) :: torque    !< [N.m]
       real(wp), intent(in) :: moment    !< [N.m]
-      real(wp), intent(in) :: largest   !< the same next to tool joints or between them, for von Mises' stress [N.m]
+      real(wp), intent(in) :: largest   !< the same next to tool joints or between them [N.m]
       type(along_string_type), intent(inout) :: along
-      type(pipe_stress_type) :: stress
+      type(pipe_stress_type) :: stress, between
       real(wp) :: od, yield
       od = worn_od(part)
       along%od(i) = part%od
@@ -240,9 +241,12 @@ contains
       along%per_moment(i) = 0.5_wp*od/tube_inertia(od, part%id)
       along%torsional_stress(i) = stress%torsional
       along%hoop_stress(i) = stress%hoop
-      if (largest > moment) stress = pipe_stress(od, part%id, along%true_axial(i), torque, largest, along%pressure(i), &
-                                                 along%inside_pressure(i))
       along%von_mises(i) = stress%von_mises
+      along%jointed_von_mises(i) = stress%von_mises
+      if (largest > moment) then
+         between = pipe_stress(od, part%id, along%true_axial(i), torque, largest, along%pressure(i), along%inside_pressure(i))
+         along%jointed_von_mises(i) = between%von_mises
+      end if
       if (.not. part%yield > 0.0_wp) return
       yield = along%yield_left(i)*part%yield
       ! A string under no load at all has no factor.
@@ -341,8 +345,8 @@ contains
       type(along_string_type) :: along
       allocate (along%pressure(n), along%inside_pressure(n), along%true_axial(n), &
                 along%axial_stress(n), along%bending_stress(n), along%per_moment(n), &
-                along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%bending_range(n), &
-                along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
+                along%torsional_stress(n), along%hoop_stress(n), along%von_mises(n), along%jointed_von_mises(n), &
+                along%bending_range(n), along%curvature(n), along%od(n), along%hole_diameter(n), source=0.0_wp)
       allocate (along%safety_factor(n), along%envelope_margin(n), along%overpull(n), along%sinusoidal(n), along%onset(n), &
                 along%helical(n), along%helical_upper(n), along%buckling_margin(n), along%magnification(n), &
                 along%jointed_bending(n), along%joint_bending(n), along%joint_von_mises(n), along%joint_side_force(n), &

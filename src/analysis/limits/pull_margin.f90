@@ -18,13 +18,14 @@ module dg_pull_margin
 contains
 
    !> Tension that may be added at one place [N]; where it yields already, negative: by how much compression or tension is too much.
-   pure function pull_margin(part, yield, axial, torque, moment, curvature, buckled, difference) result(margin)
+   pure function pull_margin(part, yield, axial, torque, moment, curvature, apart, buckled, difference) result(margin)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: yield              !< strength at the temperature there, > 0 [Pa]
       real(wp), intent(in) :: axial              !< effective [N]
       real(wp), intent(in) :: torque             !< [N.m]
-      real(wp), intent(in) :: moment             !< now, between tool joints, >= 0 [N.m]
+      real(wp), intent(in) :: moment             !< now, >= 0 [N.m]
       real(wp), intent(in) :: curvature          !< of the hole [1/m]
+      logical, intent(in) :: apart               !< whether joints were solved one by one
       logical, intent(in) :: buckled
       real(wp), intent(in) :: difference         !< of pressures, inside - outside [Pa]
       real(wp) :: margin
@@ -34,7 +35,7 @@ contains
       if (margin < 0.0_wp) return
       high = tension_capacity(worn_od(part), part%id, torque, moment_at(axial), difference, yield)
       margin = high - axial
-      if (.not. has_joints(part)) return
+      if (.not. (apart .and. has_joints(part))) return
       low = min(axial, high)
       do i = 1, halvings
          middle = 0.5_wp*(low + high)
@@ -53,7 +54,7 @@ contains
          real(wp), intent(in) :: tension
          real(wp) :: pulled
          pulled = bending_stiffness(part)*curvature
-         if (has_joints(part)) pulled = pulled*pulled_magnification(tension, bending_stiffness(part), &
+         if (apart .and. has_joints(part)) pulled = pulled*pulled_magnification(tension, bending_stiffness(part), &
             0.5_wp*part%joint_spacing, curvature, 0.5_wp*(part%joint_od - part%od))
          if (.not. buckled) pulled = max(pulled, moment)
       end function moment_at

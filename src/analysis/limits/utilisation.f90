@@ -87,7 +87,8 @@ contains
                end if
             end associate
             if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
-               factors%von_mises/along%safety_factor(i), along%von_mises(i), profile%md(i))
+               factors%von_mises/along%safety_factor(i)*along%jointed_von_mises(i)/along%von_mises(i), &
+               along%jointed_von_mises(i), profile%md(i))
          end do
          associate (uppermost => string%components(topmost(tops)))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &

@@ -160,8 +160,8 @@ contains
          governing_md = whole%utilisation%md(whole%utilisation%governing)
       end if
       call put(row, 'used_von_mises', quantity_percent, &
-               'von Mises stress in percent of yield. Columns used_...: largest along the string, design factors included, '// &
-               'empty if the strength is not known', used(limit_von_mises))
+               'von Mises stress, with bending between tool joints, in percent of yield. Columns used_...: largest along '// &
+               'the string, design factors included, empty if the strength is not known', used(limit_von_mises))
       call put(row, 'used_tension', quantity_percent, 'tension in percent of the tensile strength of the body', used(limit_tension))
       call put(row, 'used_torsion', quantity_percent, &
                'torque in percent of the torsional strength of the body', used(limit_torsion))

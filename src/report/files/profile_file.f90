@@ -48,8 +48,7 @@ contains
                'amplitude of the bending stress at the outer surface', along%bending_stress)
       call put(list, 'torsional_stress', quantity_stress, 'shear stress at the outer surface', along%torsional_stress)
       call put(list, 'hoop_stress', quantity_stress, 'hoop stress at the inner surface (Lame)', along%hoop_stress)
-      call put(list, 'von_mises', quantity_stress, &
-               'largest von Mises stress in the section, with the bending between tool joints', along%von_mises)
+      call put(list, 'von_mises', quantity_stress, 'largest von Mises stress in the section', along%von_mises)
       call put(list, 'safety_factor', quantity_none, &
                'yield divided by von_mises; empty where no yield is given', along%safety_factor)
       call put(list, 'envelope_margin', quantity_none, &
