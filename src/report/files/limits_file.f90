@@ -83,8 +83,8 @@ contains
       call put(row, 'least_envelope_margin', quantity_none, &
                'least envelope_margin along the string', whole%least_envelope_margin)
       call put(row, 'overpull_margin', quantity_force, &
-               'pull that may be added at the top until von Mises stress reaches yield, bending included, if all of it '// &
-               'reached the weakest place; negative: it yields already', whole%overpull_margin)
+               'pull that may be added at the top until von Mises stress reaches yield, if all of it reached the weakest '// &
+               'place; without bending between tool joints; negative: it yields already', whole%overpull_margin)
       call put(row, 'buckling', quantity_text, &
                'worst state along the string: none, sinusoidal or helical', buckling_name(whole%buckling))
       call put(row, 'buckling_margin', quantity_force, &
