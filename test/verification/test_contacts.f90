@@ -136,24 +136,14 @@ contains
    subroutine test_blade()
       type(model_type) :: model
       type(case_result_type) :: result
-      type(component_type) :: parts(3)
       integer, allocatable :: blades(:)
-      integer :: i, upper, lower
+      integer :: upper, lower
       real(wp), parameter :: length = 10.0_wp, blade = 0.1_wp, blade_od = 0.2127_wp, joint = 9.5_wp
       type(along_string_type) :: along
       type(whole_string_type) :: whole
-      real(wp) :: force
-      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
-      do i = 1, 3
-         parts(i) = pipe(w, od, id)
-      end do
-      parts(1:2)%length = [0.5_wp*(length - blade), blade]
-      parts(2)%joint_od = blade_od
-      parts(2)%kind = 'stabilizer'
-      deallocate (model%strings(1)%components)
-      allocate (model%strings(1)%components, source=parts)
-      call hold_ends(model)
-      call set_wall(model)
+      real(wp) :: force, below
+      below = 0.5_wp*(length - blade)
+      call lay_collar(model, length, below, blade, blade_od)
       call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'blade between held ends')
       force = 0.625_wp*w*length - 24.0_wp*bending_stiffness(pipe(w, od, id))*(hole - blade_od)/length**3
       blades = those(result, contact_blades)
@@ -161,7 +151,7 @@ contains
       if (size(blades) /= 1) return
       call note('contact force of the blade over the closed form', result%contacts(blades(1))%force/force)
       call assertRelativelyEqual(force, result%contacts(blades(1))%force, 0.002_wp, message='blade')
-      call check_part(result, parts(1)%length, blade, result%contacts(blades(1))%force)
+      call check_part(result, below, blade, result%contacts(blades(1))%force)
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, optional_real(), whole)
       call assertRelativelyEqual(force/joint, whole%side_force, 0.002_wp, message='largest side force')
@@ -178,31 +168,19 @@ contains
    end subroutine test_blade
 
    !> The same collar with a blade of 2 mm, a metre from the bit, with 0.35 or 0.7 mm of clearance. The wall is the default
-   !> one, taken
-   !> as rigid. Simply supported ends: without the blade the place lies y lower, the blade presses with R = (y - c)/f, the bit
-   !> with w L/2 - R b/L.
+   !> one, taken as rigid. Simply supported ends: without the blade the place lies y lower, the blade presses with R = (y - c)/f,
+   !> the bit with w L/2 - R b/L.
    subroutine test_near_bit()
       type(model_type) :: model
       type(case_result_type) :: result
-      type(component_type) :: parts(3)
-      integer :: i, k
+      integer :: k
       real(wp), parameter :: length = 10.0_wp, blade = 2.0e-3_wp, from_bit = 1.0_wp, clearances(2) = [0.35e-3_wp, 0.7e-3_wp]
       real(wp) :: ei, free, flexibility, force, bit
       ei = bending_stiffness(pipe(w, od, id))
       free = w*from_bit*(length**3 - 2.0_wp*length*from_bit**2 + from_bit**3)/(24.0_wp*ei)
       flexibility = (from_bit*(length - from_bit))**2/(3.0_wp*ei*length)
       do k = 1, size(clearances)
-         call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
-         do i = 1, 3
-            parts(i) = pipe(w, od, id)
-         end do
-         parts(1:2)%length = [from_bit - 0.5_wp*blade, blade]
-         parts(2)%joint_od = hole - 2.0_wp*clearances(k)
-         parts(2)%kind = 'stabilizer'
-         deallocate (model%strings(1)%components)
-         allocate (model%strings(1)%components, source=parts)
-         call hold_ends(model)
-         call set_wall(model)
+         call lay_collar(model, length, from_bit - 0.5_wp*blade, blade, hole - 2.0_wp*clearances(k))
          call solve(model, operation_static, 0.0_wp, 0.0_wp, result, 'tight blade near the bit')
          force = (free - clearances(k))/flexibility
          bit = abs(0.5_wp*w*length - force*(length - from_bit)/length)
@@ -211,6 +189,25 @@ contains
          call assertRelativelyEqual(bit, result%bit_side_force, 0.003_wp, message='side force of the bit')
       end do
    end subroutine test_near_bit
+
+   !> A level collar with a blade, held in the middle of the hole at both ends.
+   subroutine lay_collar(model, length, below, blade, blade_od)
+      type(model_type), intent(out) :: model
+      real(wp), intent(in) :: length      !< of the collar [m]
+      real(wp), intent(in) :: below       !< of it below the blade [m]
+      real(wp), intent(in) :: blade       !< length of the blade [m]
+      real(wp), intent(in) :: blade_od    !< [m]
+      type(component_type) :: parts(3)
+      call new_well(model, [0.0_wp, length], [90.0_wp, 90.0_wp], [0.0_wp, 0.0_wp], hole, 0.0_wp, pipe(w, od, id))
+      parts = pipe(w, od, id)
+      parts(1:2)%length = [below, blade]
+      parts(2)%joint_od = blade_od
+      parts(2)%kind = 'stabilizer'
+      deallocate (model%strings(1)%components)
+      allocate (model%strings(1)%components, source=parts)
+      call hold_ends(model)
+      call set_wall(model)
+   end subroutine lay_collar
 
    !> By the trapezoid rule the rows of a part of the string, of which two stand at each end, hold its contact force.
    subroutine check_part(result, from_bit, length, force)

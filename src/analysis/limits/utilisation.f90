@@ -85,10 +85,10 @@ contains
                else
                   call use_row(part, factors, profile, along, i, utilisation)
                end if
+               if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
+                  factors%von_mises*along%jointed_von_mises(i)/(along%yield_left(i)*part%yield), along%jointed_von_mises(i), &
+                  profile%md(i))
             end associate
-            if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
-               factors%von_mises/along%safety_factor(i)*along%jointed_von_mises(i)/along%von_mises(i), &
-               along%jointed_von_mises(i), profile%md(i))
          end do
          associate (uppermost => string%components(topmost(tops)))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
