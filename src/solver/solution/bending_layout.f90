@@ -281,6 +281,7 @@ contains
          if (allocated(mesh%blade)) &
             beam%element(e)%blade = [dot_product(mesh%blade(:, o), n_1), dot_product(mesh%blade(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
+         beam%element(e)%law%clearance = mesh%opening(o)         ! that of a fitted gap is its own
          beam%element(e)%law%contact = hardened(gaps%law(o)%contact/mesh%length(o))
          beam%element(e)%law%maximum = hardened(gaps%law(o)%maximum/mesh%length(o))
          if (is_point(mesh, gaps, o)) then

@@ -7,19 +7,20 @@
 !>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
 !>      friction's forces frozen, or the largest residual.
 !>   4. An equilibrium must be stable, and within the hole.
-!>   5. Where there is none: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
+!>   5. Its contact is that of a beam on shorter elements (dg_bending_profile), or gaps are fitted to that (dg_solution_result).
+!>   6. Where there is none: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_bending_profile, only: bend_profile
    use dg_bent_start, only: pressing_of_bend
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
    use dg_clock, only: seconds_between
    use dg_end_supports, only: force_scale, set_loads
-   use dg_equations, only: end_iterations, make_room, release_room
+   use dg_equations, only: make_room, release_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
+   use dg_fitted_gaps, only: fitted_gaps_type
    use dg_mesh, only: new_mesh
    use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
@@ -27,16 +28,14 @@ module dg_static_analysis
    use dg_numerics, only: numerics_type, patience, settings_of_attempt
    use dg_no_equilibrium, only: list_tried, add_tried
    use dg_outcome, only: outcome_converged, outcome_outside, outcome_stopped
-   use dg_outside_hole, only: measure_rows, outside_type
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
-   use dg_recovery, only: part_profile, recover_profile
    use dg_refinement, only: take_over
    use dg_solution, only: solution_type
+   use dg_solution_result, only: coiled, make_result, solve_fitted
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, look_outside, result_of_lock_up, warn_of_range, &
-                              warn_of_slope, warn_of_contact
+   use dg_static_result, only: add_message, look_outside, result_of_lock_up, warn_of_range
    use dg_stiff_drag, only: find_stiff_drag
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
@@ -44,7 +43,7 @@ module dg_static_analysis
    use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness
    use dg_whirling, only: find_sideways
-   use dg_workspace, only: keep_for_moments, new_start_room, new_workspace
+   use dg_workspace, only: new_start_room, new_workspace
    implicit none
    private
    public :: solve_static_analysis
@@ -61,8 +60,6 @@ module dg_static_analysis
    real(wp), parameter :: most_work = 1.0e7_wp
    !> The result says how far moments may be off when that is more than this part of the largest moment [-].
    real(wp), parameter :: doubtful = 0.05_wp
-   !> Compression over the helical load from which a string is taken for coiled [-].
-   real(wp), parameter :: coiled = 1.0_wp
    !> Difference of hook loads by which two equilibria are one [-].
    real(wp), parameter :: same = 1.0e-9_wp
    !> Digits of a length in a message.
@@ -190,11 +187,12 @@ contains
       type(solution_type) :: solution
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
+      type(fitted_gaps_type) :: fitted
       real(wp) :: margin, strained
       integer :: most                     ! iterations of all attempts
       integer :: tried                    ! attempts made before
       integer :: i, last, outcome
-      associate (equations => solution%equations, mesh => solution%mesh, moments => wanted(1), profile => wanted(2))
+      associate (equations => solution%equations, mesh => solution%mesh)
          call mesh_for_case(model, case_index, element_length, mesh, totals, solution%compressed, strained, solution%pressing, &
                             solution%shortened)
          if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
@@ -220,45 +218,14 @@ contains
          margin = missing
          if (outcome == outcome_converged .and. solution%compressed > buckling_share) &
             call find_stability_margin(model%trajectory, solution, margin)
-         call end_iterations(equations, model%trajectory, mesh, solution%loads, solution%gaps, solution%state, solution%work)
-         call fill_result(model, case_index, solution, outcome, result)
-         if (profile .and. result%status == result_converged) &
-            call recover_profile(model%trajectory, mesh, solution%gaps, solution%work, result%profile)
+         call make_result(model, case_index, numerics, outcome, wanted, solution, fitted, result)
+         numerics%max_iterations = most
+         if (allocated(fitted%normal)) &
+            call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
          result%stability_margin = margin
-         result%coiled = solution%compressed > coiled
-         result%shortened = solution%shortened
-         result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          result%attempts = last - attempts(1) + 1
-         call add_remarks(model%units, mesh, model%numerics, numerics, result)
-         if (.not. result%status == result_converged) return
-         if (profile .and. .not. moments) &
-            call part_profile(model, case_index, mesh, solution%gaps, solution%work, result%profile)
-         if (.not. moments) return
-         deallocate (solution%state)
-         call keep_for_moments(solution%work)
-         call find_moments(model, solution, result)
       end associate
    end subroutine solve_on_mesh
-
-   !> Moments along the string on elements short enough for them. A message says where no equilibrium was found on such elements.
-   subroutine find_moments(model, solution, result)
-      type(model_type), intent(in) :: model
-      type(solution_type), intent(in) :: solution
-      type(case_result_type), intent(inout) :: result
-      type(outside_type) :: outside
-      real(wp) :: steep(2)
-      call bend_profile(model, solution%mesh, solution%gaps, solution%work, result, steep)
-      call measure_rows(solution%mesh, result%profile, outside)
-      if (outside%elements > 0) call add_outside(model%units, outside, result)
-      if (is_missing(result%moment_error)) then
-         call add_message(result, 'Bending moments and stresses are not valid. They are those of elements of up to '// &
-                          in_units(model%units, unit_length, maxval(solution%mesh%length), shown)// &
-                          ', as short elements found no equilibrium near this one. How far they are off is not known')
-      end if
-      if (is_missing(result%moment_error)) return
-      if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(solution%mesh%length), result)
-      call warn_of_contact(model%units, result)
-   end subroutine find_moments
 
    !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
    !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
