@@ -28,7 +28,7 @@ module dg_solution_result
    !> Difference of the contact force of a part of the string from that of the beam for the moments, over the whole, from which on
    !> gaps are fitted to that beam [-]; what is left of it after a fit that is worth its while [-]; the most fits, and the most
    !> iterations for one: it takes 2 to 10.
-   real(wp), parameter :: worth_fitting = 5.0e-4_wp, better = 0.9_wp
+   real(wp), parameter :: worth_fitting = 1.0e-3_wp, better = 0.9_wp
    integer, parameter :: most_fits = 3, most_to_fit = 50
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
