@@ -187,11 +187,12 @@ contains
              "&boundary packer_bore = 82, packer_hold = 'landed' /"//newline// &
              "&load_case name = 'c', operation = 'static', bit_depth = 3000, wob = 40 /"//newline
       run = run_deck_text(text)
-      call assertTrue(index(unwrapped(run%output), '. For the packer: travel of its seals, force on it.') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ', seal travel, packer force.') > 0, message=run%output)
+      call assertTrue(index(content(results_path//'/summary.csv'), ' seal_travel packer_force,') > 0)
       run = run_deck_text(replaced(replaced(text, 'landed', 'free'), ', wob = 40', ''))
-      call assertTrue(index(unwrapped(run%output), '. For the packer: travel of its seals.') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ', seal travel.') > 0, message=run%output)
       run = run_deck_text(replaced(text, "&boundary packer_bore = 82, packer_hold = 'landed' /", ''))
-      call assertEqual(0, index(unwrapped(run%output), 'For the packer'), message=run%output)
+      call assertEqual(0, index(unwrapped(run%output), 'seal travel'), message=run%output)
    end subroutine test_packer
 
    !> The number behind words of an output; 0 where they are absent, which fails the test.

@@ -6,11 +6,11 @@ module dg_unrated_limits
    use dg_drillstring, only: component_tops, topmost
    use dg_load_case, only: rotates
    use dg_missing, only: optional_real
-   use dg_model, only: model_type, string_index
+   use dg_model, only: hold_fixed, hold_free, model_type, string_index
    use dg_trajectory, only: top_md
    use dg_utilisation, only: has_rating, joint_ratings, lacks_rating, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
                              limit_top_drive, limit_torsion, part_limits
-   use dg_verdict, only: limit_fatigue, limit_joint_fatigue
+   use dg_verdict, only: limit_fatigue, limit_joint_fatigue, limit_packer_force, limit_seal_travel
    implicit none
    private
    public :: note_unrated
@@ -43,5 +43,7 @@ contains
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
       unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
+      unrated(limit_seal_travel) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_fixed
+      unrated(limit_packer_force) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_free
    end subroutine note_unrated
 end module dg_unrated_limits

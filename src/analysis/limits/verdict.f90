@@ -7,7 +7,8 @@ module dg_verdict
    implicit none
    private
    public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
-             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_title, limit_code
+             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, limit_packer_force, &
+             limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
@@ -17,12 +18,14 @@ module dg_verdict
    !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
    !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue: the part of its life
    !> that the hours of the case take of the pipe, of its body or its connections. Yield under WOB: the weight on bit over the one
-   !> at which compressed pipe yields with the bending of coils, which the soft string has not in its stresses.
+   !> at which compressed pipe yields with the bending of coils, which the soft string has not in its stresses. The deck
+   !> has no key for the travel of the seals in a packer and the force on it: they are never checked.
    integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3, &
-                         limit_joint_fatigue = limit_count + 4, limit_wob_yield = limit_count + 5
-   integer, parameter :: every_limit_count = limit_count + 5
+                         limit_joint_fatigue = limit_count + 4, limit_wob_yield = limit_count + 5, &
+                         limit_seal_travel = limit_count + 6, limit_packer_force = limit_count + 7
+   integer, parameter :: every_limit_count = limit_count + 7
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(15) :: 'string weight', 'lock-up', &
-      'fatigue', 'joint fatigue', 'yield under WOB']
+      'fatigue', 'joint fatigue', 'yield under WOB', 'seal travel', 'packer force']
 
    !> Friction that an answer goes by: of the deck; of a calibration without a 95 % interval; of one with it, and the answer holds
    !> at its upper end; or is no at its upper end alone.

@@ -4,7 +4,7 @@ module dg_verdict_table
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
-   use dg_model, only: hold_fixed, hold_free, hold_landed, model_type, string_index
+   use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped, page_width
    use dg_text, only: append_text, either, text_type, to_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
@@ -159,24 +159,8 @@ contains
          end if
          text = text//unchecked_text(extra, components_of(model, results, alike))
       end do
-      if (any(results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown)) &
-         text = text//packer_text(model, text == '')
       if (text /= '') text = head//', as the deck gives no limit: '//text//'.'
    end function unchecked_line
-
-   !> What a packer and its seals bear, for which a deck has no keys; '' where there is no packer.
-   pure function packer_text(model, alone) result(text)
-      type(model_type), intent(in) :: model
-      logical, intent(in) :: alone      !< nothing else is not checked
-      character(:), allocatable :: text
-      text = ''
-      if (.not. model%boundary%packer_bore > 0.0_wp) return
-      text = either('', '. For the packer: ', alone)
-      if (model%boundary%packer_hold /= hold_fixed) text = text//'travel of its seals'
-      if (model%boundary%packer_hold == hold_landed) text = text//', '
-      if (model%boundary%packer_hold /= hold_free) text = text//'force on it'
-      if (alone) text = 'packer: '//text
-   end function packer_text
 
    !> Components of the strings that some of the results are of, each string once.
    pure function components_of(model, results, some) result(components)
