@@ -101,6 +101,10 @@ contains
                    'azimuth goes from 178 to 358 and back to 178 deg at 12000 ft. Is that station mistyped?')
       call mistake(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 178, 178, 178, 178, 178, 358', &
                    'azimuth goes from 178 to 358 deg over 3000 ft, down to 15000 ft. Is an azimuth mistyped?')
+      call mistake(angles, 'inc = 178, 178, 178, 178, 175, 170, azi = 0, 0, 0, 90, 91, 90', 'Are inc and azi swapped?')
+      call mistake(angles, 'inc = 60, 60, 60, 60, 100, 100, azi = 0, 0, 0, 78, 78, 78', &
+                   'inclined by 60 deg from surface on, and its azimuth goes from 0 to 78 deg. Are inc and azi swapped?')
+      call usual(angles, 'inc = 0, 0, 0, 78, 78, 78, azi = 60, 60, 60, 60, 100, 100')
       call usual(angles, 'inc = 45, 45, 45, 45, 45, 45, azi = 30, 30, 30, 60, 60, 60')
       call usual(angles, 'inc = 45, 45, 45, 60, 70, 90, azi = 0, 0, 0, 60, 60, 60')
       call usual(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 350, 350, 350, 350, 350, 80')
@@ -123,6 +127,14 @@ contains
                    newline//"&component name = 'MWD'", &
                    'drill pipe ''low'' stands at the bit, collars ''MWD'' above it. List components from the bit upwards')
       call mistake('mass = 20.87', 'mass = 13', 'mass = 13, but a tube of its od, id and density has 17.95')
+      call mistake('mass = 20.87, ', '', &
+                   '''DP'': without mass it weighs 17.95 lbm/ft, as a tube without tool joints. Give mass, joints counted in')
+      call mistake('joint_od = 6.625', 'joint_od = 6.625, joint_spacing = 9.5', 'joint_spacing = 9.5 ft is unusual')
+      call usual('joint_od = 6.625', 'joint_od = 6.625, joint_spacing = 31.2, joint_length = 1.6')
+      call mistake('joint_od = 6.625', 'joint_od = 6.625, joint_length = 17', 'joint_length = 17 ft is unusual')
+      call mistake("length = 90,", "length = 90, bend = 0.026, bend_position = 5,", 'bend = 0.026 deg is unusual')
+      call mistake("kind = 'collar'", "kind = 'colar'", 'kind = ''colar'' is not known. Did you mean ''collar''?')
+      call usual("kind = 'collar'", "kind = 'LWD'")
       call mistake('yield = 135', 'yield = 135, joint_torsion = 20, makeup_torque = 30', &
                    '''DP'': makeup_torque is above joint_torsion, 20 kft.lbf: its joints would yield in make-up')
       call mistake('yield = 135', 'yield = 135, joint_torsion = 52000, makeup_torque = 30000', 'makeup_torque = 30000 kft.lbf is')
@@ -148,6 +160,15 @@ contains
                    'block_weight = 600 klbf is unusual. Usual is at most 337.2')
       call mistake('&fluid', '&rig max_torque = 1000 /'//newline//'&fluid', 'max_torque = 1000 kft.lbf is unusual')
       call mistake('&fluid', '&rig max_hookload = 20000 /'//newline//'&fluid', 'max_hookload = 20000 klbf is unusual')
+      call mistake('tob = 5 ', 'tob = 5, measured_torque = 20000 ', 'measured_torque = 20000 kft.lbf is unusual')
+      call mistake('&fluid', '&rig max_hookload = 70 /'//newline//'&fluid', &
+                   'The rig carries 70 klbf, string and block weigh 156.5 klbf in mud without drag. Is its limit in tonnes? '// &
+                   '70 t are 154.3 klbf')
+      call usual('&fluid', '&rig max_hookload = 154.3 /'//newline//'&fluid')
+      call mistake('wob = 20,', 'wob = 5,', &
+                   'tob = 5 kft.lbf is large for wob = 5 klbf in a hole of 8.5 in. Usual is at most 4.7 '// &
+                   'kft.lbf. Is wob in tonnes? 5 t are 11.02 klbf')
+      call usual('wob = 20,', 'wob = 11.02,')
       call mistake("'up', bit_depth", "'up', wob = 60, bit_depth", &
                    'wob = 60 klbf pushes the bit in trip_out. An overpull is a wob below 0')
       call mistake('tob = 5 ', 'tob = 5, rpm = 1200 ', 'rpm = 1200 rpm is unusual')
@@ -166,6 +187,10 @@ contains
                    newline//'&fluid', 'group &sweep: wob = -20 klbf pulls the bit in sliding_drilling')
       call mistake("'up', bit_depth", "'up', tob = 6, bit_depth", &
                    'tob = 6 kft.lbf turns the free bit in trip_out. Give tob = 0 there')
+      call mistake("'rotary', bit", "'trip_in', bit", &
+                   'with wob and tob the bit drills, and in trip_in the string does not turn. '// &
+                   'Drilling is rotary or sliding')
+      call usual("'rotary', bit", "'sliding', bit")
       call usual("'up', bit_depth", "'up', wob = -60, bit_depth")
       call usual("'up', bit_depth", "'up', wob = -60, tob = 6, bit_depth")
       call usual('&fluid', "&sweep operations = 'up', 'sliding', bit_depth_from = 15000, wob = -20, 20, tob = 0, 2 /"// &
@@ -187,7 +212,7 @@ contains
       call usual('tob = 5 ', 'tob = 5, rpm = 60, hours = 300 ')
    end subroutine test_conditions
 
-   !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 211 klbf in mud.
+   !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 156 klbf in mud along the hole.
    subroutine test_measured()
       character(*), parameter :: up = "'up', operation = 'up', bit_depth = 15000", rig = '&fluid'
       call mistake(up, up//', measured_hookload = 25', 'measured_hookload = 25 klbf is ')

@@ -7,8 +7,8 @@ module dg_unusual_case
    use dg_text, only: append_text, text_type
    use dg_unit_kind, only: in_units, unit_force, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_friction, usual_hours, usual_pump, &
-                             usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
+   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_friction, usual_hours, usual_measured, &
+                             usual_pump, usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
    public :: note_case, note_use
@@ -37,6 +37,7 @@ contains
       if (load_case%operation == operation_rotary_drilling .and. load_case%wob > 0.0_wp .and. .not. has_tob .and. &
           .not. load_case%measured_hookload%present) &
          call append_text(notes, what//' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
+      if (load_case%measured_torque%present) call note(usual_measured, load_case%measured_torque%value)
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
       if (load_case%friction_axial%present) then
          if (load_case%friction_axial%value > 0.0_wp) call note(usual_friction, load_case%friction_axial%value)
@@ -92,6 +93,9 @@ contains
       if (wob < 0.0_wp .and. any(operation == [operation_rotary_drilling, operation_sliding_drilling])) &
          call append_text(notes, what//': wob = '//in_units(units, unit_force, wob, digits)//' pulls the bit in '// &
                           trim(operation_name(operation))//'. Weight on bit is a wob above 0')
+      if (tob > 0.0_wp .and. wob > 0.0_wp .and. operation == operation_trip_in) &
+         call append_text(notes, what//': with wob and tob the bit drills, and in '//trim(operation_name(operation))// &
+                          ' the string does not turn. Drilling is rotary or sliding')
       if (tob > 0.0_wp .and. .not. abs(wob) > 0.0_wp .and. any(operation == [operation_trip_out, operation_trip_in])) &
          call append_text(notes, what//': tob = '//in_units(units, unit_moment, tob, digits)//' turns the free bit in '// &
                           trim(operation_name(operation))//'. Give tob = 0 there')

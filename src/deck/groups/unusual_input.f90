@@ -2,17 +2,18 @@
 !> is unusual, where, what is usual.
 module dg_unusual_input
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_joints, is_bit, is_pipe, opens
+   use dg_component, only: component_type, effective_joint_length, has_joints, is_bit, is_hwdp, is_pipe, opens, tube_area
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
    use dg_load_case, only: operation_static, rotates
    use dg_missing, only: is_missing
    use dg_unusual_survey, only: note_survey
-   use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_text, only: append_text, edit_distance, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length, unit_mass, unit_moment
    use dg_unusual_case, only: note_case, note_use
-   use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
-                             usual_joint_torsion, usual_makeup, usual_running_in, usual_top_drive, usual_yield
+   use dg_usual_range, only: note_range, usual_bend, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
+                             usual_joint_length, usual_joint_spacing, usual_joint_torsion, usual_makeup, usual_running_in, &
+                             usual_top_drive, usual_yield
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant
@@ -29,6 +30,8 @@ module dg_unusual_input
    character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
    !> A string that is longer than the hole by more than this [m].
    real(wp), parameter :: above_surface = 1.0_wp
+   !> Part of the mass of a pipe that its tool joints add [-]: couplings of tubing add less.
+   real(wp), parameter :: least_of_joints = 0.08_wp, round_off = 1.0e-9_wp
    !> Longest collars of a string [m]: 30 to 40 joints.
    real(wp), parameter :: longest_collars = 500.0_wp
    integer, parameter :: digits = 4, depth_digits = 6
@@ -88,9 +91,18 @@ contains
                call note_range(draft%units, part_text(number), usual_yield, part%yield, notes)
             call note_range(units, part_text(number), usual_makeup, part%makeup_torque, notes)
             call note_range(units, part_text(number), usual_joint_torsion, part%joint_torsion, notes)
+            if (nearly_kind(part%kind) /= '') call append_text(notes, part_text(number)//': kind = '//quoted(part%kind)// &
+               ' is not known. Did you mean '//quoted(nearly_kind(part%kind))//'?')
+            if (has_joints(part)) then
+               call note_range(units, part_text(number), usual_joint_spacing, part%joint_spacing, notes)
+               call note_range(units, part_text(number), usual_joint_length, part%joint_length, notes)
+            end if
+            if (part%bend > 0.0_wp) call note_range(units, part_text(number), usual_bend, part%bend, notes)
             if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, &
                part_text(number)//': makeup_torque is above joint_torsion, '// &
                in_units(units, unit_moment, part%joint_torsion, digits)//': its joints would yield in make-up')
+            if (lacks_joints(part)) call append_text(notes, part_text(number)//': without mass it weighs '// &
+               in_units(units, unit_mass, part%mass, digits)//', as a tube without tool joints. Give mass, joints counted in')
             if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
             if (index(lower_case(part%kind), 'rod') > 0) return
             call append_text(notes, part_text(number)//' is a solid bar of '// &
@@ -106,6 +118,32 @@ contains
                 quoted(draft%components(number)%component%name)
       end function part_text
    end subroutine note_unusual
+
+   !> True for drill pipe whose mass is that of the tube between its tool joints, which would add to it.
+   elemental function lacks_joints(part) result(lacks)
+      type(component_type), intent(in) :: part
+      logical :: lacks
+      lacks = .false.
+      if (.not. (has_joints(part) .and. part%id > 0.0_wp)) return
+      if (.not. (is_hwdp(part) .or. index(lower_case(part%kind), 'pipe') > 0)) return
+      lacks = abs(part%mass - part%density*tube_area(part%od, part%id)) < round_off*part%mass .and. &
+              effective_joint_length(part)*tube_area(part%joint_od, part%od) > &
+              least_of_joints*part%joint_spacing*tube_area(part%od, part%id)
+   end function lacks_joints
+
+   !> The kind that a kind differs from by one letter; '' for others, which name tools.
+   pure function nearly_kind(kind) result(meant)
+      character(*), intent(in) :: kind
+      character(:), allocatable :: meant
+      character(10), parameter :: kinds(*) = [character(10) :: 'drillpipe', 'collar', 'stabilizer', 'casing', 'liner', &
+                                                'tubing', 'hwdp']
+      integer :: i
+      meant = ''
+      if (any([index(lower_case(kind), 'pipe'), index(lower_case(kind), 'collar'), index(lower_case(kind), 'stab')] > 0)) return
+      do i = 1, size(kinds)
+         if (edit_distance(lower_case(kind), trim(kinds(i))) == 1) meant = trim(kinds(i))
+      end do
+   end function nearly_kind
 
    !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
    pure function holes_in_inches(draft) result(inches)

@@ -3,12 +3,14 @@ module dg_unusual_rig
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight
    use dg_drillstring, only: component_tops
-   use dg_fluid, only: density_at, side_inside, side_outside
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_trip_in, operation_trip_out, rotates
+   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_hole_section, only: hole_section_at
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, operation_trip_in, &
+                           operation_trip_out, rotates
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_force
+   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_moment
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -20,9 +22,16 @@ module dg_unusual_rig
    !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
    !> klbf read as kN 0.22; kN read as klbf are 4.4.
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
+   !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]: sharp PDC bits
+   !> in soft rock 2; reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times too large.
+   !> Usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
+   real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
+   !> Weight of string and block over the largest hook load of the rig from which on a unit is asked for [-]: less is a plan that
+   !> cannot be done.
+   real(wp), parameter :: most_overload = 2.0_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
-   real(wp), parameter :: tonne = 1000.0_wp, percent = 0.01_wp
+   real(wp), parameter :: tonne = 1000.0_wp, near_tonne = 0.1_wp, percent = 0.01_wp
    integer, parameter :: digits = 4, few_digits = 2
 
 contains
@@ -37,6 +46,8 @@ contains
       if (top_md(model%trajectory) > 0.0_wp) return
       weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)
+      call note_rig_limit(model, units, weights, notes)
+      call note_torque_on_bit(model, units, notes)
       call note_measured(model, units, weights, notes)
       call note_swapped(model, units, notes)
    end subroutine note_rig
@@ -62,11 +73,64 @@ contains
             return
          end if
          call append_text(notes, 'group &rig: block_weight = '//in_units(units, unit_force, block, digits)//' is '// &
-            share//'. Is it in tonnes? '// &
-            to_text(block/units%force, digits)//' t are '// &
-            in_units(units, unit_force, block/units%force*tonne*model%gravity, digits))
+            share//tonnes_text('it', units, block, model%gravity))
       end associate
    end subroutine note_block
+
+   !> Question for the unit of a force, with the number that would be right for tonnes. kdaN are nearly tonnes.
+   function tonnes_text(what, units, force, gravity) result(text)
+      character(*), intent(in) :: what     !< has the force
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: force        !< [N]
+      real(wp), intent(in) :: gravity      !< [m/s2]
+      character(:), allocatable :: text
+      text = '. Check the unit'
+      if (abs(units%force/(tonne*gravity) - 1.0_wp) < near_tonne) return
+      text = '. Is '//what//' in tonnes? '//to_text(force/units%force, digits)//' t are '// &
+             in_units(units, unit_force, force/units%force*tonne*gravity, digits)
+   end function tonnes_text
+
+   !> A rig that does not carry the weight of the string without drag.
+   subroutine note_rig_limit(model, units, weights, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: weights(:)      !< of strings, by load case [N]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: load
+      if (size(weights) == 0 .or. .not. model%rig%max_hookload%present) return
+      load = maxval(weights) + model%rig%block_weight
+      associate (most => model%rig%max_hookload%value)
+         if (load <= most_overload*most) return
+         call append_text(notes, 'The rig carries '//in_units(units, unit_force, most, digits)//', string and block weigh '// &
+            in_units(units, unit_force, load, digits)//' in mud without drag'//tonnes_text('its limit', units, most, model%gravity))
+      end associate
+   end subroutine note_rig_limit
+
+   !> A torque on bit that is too large for its weight on bit, which would be usual in tonnes: the first load case where
+   !> it is so.
+   subroutine note_torque_on_bit(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: diameter, usual, in_tonnes       ! weight on bit over diameter [N/m]
+      integer :: i
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (case%operation /= operation_rotary_drilling .or. .not. case%wob > 0.0_wp) cycle
+            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
+            usual = most_bit_friction*case%wob*diameter/3.0_wp
+            if (case%tob <= usual) cycle
+            in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
+            if (in_tonnes < least_load .or. in_tonnes > most_load) cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
+               ' is large for wob = '//in_units(units, unit_force, case%wob, digits)//' in a hole of '// &
+               in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
+               in_units(units, unit_moment, usual, few_digits)//tonnes_text('wob', units, case%wob, &
+               model%gravity))
+            return
+         end associate
+      end do
+   end subroutine note_torque_on_bit
 
    !> A measured hook load that is far from what string and block weigh, or was measured without the block, it seems.
    subroutine note_measured(model, units, weights, notes)
@@ -130,20 +194,24 @@ contains
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       real(wp) :: weight
-      real(wp), allocatable :: tops(:)
-      real(wp) :: upper, lower
-      integer :: i
+      real(wp), allocatable :: tops(:), breaks(:)      ! of components above the bit, of fluids [m]
+      real(wp) :: upper, lower, end
+      integer :: i, k
       weight = 0.0_wp
       associate (string => model%strings(string_index(model%strings, load_case%string)), bit => load_case%bit_depth)
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
-         lower = bit
+         allocate (breaks, source=[top_md(model%trajectory), fluid_tops(model%mud, bit), bit])
+         end = bit
          do i = 1, size(tops)
-            upper = max(bit - tops(i), top_md(model%trajectory))
-            if (upper < lower) weight = weight + (true_vertical_depth(model%trajectory, lower) - &
-               true_vertical_depth(model%trajectory, upper))* &
-               buoyed_weight(string%components(i), density_at(model%mud, side_outside, 0.5_wp*(lower + upper), bit), &
-                             density_at(model%mud, side_inside, 0.5_wp*(lower + upper), bit), model%gravity)
-            lower = upper
+            do k = 1, size(breaks) - 1
+               lower = min(end, breaks(k + 1))
+               upper = max(bit - tops(i), breaks(k))
+               if (upper >= lower) cycle
+               weight = weight + (true_vertical_depth(model%trajectory, lower) - true_vertical_depth(model%trajectory, upper))* &
+                  buoyed_weight(string%components(i), density_at(model%mud, side_outside, 0.5_wp*(lower + upper), bit), &
+                                density_at(model%mud, side_inside, 0.5_wp*(lower + upper), bit), model%gravity)
+            end do
+            end = bit - tops(i)
          end do
       end associate
    end function hanging_weight

@@ -30,9 +30,10 @@ module dg_unusual_survey
    real(wp), parameter :: alike = 0.01_wp*degree
    !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
    real(wp), parameter :: long_turn = 100.0_wp*degree, inclined = 10.0_wp*degree
-   !> Swapped columns: the hole is inclined at surface by more than `slant` and keeps its inclination within `kept`, while its
-   !> azimuth begins at zero, stays below `lying` and changes by more than `bent`, as an inclination does [m, rad].
-   real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 10.0_wp*degree
+   !> Swapped columns: the hole is inclined at surface by more than `slant` and keeps its inclination within `kept`, or begins with
+   !> more than a slant rig drills, while its azimuth begins at zero, stays below `lying` and changes by more than `bent`, as an
+   !> inclination does [m, rad].
+   real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 10.0_wp*degree, steepest_rig = 50.0_wp*degree
    real(wp), parameter :: zero = 0.5_wp*degree, lying = 120.0_wp*degree, bent = 15.0_wp*degree
    integer, parameter :: few_digits = 3, digits = 4, depth_digits = 6
 
@@ -93,7 +94,8 @@ contains
       azimuth = modulo(draft%stations%azimuth, 2.0_wp*pi)
       associate (inclination => draft%stations%inclination)
          if (draft%stations%md(1) > surface .or. minval(inclination) < slant) return
-         if (maxval(inclination) - minval(inclination) > kept .or. azimuth(1) > zero) return
+         if (azimuth(1) > zero) return
+         if (maxval(inclination) - minval(inclination) > kept .and. inclination(1) < steepest_rig) return
          if (maxval(azimuth) > lying .or. maxval(azimuth) < bent) return
          call append_text(notes, 'group &trajectory: the hole is inclined by '//to_text(inclination(1)/degree, digits)// &
                           ' deg from surface on, and its azimuth goes from 0 to '//to_text(maxval(azimuth)/degree, digits)// &

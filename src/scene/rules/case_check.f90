@@ -87,7 +87,7 @@ contains
       do k = 1, size(components)
          length = length + components(k)%length
       end do
-      if (.not. components(size(components))%length > 0.0_wp) return
+      if (.not. all(components%length > 0.0_wp)) return       ! one that may reach to surface, or has its own fault
       if (.not. length < load_case%bit_depth*(1.0_wp - depth_round_off)) return
       words = 'string '//quoted(load_case%string)//' is '//depth_words(units, length)// &
               ' long and does not reach surface from '//key//' = '//depth_words(units, load_case%bit_depth)//': '// &

@@ -100,8 +100,8 @@ contains
       type(error_list_type), intent(inout) :: found
       real(wp), intent(in), optional :: heaviest   !< density of the heaviest fluid [kg/m3]; absent: there is none
       if (component%length <= 0.0_wp .and. .not. uppermost) call add_part_fault(found, 'component', place, 'length', &
-         'length of '//quoted(component%name)//' is missing or 0; only the last component of string '//quoted(string)// &
-         ' may reach to surface')
+         'length of '//quoted(component%name)//' is missing or 0; list components from the bit upwards: only the last '// &
+         'component of string '//quoted(string)//' may reach to surface')
       if (.not. present(heaviest)) return
       if (heaviest >= component%density) call add_part_fault(found, 'component', place, 'density', quoted(component%name)// &
          ' floats: the mud, '//dense(heaviest)//', is not lighter than the material, '//dense(component%density)//advice())

@@ -17,8 +17,8 @@ module dg_component
    public :: buoyed_weight, has_blades, has_joints, effective_joint_length, joint_bore, worn_od, is_worn, has_bend, has_pad, &
              is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
-   !> Beginning of the kind of a stabilizer, in either spelling.
-   character(*), parameter :: stabilizer = 'stabili'
+   !> Beginning of the kind of a stabilizer, in either spelling or short.
+   character(*), parameter :: stabilizer = 'stab'
    !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
    real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Tilt that a bit's own cut leaves room for [-]: more than the largest bend, 5 deg, tilts it.
