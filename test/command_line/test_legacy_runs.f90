@@ -3,7 +3,8 @@ module dg_test_legacy_runs
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
-   use dg_program_run, only: deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch, unwrapped
+   use dg_program_run, only: content, deck_path, good_deck, replaced, results_path, run_deck_text, run_program, run_type, scratch, &
+                             unwrapped
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -24,6 +25,7 @@ contains
       call suite%addTest(TestMethod('every_form_of_table', test_forms))
       call suite%addTest(TestMethod('rows_that_are_skipped', test_skipped))
       call suite%addTest(TestMethod('hook_loads_over_depth', test_hookloads))
+      call suite%addTest(TestMethod('own_profile', test_own_profile))
       call suite%addTest(TestMethod('bad_tables', test_bad_tables))
       call suite%addTest(TestMethod('bad_groups', test_bad_groups))
       call suite%addTest(TestMethod('advice_followed', test_followed))
@@ -55,6 +57,22 @@ contains
          run = run_deck_text(good_deck()//group//keys//' /'//newline)
       end if
    end function run_with
+
+   !> The program's own profile, which has two rows where side force jumps, agrees with itself on both sides.
+   subroutine test_own_profile()
+      type(run_type) :: run
+      character(:), allocatable :: table
+      integer :: i
+      run = run_with('md,axial|0,150|900,0', '')
+      allocate (table, source=content(results_path//'/profile_u_soft.csv'))
+      call assertTrue(index(table, ',above') > 0, message='two rows at a depth')
+      do i = 1, len(table)
+         if (table(i:i) == newline) table(i:i) = '|'
+      end do
+      run = run_with(table, ", md = 'md_m', axial = 'axial_kN', side_force = 'side_force_kN_m'")
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Both agree within 0.1 % of the largest side force') > 0, message=run%output)
+   end subroutine test_own_profile
 
    !> Rows behind a mark of comments are counted in a note.
    subroutine test_skipped()
@@ -181,7 +199,7 @@ contains
       call refuse('md,axial (furlong)|0,150|900,0', '', file//'1:', "axial in 'furlong', which is unknown; set axial_unit")
       call refuse('md (ft),axial|0,150|900,0', ", md = '1'", file//'1:', 'the header gives md in ft')
       call refuse('md,axial|0,150|900,0|450,75', '', file//'4:', 'md = 450 is not below md = 900 of line 3')
-      call refuse('md,axial|0,150|450,75|450,0', '', file//'4:', 'depths must increase')
+      call refuse('md,axial|0,150|450,75|450,50|450,0', '', file//'5:', 'depths must increase')
       call refuse('md,axial|0,150|450,abc', '', file//'3:', "axial = 'abc' is not a number")
       call refuse('md;axial|0;150.5|1,000;75|2,000;0', '', file//'3:', "'1,000' may have a decimal comma or one between thousands")
       call refuse('md;axial|0;150|12,34.5;75|2000;0', '', file//'3:', "md = '12,34.5' is not a number")

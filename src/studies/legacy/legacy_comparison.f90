@@ -5,7 +5,7 @@
 module dg_legacy_comparison
    use dg_kinds, only: wp
    use dg_hole_interval, only: hole_intervals, interval_type
-   use dg_profile, only: profile_type, side_below
+   use dg_profile, only: profile_type, side_above, side_below
    use dg_trajectory, only: trajectory_type
    use dg_quantity, only: quantity_force, quantity_line_load, quantity_moment
    implicit none
@@ -64,7 +64,7 @@ module dg_legacy_comparison
 contains
 
    !> Lays a table beside a profile. Rows beyond the ends of the string are counted and left out. At a depth where the profile has
-   !> two rows, to round-off of depths, the lower side is compared.
+   !> two rows, to round-off of depths, the lower side is compared, and with two of theirs each with its own.
    pure subroutine compare_with_legacy(table, profile, trajectory, comparison)
       type(legacy_table_type), intent(in) :: table
       type(profile_type), intent(in) :: profile
@@ -84,11 +84,14 @@ contains
       end do
       do i = 1, size(comparison%md)
          md = comparison%md(i)
-         n = findloc(abs(profile%md - md) <= slack .and. profile%side == side_below, .true., dim=1)
-         if (n > 0) md = profile%md(n)
-         comparison%ours(i, 1) = interpolated(profile%md, profile%axial, md)
-         comparison%ours(i, 2) = interpolated(profile%md, profile%torque, md)
-         comparison%ours(i, 3) = interpolated(profile%md, profile%side_force, md)
+         n = findloc(abs(profile%md - md) <= slack .and. &
+                     profile%side == merge(side_above, side_below, is_upper(comparison%md, i)), .true., dim=1)
+         if (n > 0) then
+            comparison%ours(i, :) = [profile%axial(n), profile%torque(n), profile%side_force(n)]
+         else
+            comparison%ours(i, :) = [interpolated(profile%md, profile%axial, md), interpolated(profile%md, profile%torque, md), &
+                                     interpolated(profile%md, profile%side_force, md)]
+         end if
       end do
       allocate (comparison%intervals, source=hole_intervals(trajectory, profile%md(size(profile%md))))
       if (size(comparison%md) == 0) return
@@ -98,6 +101,15 @@ contains
                                              i == quantity_axial .or. i == quantity_torque, comparison%parting(i))
       end do
    end subroutine compare_with_legacy
+
+   !> True for the first of two rows at a depth.
+   pure function is_upper(md, row) result(upper)
+      real(wp), intent(in) :: md(:)
+      integer, intent(in) :: row
+      logical :: upper
+      upper = .false.
+      if (row < size(md)) upper = md(row + 1) <= md(row)
+   end function is_upper
 
    !> Where a difference arises. `summed`: the quantity is summed up along the string; else its integral is judged.
    pure subroutine find_parting(md, difference, scale, intervals, summed, parting)

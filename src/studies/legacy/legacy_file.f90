@@ -165,7 +165,8 @@ contains
       end if
    end function has_depth
 
-   !> Check that numbers are written in one way, rows are two or more, and depths increase.
+   !> Check that numbers are written in one way, rows are two or more, and depths increase. A depth may have two rows, as at a
+   !> change of component, the upper side first.
    subroutine check_rows(columns, table, faults)
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
@@ -178,7 +179,9 @@ contains
       do i = 2, table%n
          if (.not. table%sound) exit
          associate (md => table%numbers(i - 1:i, 1), unit => columns(1)%unit)
-            if (md(2) <= md(1)) call fault(table, table%line_of(i), 'md = '//to_text(md(2)/unit, depth_digits)// &
+            if (md(2) > md(1)) cycle
+            if (md(2) >= md(1) .and. (i == 2 .or. table%numbers(max(i - 2, 1), 1) < md(1))) cycle
+            call fault(table, table%line_of(i), 'md = '//to_text(md(2)/unit, depth_digits)// &
                ' is not below md = '//to_text(md(1)/unit, depth_digits)//' of line '//to_text(table%line_of(i - 1))// &
                '; depths must increase', faults)
          end associate
