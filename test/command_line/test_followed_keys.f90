@@ -83,6 +83,9 @@ contains
 
    !> Depths, lengths and settings that do not fit each other.
    subroutine test_numbers()
+      character(*), parameter :: landed = "'centred', packer_bore = 100, packer_hold = 'landed' / &load_case name = 'v', "// &
+         "operation = 'static', bit_depth = 800, wob = -30 / &load_case name = 'w', operation = 'static', bit_depth = 800, "// &
+         "length_reference = 'v' /"
       call follow("md  = 0.0", "tie_on = 'vertical', kick_off = 60, md  = 50", "needs a depth above it", "= 60", "= 40")
       call follow("md  = 0.0, 500.0, 900.0"//newline//"  inc = 0.0, 0.0, 30.0"//newline//"  azi = 3*10.0", &
                   "interpolation = 'spline', md = 0, 775, 900, inc = 0, 160, 30, azi = 3*10", &
@@ -107,6 +110,8 @@ contains
       call follow("'centred' /", "'centred', packer_bore = 100, packer_hold = 'fixed' / &load_case name = 'v', operation = "// &
                   "'static', bit_depth = 800 / &load_case name = 'w', operation = 'static', bit_depth = 800, wob = 5, "// &
                   "length_reference = 'v' /", "leave wob out", "wob = 5, ", "")
+      call follow("'centred' /", landed, "give that case wob = 0 or more", "wob = -30", "wob = 0")
+      call follow("'centred' /", landed, "or packer_hold = 'fixed'", "'landed'", "'fixed'")
       call follow("= 10.0 /", "= 10.0, gk_contact = 10.0, gk_max = 5.0 /", "gk_max must be at least gk_contact", "= 5.0", &
                   "= 10.0")
       call follow("= 10.0 /", "= 10.0, gk_contact = 5, gk_min = 10 /", "gk_min must be smaller than gk_contact", "= 10 /", &

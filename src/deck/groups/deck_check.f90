@@ -11,7 +11,7 @@ module dg_deck_check
    use dg_hole_check, only: check_section, depth_round_off, join_sections
    use dg_hole_section, only: hole_section_type
    use dg_merge_sort, only: first_equal, sorted_places
-   use dg_model, only: hold_free
+   use dg_model, only: hold_free, hold_landed
    use dg_opening_check, only: set_opened_depth
    use dg_shown_size, only: diameter_digits, diameter_words
    use dg_string_check, only: check_in_string
@@ -140,6 +140,9 @@ contains
          else if (other%load_case%string /= own%string .or. abs(other%load_case%bit_depth - own%bit_depth) > &
                   depth_round_off*own%bit_depth) then
             call fault(item%line_reference, head//' has another string or bit_depth; it must have the same')
+         else if (draft%boundary%packer_hold == hold_landed .and. other%load_case%wob < 0.0_wp) then
+            call fault(item%line_reference, head//' pulls its string off the landing by wob < 0; give that case wob = 0 or '// &
+                       'more, or packer_hold = ''fixed''')
          end if
       end associate
       if (draft%boundary%packer_hold /= hold_free .and. item%line_wob > 0) call fault(item%line_wob, &
