@@ -12,8 +12,8 @@ module dg_test_verdict
    use dg_friction_estimate, only: find_upper_friction, friction_estimate_type, upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_static, operation_trip_in, &
-      operation_trip_out
+   use dg_load_case, only: load_case_type, operation_rotary_drilling, operation_sliding_drilling, operation_static, &
+      operation_trip_in, operation_trip_out
    use dg_missing, only: given, missing, optional_real
    use dg_model, only: model_type
    use dg_rounding, only: rounded_down
@@ -24,7 +24,7 @@ module dg_test_verdict
    use dg_utilisation, only: find_utilisation, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, &
                              limit_top_drive
    use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, limit_code, limit_fatigue, &
-                         limit_lock_up, limit_string_weight, verdict_type
+                         limit_lock_up, limit_string_weight, note_uncertain, verdict_type
    use dg_verdict_text, only: task_text, unchecked_codes, unchecked_text, verdict_reason, verdict_sentences
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
@@ -53,6 +53,7 @@ contains
       call suite%addTest(TestMethod('what_was_not_checked', test_not_checked))
       call suite%addTest(TestMethod('locked_up', test_locked_up))
       call suite%addTest(TestMethod('no_solution', test_no_solution))
+      call suite%addTest(TestMethod('uncertain_contact', test_uncertain))
       call suite%addTest(TestMethod('codes_without_blanks', test_codes))
    end function verdict_suite
 
@@ -504,6 +505,30 @@ contains
       call assertEqual(answer_unknown, verdict%answer)
       call assertEqual('', verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_no_solution
+
+   !> A yes whose limit is nearer than the error of contact force says so: drag where friction may grow by less, stress where less
+   !> is left; a helically buckled string by its stress alone.
+   subroutine test_uncertain()
+      type(verdict_type) :: verdict
+      verdict%answer = answer_yes
+      verdict%friction_reserve = given(1.2_wp)
+      call note_uncertain(0.15_wp, 0.8_wp, .false., verdict)
+      call assertEqual(0.0_wp, verdict%uncertain, message='more is left')
+      call note_uncertain(0.24_wp, 0.5_wp, .true., verdict)
+      call assertEqual(0.0_wp, verdict%uncertain, message='drag of a coiled string is not in doubt')
+      call note_uncertain(0.24_wp, 0.5_wp, .false., verdict)
+      call assertEqual(0.24_wp, verdict%uncertain, message='drag')
+      verdict%uncertain = 0.0_wp
+      call note_uncertain(0.52_wp, 0.85_wp, .true., verdict)
+      call assertEqual(0.52_wp, verdict%uncertain, message='stress')
+      verdict%limit = limit_string_weight
+      call assertTrue(index(verdict_sentences(si_units(), load_case_type(), verdict), &
+                            '. UNCERTAIN: contact force may be off by 52 %, more than is left of a limit') > 0)
+      verdict%answer = answer_no
+      verdict%uncertain = 0.0_wp
+      call note_uncertain(0.52_wp, 0.85_wp, .true., verdict)
+      call assertEqual(0.0_wp, verdict%uncertain, message='NO stays NO')
+   end subroutine test_uncertain
 
    !> Names in files are separated by blanks: none has one inside, and none is used twice.
    subroutine test_codes()

@@ -22,9 +22,10 @@ module dg_find_verdict
    use dg_turning_loads, only: find_turning_loads
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
-   use dg_utilisation, only: as_much, find_utilisation, utilisation_type
+   use dg_utilisation, only: as_much, find_utilisation, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, verdict_type
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_uncertain, &
+                         verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -74,6 +75,8 @@ contains
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
+            call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
+                                verdict)
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)

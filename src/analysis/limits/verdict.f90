@@ -6,9 +6,9 @@ module dg_verdict
    use dg_utilisation, only: limit_count, limit_name
    implicit none
    private
-   public :: verdict_type, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, limit_string_weight, &
-             limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, limit_packer_force, &
-             limit_title, limit_code
+   public :: verdict_type, note_uncertain, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
+             limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
+             limit_packer_force, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
@@ -43,6 +43,7 @@ module dg_verdict
       logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< what the answer goes by
+      real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that is more than is left; else 0 [-]
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: pressure_pushes = .false.          !< pressure of the annulus takes string weight, too
       logical :: packer_pushes = .false.            !< so do pressures at a packer
@@ -62,6 +63,22 @@ module dg_verdict
    end type verdict_type
 
 contains
+
+   !> Notes a yes whose limit is nearer than the error of contact force that a warning names: of moments, and of drag unless the
+   !> string is helically buckled.
+   elemental subroutine note_uncertain(error, von_mises_used, coiled, verdict)
+      real(wp), intent(in) :: error            !< [-]; 0: none is named
+      real(wp), intent(in) :: von_mises_used   !< [-]; 0: not known
+      logical, intent(in) :: coiled            !< the string is helically buckled
+      type(verdict_type), intent(inout) :: verdict
+      real(wp) :: used
+      if (verdict%answer /= answer_yes) return
+      used = von_mises_used
+      if (.not. coiled .and. verdict%reserve_unknown) used = max(used, verdict%used%value)
+      if (used*(1.0_wp + error) > 1.0_wp) verdict%uncertain = error
+      if (.not. coiled .and. verdict%friction_reserve%present .and. verdict%friction_reserve%value < 1.0_wp + error) &
+         verdict%uncertain = error
+   end subroutine note_uncertain
 
    !> Name of a limit in texts, blanks behind it; blank for 0.
    pure function limit_title(limit) result(name)

@@ -6,7 +6,7 @@ module dg_verdict_text
    use dg_fatigue_curve, only: fatigue_none
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
-   use dg_rounding, only: rounded_down
+   use dg_rounding, only: rounded_down, rounded_up
    use dg_text, only: either, to_text
    use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
                            unit_pressure, unit_stress
@@ -25,7 +25,7 @@ module dg_verdict_text
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
 
    !> Digits of loads, depths and factors.
-   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3
+   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3, shown_error = 2
    !> Digits of a factor next to 1.
    integer, parameter :: close_factor = 4
    real(wp), parameter :: percent = 0.01_wp
@@ -104,6 +104,8 @@ contains
             in_units(units, unit_length, verdict%buckled_length, shown)// &
             either(' by formula', '', verdict%buckled_by_formula)
          text = text//reserve_text(verdict)
+         if (verdict%uncertain > 0.0_wp) text = text//'. UNCERTAIN: contact force may be off by '// &
+            to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit'
       else
          text = 'No solution was found'
       end if

@@ -244,6 +244,7 @@ contains
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
          if (.not. share > unlike) return
+         result%unlike_contact%warned = share
          place = ''
          if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
