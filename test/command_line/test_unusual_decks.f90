@@ -127,7 +127,7 @@ contains
                    newline//"&component name = 'MWD'", &
                    'drill pipe ''low'' stands at the bit, collars ''MWD'' above it. List components from the bit upwards')
       call mistake('mass = 20.87', 'mass = 13', 'mass = 13, but a tube of its od, id and density has 17.95')
-      call mistake('mass = 20.87, ', '', &
+      call mistake('mass = 20.87, joint_od = 6.625', 'joint_od = 6.625, joint_length = 1.6', &
                    '''DP'': without mass it weighs 17.95 lbm/ft, as a tube without tool joints. Give mass, joints counted in')
       call mistake('joint_od = 6.625', 'joint_od = 6.625, joint_spacing = 9.5', 'joint_spacing = 9.5 ft is unusual')
       call usual('joint_od = 6.625', 'joint_od = 6.625, joint_spacing = 31.2, joint_length = 1.6')

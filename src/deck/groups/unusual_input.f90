@@ -2,7 +2,7 @@
 !> is unusual, where, what is usual.
 module dg_unusual_input
    use dg_kinds, only: wp
-   use dg_component, only: component_type, effective_joint_length, has_joints, is_bit, is_hwdp, is_pipe, opens, tube_area
+   use dg_component, only: component_type, has_joints, is_bit, is_hwdp, is_pipe, opens, tube_area
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
    use dg_load_case, only: operation_static, rotates
@@ -119,7 +119,7 @@ contains
       end function part_text
    end subroutine note_unusual
 
-   !> True for drill pipe whose mass is that of the tube between its tool joints, which would add to it.
+   !> True for drill pipe whose mass is that of the tube between its tool joints, which would add to it. Their length is known.
    elemental function lacks_joints(part) result(lacks)
       type(component_type), intent(in) :: part
       logical :: lacks
@@ -127,7 +127,7 @@ contains
       if (.not. (has_joints(part) .and. part%id > 0.0_wp)) return
       if (.not. (is_hwdp(part) .or. index(lower_case(part%kind), 'pipe') > 0)) return
       lacks = abs(part%mass - part%density*tube_area(part%od, part%id)) < round_off*part%mass .and. &
-              effective_joint_length(part)*tube_area(part%joint_od, part%od) > &
+              part%joint_length*tube_area(part%joint_od, part%od) > &
               least_of_joints*part%joint_spacing*tube_area(part%od, part%id)
    end function lacks_joints
 
