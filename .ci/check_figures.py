@@ -19,7 +19,7 @@ import sys
 import tempfile
 import urllib.parse
 
-from check_page import CLOSE, dom, faults_of_labels, faults_of_phone
+from check_page import CLOSE, dom, faults_of_labels, faults_of_phone, told_by
 
 HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
 DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
@@ -43,6 +43,15 @@ DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf
 &calibrate name = '{HOSTILE.replace("'", "''")}', parameter = 'friction', separate = 'holes', offset = 'depths', model = 'soft' /
 &uncertainty name = 'spread', model = 'soft', operations = 'up', 'rotate_off_bottom', bit_depth_from = 600, bit_depth_step = 300,
   samples = 100, seed = 1, friction_deviation = 0.05, density_deviation = 20 /
+"""
+#: A depth that rounds up, a string of half a metre, names that fill a row. Field units.
+ENDS = """&job title = 'Ends', units = 'field', models = 'mcge', 'soft', hdf5 = .false. /
+&trajectory md = 0, 2000, 5000, 10465.8793, inc = 0, 0, 80, 92, azi = 0, 0, 20, 40 /
+&hole name = 'open', diameter = 8.5, friction = 0.3 /
+&fluid density = 10 /
+&component name = 'pipe', od = 5, id = 4.276, mass = 21.4, joint_od = 6.375, joint_spacing = 31, yield = 105 /
+&load_case name = 'a_long_name_of_a_load_case_that_has_no_blank_1', operation = 'up', bit_depth = 10465.8793 /
+&load_case name = 'half_a_metre', operation = 'down', bit_depth = 1.64 /
 """
 LOST = 3                                # exit status: solutions that did not converge
 NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
@@ -81,6 +90,11 @@ setTimeout(() => {
 }, 300)
 """
 
+
+HEADINGS = """
+setTimeout(() => document.title = 'FOUND' + JSON.stringify([...document.querySelectorAll('.readout th')]
+   .filter(h => h.scrollWidth > h.clientWidth + 1).map(h => h.textContent)), 300)
+"""
 
 ADDRESSES = """
 setTimeout(async () => {
@@ -269,6 +283,23 @@ def faults_of_paper(page):
     return [] if 0 < sheets <= MOST_SHEETS else [f"the page has {sheets} sheets"]
 
 
+def faults_of_ends(program, scratch):
+    """Curves reach the bit, whatever its depth rounds to; a short string is drawn; no number is -0; no heading leaves its cell."""
+    deck, folder = pathlib.Path(scratch) / "ends.nml", pathlib.Path(scratch) / "ends"
+    deck.write_text(ENDS, encoding="utf-8")
+    run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
+    if run.returncode:
+        return [f"ends: exit status {run.returncode}: {run.stderr}"]
+    faults = []
+    for case in ("a_long_name_of_a_load_case_that_has_no_blank_1", "half_a_metre"):
+        for chart in ("Forces", "Buckling", "Well"):
+            made, complaints = dom(folder / "report.html", urllib.parse.urlencode({"case": case, "chart": chart, "depth": 1.0}))
+            faults += [f"ends, {case}, {chart}: {what}" for what in complaints]
+            faults += [f"ends, {case}, {chart}: {what}" for what in set(re.findall(r"\bNaN\b|>-0(?:\.0*)?<", re.sub(r"<script.*?</script>", "", made, flags=re.S)))]
+    told, complaints = told_by((folder / "report.html").read_text(encoding="utf-8"), HEADINGS)
+    return faults + complaints + [f"ends: the heading {text} lies on the next one" for text in told or []] + ([] if told is not None else ["ends: headings were not looked at"])
+
+
 def faults_without_script(page):
     """Fixed pictures of all studies and their tables."""
     text = re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", page.read_text(encoding="utf-8"), count=1)
@@ -297,7 +328,7 @@ def main():
         faults = [] if states == {"converged", "locked_up", "not_converged"} else [f"the sweep has only {states}"]
         faults += faults_of_sweep(folder, "beams", "mcge", count) + faults_of_sweep(folder, "locked", "soft", count)
         faults += faults_of_spread(folder, count) + faults_of_rows(folder, count)
-        faults += faults_of_actions(folder) + faults_of_addresses(folder)
+        faults += faults_of_actions(folder) + faults_of_addresses(folder) + faults_of_ends(program, scratch)
         text = page.read_text(encoding="utf-8")
         faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page) + faults_of_paper(page)
     print(f"{count[0]} values read off the page")

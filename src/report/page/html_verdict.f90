@@ -38,13 +38,13 @@ contains
       character(:), allocatable :: other
       integer :: i
       if (size(results) == 0) then
-         call append_well(lines, job, model, shown)
+         call append_well(lines, job, model, shown, 'h2')
          return
       end if
       call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
       other = summary_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
-      call append_well(lines, job, model, shown)
+      call append_well(lines, job, model, shown, 'h3')
       call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')

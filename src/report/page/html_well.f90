@@ -24,15 +24,16 @@ module dg_html_well
 contains
 
    !> Sentences on the well and its strings, a table of one string, the place of a chart.
-   subroutine append_well(lines, job, model, shown)
+   subroutine append_well(lines, job, model, shown, level)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       integer, intent(in) :: shown            !< load case of the string and the chart; 0: none
+      character(*), intent(in) :: level       !< of the heading
       type(text_type), allocatable :: head(:)
       integer :: i
       allocate (head, source=well_head(job%units, model))
-      call add_line(lines, '<div class="head"><div><h3>Well and string</h3>')
+      call add_line(lines, '<div class="head"><div><'//level//'>Well and string</'//level//'>')
       do i = 1, size(head)
          call add_line(lines, '<p>'//html_safe(head(i)%text)//'.</p>')
       end do

@@ -36,7 +36,8 @@ for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatM
 }
 const factor = q => D.quantities[q]?.[units]?.[1] ?? 1, unit = q => D.quantities[q]?.[units]?.[0] ?? q
 const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))   // at or above it
-const reaches = ({d}, depth) => depth >= d[0] && depth <= d[d.length - 1]
+const rounding = .01                                         // of depths: a load case has 7 digits, a curve three decimals
+const reaches = ({d}, depth) => depth >= d[0] - rounding && depth <= d[d.length - 1] + rounding
 function value_in(c, depth) {
    if (!c || !reaches(c, depth)) return NaN
    const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0
@@ -49,7 +50,8 @@ const value_at = (p, name, depth) => value_in(p.curves[name], depth)
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
-   return v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)
+   const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)
+   return +text ? text : text.replace('-', '')               // 0, not -0
 }
 const depth_of_units = depth => +(depth * factor('length')).toFixed(2), depth_text = depth => `${depth_of_units(depth)} ${unit('length')}`
 
@@ -126,7 +128,7 @@ function block(S, address) {
       }
    }
    function draw_line(clip, line, x) {
-      const {look, mark, curve} = line
+      const {look, curve} = line
       if (line.low) {                                           // bars
          const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('')
          make(clip, 'path', {d, stroke: look.stroke, 'stroke-width': line.thick ? 14 : 2})
@@ -230,7 +232,7 @@ function block(S, address) {
       S.keys.forEach((key, id) => {
          if (key.words) make(view.legend, 'h:span', {}, key.text)
          if (key.words || !used.has(id)) return
-         const turn = () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }
+         const turn = () => { if (!state.hidden.delete(id)) state.hidden.add(id); draw() }
          const b = make(view.legend, 'h:button', {type: 'button', 'aria-pressed': !state.hidden.has(id), onclick: turn})
          draw_key(b, key)
          b.append(key.text)

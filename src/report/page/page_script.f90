@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '1FQZz64fEBrBlyc9iekkS2MXRNcy47mgpS2Dl5cpFiY='
+   character(*), parameter :: script_hash = 'uh8jZY+9HiNJvSRhFIOGdxQW9Q0i3seX5jX3QcQiODo='
    character(192), parameter :: script_lines_1(100) = [character(192) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -49,7 +49,9 @@ module dg_page_script
       'const factor = q => D.quantities[q]?.[units]?.[1] ?? 1, unit = q => D.quantities[q]?.[units]?.[0] ?? q', &
       'const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))  '// &
       ' // at or above it', &
-      'const reaches = ({d}, depth) => depth >= d[0] && depth <= d[d.length - 1]', &
+      'const rounding = .01                                         // of depths: a load case has 7 digits, a curve t'// &
+      'hree decimals', &
+      'const reaches = ({d}, depth) => depth >= d[0] - rounding && depth <= d[d.length - 1] + rounding', &
       'function value_in(c, depth) {', &
       'if (!c || !reaches(c, depth)) return NaN', &
       'const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0', &
@@ -62,7 +64,8 @@ module dg_page_script
       'function text_of(value, q) {', &
       'if (!isFinite(value)) return ''\u2013''', &
       'const v = value * factor(q), a = Math.abs(v)', &
-      'return v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
+      'const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
+      'return +text ? text : text.replace(''-'', '''')               // 0, not -0', &
       '}', &
       'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2), depth_text = depth => `${depth_of_un'// &
       'its(depth)} ${unit(''length'')}`', &
@@ -126,10 +129,10 @@ module dg_page_script
       'return line.marks ? {d, v} : {d: d.subarray(from, to), v: v.subarray(from, to)}', &
       '}', &
       'function path_of({d, v}, x_of, turns) {                      // with a gap where a value lacks, or an angle pa'// &
-      'sses a full turn', &
-      'const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)', &
-      'const place = i => x_of(v[i]).toFixed(1) + '' '' + y_of(d[i]).toFixed(1)']
+      'sses a full turn']
    character(192), parameter :: script_lines_2(100) = [character(192) :: &
+      'const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)', &
+      'const place = i => x_of(v[i]).toFixed(1) + '' '' + y_of(d[i]).toFixed(1)', &
       'return [...d.keys()].filter(i => isFinite(v[i])).map(i => (apart(i) ? `M${place(i)}h0` : ''L'' + place(i))).jo'// &
       'in('''')', &
       '}', &
@@ -155,7 +158,7 @@ module dg_page_script
       '}', &
       '}', &
       'function draw_line(clip, line, x) {', &
-      'const {look, mark, curve} = line', &
+      'const {look, curve} = line', &
       'if (line.low) {                                           // bars', &
       'const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('''')', &
       'make(clip, ''path'', {d, stroke: look.stroke, ''stroke-width'': line.thick ? 14 : 2})', &
@@ -250,10 +253,10 @@ module dg_page_script
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
-      '] ?? ''''}, text))', &
-      '})', &
-      'view.readout.replaceChildren(table)']
+      '] ?? ''''}, text))']
    character(192), parameter :: script_lines_3(100) = [character(192) :: &
+      '})', &
+      'view.readout.replaceChildren(table)', &
       'view.slider.setAttribute(''aria-valuetext'', [place_text(), ...rows.map(row => row.join('' ''))].join('', ''))', &
       '}', &
       'function draw() {', &
@@ -279,7 +282,7 @@ module dg_page_script
       'S.keys.forEach((key, id) => {', &
       'if (key.words) make(view.legend, ''h:span'', {}, key.text)', &
       'if (key.words || !used.has(id)) return', &
-      'const turn = () => { state.hidden.has(id) ? state.hidden.delete(id) : state.hidden.add(id); draw() }', &
+      'const turn = () => { if (!state.hidden.delete(id)) state.hidden.add(id); draw() }', &
       'const b = make(view.legend, ''h:button'', {type: ''button'', ''aria-pressed'': !state.hidden.has(id), onclick:'// &
       ' turn})', &
       'draw_key(b, key)', &
@@ -364,11 +367,11 @@ module dg_page_script
       'if (choices.model.length > 1) put_list(side, ''model'', ''Models'')', &
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
-      'view.legend = make(right, ''h:div'', {class: ''legend''})', &
+      'view.legend = make(right, ''h:div'', {class: ''legend''})']
+   character(192), parameter :: script_lines_4(100) = [character(192) :: &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
-      ' ''row'', oninput: e => set_depth(+e.target.value)})']
-   character(192), parameter :: script_lines_4(100) = [character(192) :: &
+      ' ''row'', oninput: e => set_depth(+e.target.value)})', &
       'if (!S.rows) view.typed = make(make(right, ''h:label'', {class: ''typed''}, '' ''), ''h:input'', {type: ''numb'// &
       'er'', step: ''any'', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor(''length''))})', &
       'view.readout = make(right, ''h:div'', {class: ''wide readout'', tabindex: 0})', &
@@ -482,11 +485,11 @@ module dg_page_script
       'function draw_well() {', &
       'const p = leading(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))', &
       'well.replaceChildren()', &
-      'if (!p) return () => {}', &
+      'if (!p) return () => {}']
+   character(192), parameter :: script_lines_5(87) = [character(192) :: &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]', &
       'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
-      'p, state.tint, d)}))']
-   character(192), parameter :: script_lines_5(85) = [character(192) :: &
+      'p, state.tint, d)}))', &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
       '[k]))])', &
       'const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)', &
@@ -551,8 +554,8 @@ module dg_page_script
       'const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x'// &
       '_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)', &
       'const write = writer(assembly, W)', &
-      'for (const side of [.5, -.5]) make(assembly, ''path'', {d: ''M'' + edge(top, bit, d => side * value_at(p, ''ho'// &
-      'le'', d)).join(''L''), class: ''wall''})', &
+      'for (const side of [.5, -.5]) make(assembly, ''path'', {d: ''M'' + edge(Math.max(top, p.curves.hole.d[0]), bit'// &
+      ', d => side * value_at(p, ''hole'', d)).join(''L''), class: ''wall''})', &
       'for (const part of D.cases[p.case].parts) {', &
       'const from = Math.max(bit - part.to, top), to = bit - part.from', &
       'if (to <= top) continue', &
@@ -563,7 +566,7 @@ module dg_page_script
       '}', &
       'for (const t of ticks(0, shown_length * factor(''length''), W / 120)) write(x_of(bit - t / factor(''length''))'// &
       ', T - 4, String(t))', &
-      'const contacts = p.contacts.filter(c => c[0] > top).sort((a, b) => b[1] - a[1])', &
+      'const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])', &
       'for (const [d, force, clock] of contacts) {', &
       'const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 2'// &
       '0 * force / contacts[0][1])', &
@@ -596,7 +599,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(192), parameter :: script_lines(485) = [ &
+   character(192), parameter :: script_lines(487) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
@@ -627,7 +630,8 @@ module dg_page_script
       '.live .key{width:28px;height:16px;vertical-align:middle;display:inline-block;margin-right:.4em}', &
       '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side{font-size:.85em}.side select{display'// &
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
-      '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em}.panel div{font-size:11px;line-height:1.2}', &
+      '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em;overflow-wrap:anywhere}.readout th+th+th{min-w'// &
+      'idth:6em}.panel div{font-size:11px;line-height:1.2}', &
       '.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:none;cursor:crosshair}', &
       '.right input[type=range]{width:100%}p .units{margin-left:1em}.typed{display:inline-block;margin:.2em 1.5em .2e'// &
       'm 0}.typed input{font:inherit;width:7em}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-c'// &

@@ -87,7 +87,7 @@ function well_figures(b) {
       const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
       const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)
       const write = writer(assembly, W)
-      for (const side of [.5, -.5]) make(assembly, 'path', {d: 'M' + edge(top, bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
+      for (const side of [.5, -.5]) make(assembly, 'path', {d: 'M' + edge(Math.max(top, p.curves.hole.d[0]), bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
       for (const part of D.cases[p.case].parts) {
          const from = Math.max(bit - part.to, top), to = bit - part.from
          if (to <= top) continue
@@ -96,7 +96,7 @@ function well_figures(b) {
          write((x_of(from) + x_of(to)) / 2, 14, part.name)
       }
       for (const t of ticks(0, shown_length * factor('length'), W / 120)) write(x_of(bit - t / factor('length')), T - 4, String(t))
-      const contacts = p.contacts.filter(c => c[0] > top).sort((a, b) => b[1] - a[1])
+      const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])
       for (const [d, force, clock] of contacts) {
          const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 20 * force / contacts[0][1])
          make(assembly, 'line', {x1: x_of(d), x2: x_of(d), y1, y2, class: 'force'})
