@@ -5,7 +5,7 @@ The address of the page holds the view, so that `chromium --dump-dom PAGE#case=.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
 cut or lies on another; that two fingers zoom; that a phone need not scroll sideways, and shows which tables do; that a depth may be
-typed and is marked in the views of the well; that models may be chosen; that tables follow the units; that the browser has no complaint.
+typed and is marked in the views of the well; that models may be chosen; that tables and sentences follow the units; that the well is coloured, the assembly has its moment; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -92,6 +92,21 @@ setTimeout(async () => {
 DEPTHS = [("2312.34", "measured depth [m]", "At 2312.34 m measured depth", 2312.34, None), ("3180", "measured depth [m]", "At 3180 m measured depth", 3180, 0.75),
           ("5001", "measured depth [ft]", "At 5001 ft measured depth", 1524.305, None), ("5002", "measured depth [ft]", "At 5002 ft measured depth", 1524.61, None),
           ("5002", "measured depth [ft]", "At 5002 ft measured depth", 1524.61, None), ("10465.88", "measured depth [ft]", "At 10465.88 ft measured depth", 3190, 1.0)]
+
+# The well by a state of contact, at a depth beside the bit.
+COLOURED = r"""
+setTimeout(async () => {
+   const {root} = blocks[0].S, pick = root.querySelector('[aria-label="colour of the well"]'), field = root.querySelector('input[type=number]')
+   const well = root.querySelector('[aria-label="the well in three dimensions"]')
+   field.value = '3186'
+   field.dispatchEvent(new Event('change'))
+   pick.value = 'gap_state'
+   pick.dispatchEvent(new Event('change'))
+   const [whole, value] = [well, well.querySelector('.value')].map(e => e.getBoundingClientRect())
+   document.title = 'FOUND' + JSON.stringify([well.querySelector('.value').textContent, [...well.querySelectorAll('text')][0].textContent,
+      value.right <= whole.right && value.left >= whole.left, root.querySelector('figcaption').textContent])
+}, 300)
+"""
 
 # One model chosen in the list, then a depth beyond the end of the first of two load cases.
 CHOSEN = r"""
@@ -360,6 +375,35 @@ def faults_of_tables(folder, page):
     return faults, compared
 
 
+def faults_of_well(folder, text):
+    """The well coloured by a state, which is told at the bit and is not cut; moment and offset below the assembly, against the CSV file."""
+    told, faults = told_by(text, COLOURED)
+    if not told:
+        return [*faults, "the well was not coloured"]
+    value, words, inside, caption = told
+    if not value.startswith("3186 m: ") or value.split(": ")[1] not in words.split(", ") or "rigid" not in words or not inside:
+        faults.append(f"coloured by gap state the well shows '{value}', '{words}', inside: {inside}")
+    found, profile = re.search(r"At 3186 m: moment ([0-9.]+) kN\.m, ([0-9.]+) mm off the axis\.$", caption), Profile(folder, CASES[0], "mcge")
+    wanted = [profile.at(name, 3186.0)[0] for name in ("bending", "displacement")]
+    if not found or any(abs(float(a) - b) > 1e-3 * b for a, b in zip(found.groups(), wanted)):
+        faults.append(f"below the assembly stands '{caption}', the file has {wanted}")
+    return faults
+
+
+def faults_of_sentences(page):
+    """Answers, well and string in other units: each number of a sentence against that in the deck's units, to the three digits that it has."""
+    made, _ = dom(page, "units=field")
+    faults, compared = [], 0
+    for own, shown in re.findall(r'<(?:td|p|small|span)[^>]*data-own="([^"]*)"[^>]*>([^<]*)<', made):
+        for unit, other in (("kN", "klbf"), ("m", "ft"), ("MPa", "ksi")):
+            pairs = [re.findall(rf"(?<![0-9./])([0-9.]+) (?:of ([0-9.]+) )?{u}\b(?!\.m)", html.unescape(text)) for text, u in ((own, unit), (shown, other))]
+            numbers = [[float(n) for pair in found for n in pair if n] for found in pairs]
+            compared += len(numbers[0])
+            if len(numbers[0]) != len(numbers[1]) or any(abs(a * FIELD[other] - b) > 0.011 * b + 0.01 for a, b in zip(*numbers)):
+                faults.append(f"in field units '{own}' is '{shown}'")
+    return faults + ([] if compared > 40 else [f"only {compared} numbers of sentences were compared"])
+
+
 def faults_of_edge(text):
     """On a phone a wide table has a coloured right edge until its end is seen."""
     from matplotlib.image import imread
@@ -397,7 +441,7 @@ def main():
     found, n = faults_of_view(folder, page, data, two, field=True)
     faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_phone(text) + faults_of_touch(page), compared + n
     found, n = faults_of_tables(folder, page)
-    faults += found + faults_of_typing(text) + faults_of_choice(text) + faults_of_edge(text)
+    faults += found + faults_of_sentences(page) + faults_of_well(folder, text) + faults_of_typing(text) + faults_of_choice(text) + faults_of_edge(text)
     print(f"{compared} values read off the page, {n} off its tables")
     if compared < 150 or n < 500:
         faults.append(f"only {compared} values could be compared")

@@ -6,6 +6,7 @@ Usage: embed_page.py [--write]     --write makes the source anew
 import base64
 import hashlib
 import pathlib
+import re
 import sys
 
 from embedded import keep, rows
@@ -16,8 +17,8 @@ PART = 100      # lines in a statement, which may have 255 lines of Fortran
 
 
 def lines_of(name):
-    """Lines of a file, without what only its readers need: indentation, lines that are empty or a comment."""
-    lines = [line.strip() for line in (PAGE / name).read_text(encoding="ascii").splitlines()]
+    """Lines of a file, without what only its readers need: indentation, comments, lines that are empty."""
+    lines = [re.sub(r" {2,}// .*", "", line).strip() for line in (PAGE / name).read_text(encoding="ascii").splitlines()]
     return [line for line in lines if line and not line.startswith("// ")]
 
 

@@ -159,8 +159,8 @@ contains
       call add_line(lines, '<h1>'//html_safe(title)//'</h1>')
       call add_line(lines, '<p>Torque and drag by '//program_name//' '//program_version//', '//html_safe(stamp)// &
                        ', deck '//html_safe(job%deck_path)//', units '//trim(job%units%name)//'.</p>')
-      call add_line(lines, '<p class="note switched" hidden="">Charts and tables show the units chosen. Sentences, printed '// &
-                       'text and the deck keep '//trim(job%units%name)//' units.</p>')
+      call add_line(lines, '<p class="note switched" hidden="">Answers, charts and tables show the units chosen. Warnings, '// &
+                       'printed text and the deck keep '//trim(job%units%name)//' units.</p>')
    end subroutine start_page
 
    !> Notes on the deck, then messages of load cases, those without a solution first. Beside a NO 'no warnings' would mislead.

@@ -4,6 +4,7 @@ module dg_html_short
    use dg_case_result, only: case_result_type, result_converged
    use dg_comparison, only: as_measured, percent_error
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
+   use dg_html_text, only: said_number
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_missing, only: optional_real
@@ -11,7 +12,7 @@ module dg_html_short
    use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type
    use dg_text, only: to_text
-   use dg_unit_kind, only: in_units, unit_force
+   use dg_unit_kind, only: unit_force
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -68,12 +69,12 @@ contains
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
-         call add_line(lines, '<li>Hook load: '//in_units(job%units, unit_force, results(1)%hookload, few)//'.</li>')
+         call add_line(lines, '<li>Hook load: '//said_number(job%units, unit_force, results(1)%hookload, few)//'.</li>')
       else
          call add_line(lines, '<li>Hook load: from '// &
-                       in_units(job%units, unit_force, results(least)%hookload, few)//' ('// &
+                       said_number(job%units, unit_force, results(least)%hookload, few)//' ('// &
                        html_safe(model%cases(results(least)%case_index)%name)//') to '// &
-                       in_units(job%units, unit_force, results(most)%hookload, few)//' ('// &
+                       said_number(job%units, unit_force, results(most)%hookload, few)//' ('// &
                        html_safe(model%cases(results(most)%case_index)%name)//').</li>')
       end if
    end subroutine append_loads
@@ -158,7 +159,7 @@ contains
             end do
          end do
          if (where_worst > 0) call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
-            in_units(job%units, unit_force, worst, fewer)//' of these, '//to_text(per_cent*worst/scale, fewer)// &
+            said_number(job%units, unit_force, worst, fewer)//' of these, '//to_text(per_cent*worst/scale, fewer)// &
             ' % of the greatest; the worst is '//html_safe(model%cases(where_worst)%name)//'.</li>')
       end do
    end subroutine append_models

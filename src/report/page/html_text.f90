@@ -10,14 +10,14 @@ module dg_html_text
    use dg_markup, only: html_safe
    use dg_missing, only: is_shown
    use dg_number_text, only: fixed_text
-   use dg_quantity, only: quantity_rows => rows, system_base
+   use dg_quantity, only: quantity_rows => rows, system_base, system_name
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, text_type, to_text
-   use dg_units, only: unit_system_type
-   use dg_unit_kind, only: unit_factor, unit_label
+   use dg_units, only: system_of, unit_system_type
+   use dg_unit_kind, only: in_units, unit_factor, unit_label
    implicit none
    private
-   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, number_cell, switched
+   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, number_cell, said, said_number, switched
 
    !> A column of residuals: its size tells, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -157,6 +157,37 @@ contains
       attribute = ''
       if (has_units(quantity)) attribute = ' data-q="'//quantity_key(quantity)//'"'
    end function switched
+
+   !> Attributes of an element whose text is a sentence: the sentence in each other system of units, where it differs.
+   pure function said(text, systems) result(attributes)
+      character(*), intent(in) :: text              !< in the deck's units
+      type(text_type), intent(in) :: systems(:)     !< by system
+      character(:), allocatable :: attributes
+      character(len(system_name)) :: name
+      integer :: k
+      attributes = ''
+      do k = 1, size(systems)
+         name = system_name(k)
+         if (name == 'SI') name = 'si'              ! names of attributes have no capitals
+         if (systems(k)%text /= text) attributes = attributes//' data-'//trim(name)//'="'//html_safe(systems(k)%text)//'"'
+      end do
+   end function said
+
+   !> A number in a sentence, with its unit.
+   pure function said_number(units, quantity, value, digits) result(span)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value                 !< [SI]
+      integer, intent(in) :: digits
+      character(:), allocatable :: span
+      type(text_type) :: systems(system_base - 1)
+      integer :: k
+      do k = 1, size(systems)
+         systems(k)%text = in_units(system_of(k), quantity, value, digits)
+      end do
+      span = in_units(units, quantity, value, digits)
+      span = '<span'//said(span, systems)//'>'//html_safe(span)//'</span>'
+   end function said_number
 
    !> True if the systems of units that decks have differ in a quantity.
    pure function has_units(quantity) result(has)

@@ -1,6 +1,7 @@
 !> First block of the page: can it be done, one row per load case.
 module dg_html_verdict
    use dg_case_result, only: case_result_type
+   use dg_html_text, only: said
    use dg_html_well, only: append_well, shown_rows
    use dg_job, only: job_type, leading_model
    use dg_kinds, only: wp
@@ -8,7 +9,9 @@ module dg_html_verdict
    use dg_markup, only: html_safe
    use dg_merge_sort, only: sorted_places
    use dg_model, only: model_type
-   use dg_text, only: to_text
+   use dg_quantity, only: system_base
+   use dg_text, only: text_type, to_text
+   use dg_units, only: system_of
    use dg_verdict, only: answer_no, answer_unknown, answer_yes, verdict_type
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, verdict_sentences
@@ -68,8 +71,9 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       integer, intent(in) :: first
       integer, allocatable :: rows(:), order(:), rank(:)
-      character(:), allocatable :: place
-      integer :: i
+      type(text_type) :: tasks(system_base - 1), sentences(system_base - 1)
+      character(:), allocatable :: place, task, sentence
+      integer :: i, k
       rows = pack([(i, i=1, size(results))], results%model == leading_model(job))
       order = sorted_places([(-urgency(wholes(rows(i))%verdict), i=1, size(rows))])
       allocate (rank(size(rows)))
@@ -79,11 +83,17 @@ contains
          place = ''
          if (size(rows) > first) place = place_text(rank(i))
          associate (load_case => model%cases(results(rows(i))%case_index), verdict => wholes(rows(i))%verdict)
-            call add_line(lines, '<tr'//place//'><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small>'// &
-                             task_text(job%units, load_case)//'</small></td><td class="text"><b'// &
+            do k = 1, size(tasks)
+               tasks(k)%text = task_text(system_of(k), load_case)
+               sentences(k)%text = verdict_sentences(system_of(k), load_case, verdict)//'.'
+            end do
+            task = task_text(job%units, load_case)
+            sentence = verdict_sentences(job%units, load_case, verdict)//'.'
+            call add_line(lines, '<tr'//place//'><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small'// &
+                             said(task, tasks)//'>'//html_safe(task)//'</small></td><td class="text"><b'// &
                              trim(merge(' class="no"', '           ', verdict%answer == answer_no))//'>'// &
-                             answer_word(verdict%answer)//'</b></td><td class="text long">'// &
-                             html_safe(verdict_sentences(job%units, load_case, verdict))//'.</td></tr>')
+                             answer_word(verdict%answer)//'</b></td><td class="text long"'//said(sentence, sentences)//'>'// &
+                             html_safe(sentence)//'</td></tr>')
          end associate
       end do
       if (size(rows) > first) call add_line(lines, '<tr class="more"><td class="text" colspan="3">'// &

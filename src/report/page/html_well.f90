@@ -3,15 +3,16 @@ module dg_html_well
    use dg_kinds, only: wp
    use dg_component, only: component_type
    use dg_drillstring, only: component_tops
-   use dg_html_text, only: number_cell, switched
+   use dg_html_text, only: number_cell, said, said_number, switched
    use dg_job, only: job_type
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_model, only: model_type, string_index
+   use dg_quantity, only: system_base
    use dg_text, only: text_type, to_text
    use dg_trajectory, only: bottom_md, top_md
-   use dg_unit_kind, only: in_units, unit_diameter, unit_factor, unit_label, unit_length, unit_mass
-   use dg_units, only: unit_system_type
+   use dg_unit_kind, only: unit_diameter, unit_factor, unit_label, unit_length, unit_mass
+   use dg_units, only: system_of, unit_system_type
    use dg_well_head, only: well_head
    implicit none
    private
@@ -30,12 +31,19 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: shown            !< load case of the string and the chart; 0: none
       character(*), intent(in) :: level       !< of the heading
-      type(text_type), allocatable :: head(:)
-      integer :: i
+      type(text_type), allocatable :: head(:), in_system(:), systems(:, :)
+      integer :: i, k
       allocate (head, source=well_head(job%units, model))
+      allocate (systems(system_base - 1, size(head)))
+      do k = 1, size(systems, 1)
+         in_system = well_head(system_of(k), model)
+         do i = 1, size(head)
+            systems(k, i)%text = in_system(i)%text//'.'
+         end do
+      end do
       call add_line(lines, '<div class="head"><div><'//level//'>Well and string</'//level//'>')
       do i = 1, size(head)
-         call add_line(lines, '<p>'//html_safe(head(i)%text)//'.</p>')
+         call add_line(lines, '<p'//said(head(i)%text//'.', systems(:, i))//'>'//html_safe(head(i)%text)//'.</p>')
       end do
       if (shown > 0) then
          call append_string(lines, job%units, model, string_index(model%strings, model%cases(shown)%string), &
@@ -72,7 +80,7 @@ contains
       name = ''
       if (size(model%strings) > 1) name = ' '//html_safe(model%strings(number)%name)
       call add_line(lines, '<table><caption>String'//name//' from the bit at '// &
-                       in_units(units, unit_length, bit, digits)//' upwards</caption>')
+                       said_number(units, unit_length, bit, digits)//' upwards</caption>')
       call add_line(lines, '<thead><tr><th class="text" scope="col">component</th>'//head_cell('length', unit_length)// &
                        head_cell('od', unit_diameter)//head_cell('mass', unit_mass)//'</tr></thead><tbody>')
       do i = 1, min(last, most_rows)

@@ -81,7 +81,7 @@ function draw_key(parent, key) {                             // a piece of a lin
 // ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels` over a depth
 // (`over`, `end`) or over rows with names (`rows`). Draw it when all are made.
 function block(S, address) {
-   const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set(), tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35, near: 1}
+   const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set(), tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35}
    const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)
    const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)
    const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26
@@ -342,6 +342,10 @@ function draw_all() {
          const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split('.')[1]?.length ?? 0)
          cell.textContent = units === D.units || own === '' || isNaN(value) ? own : text
       }
+   }
+   for (const e of document.querySelectorAll('[data-si],[data-field],[data-metric]')) {
+      const own = e.dataset.own ??= e.textContent               // a sentence, which has its words in other systems
+      e.textContent = e.dataset[units.toLowerCase()] ?? own
    }
    document.querySelector('.switched').hidden = units === D.units
    for (const b of document.querySelectorAll('.units')) b.textContent = 'units: ' + units

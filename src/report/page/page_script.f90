@@ -5,23 +5,21 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'uh8jZY+9HiNJvSRhFIOGdxQW9Q0i3seX5jX3QcQiODo='
+   character(*), parameter :: script_hash = '2rOfCThwYJAoY8bCkTYC8OTdg21HGax6IUXRb4bCbhI='
    character(192), parameter :: script_lines_1(100) = [character(192) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
       '8h-8z'', ''m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z'',', &
       '''m0-5l5 8.5h-10z'', ''m0 5l5-8.5h-10z'', ''m0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z'', ''m0-5l4.8 3.5l-1.8 5.5h-6l-1'// &
-      '.8-5.5z'']   // gnuplot''s marks', &
+      '.8-5.5z'']', &
       'const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.mode'// &
       'l))]}', &
-      'const blocks = []                                            // all charts of the page that answer', &
-      'const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole', &
+      'const blocks = []', &
+      'const shown_length = 40 / D.quantities.length.SI[1]', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
-      'let paper = null                                             // while the page is printed: width and height of'// &
-      ' charts', &
-      'function curve_of(text) {                                    // "step value step value ..." in thousandths of '// &
-      'D.units'' length', &
+      'let paper = null', &
+      'function curve_of(text) {', &
       'const t = text === '''' ? [] : text.split('' ''), n = t.length / 2, d = new Float64Array(n), v = new Float64Ar'// &
       'ray(n)', &
       'for (let i = 0, sum = 0; i < n; i++) { d[i] = (sum += +t[2 * i]) / 1000; v[i] = t[2 * i + 1] === '''' ? NaN : '// &
@@ -29,11 +27,11 @@ module dg_page_script
       'return {d, v}', &
       '}', &
       'for (const p of D.profiles ?? []) for (const name in p.curves) {', &
-      'const curve = p.curves[name]                              // a number: the same as an earlier one', &
+      'const curve = p.curves[name]', &
       'const more = {words: D.columns[name].words, turns: name === ''clock''}', &
       'p.curves[name] = typeof curve === ''number'' ? D.profiles[curve].curves[name] : {...curve_of(curve), ...more}', &
       '}', &
-      'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression', &
+      'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})', &
       'for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {', &
       'panel.quantity = D.columns[panel.curves[0].column].quantity', &
       'panel.lines = D.profiles.flatMap((p, k) => panel.curves.filter(c => p.curves[c.column]).map(c => ({', &
@@ -47,17 +45,15 @@ module dg_page_script
       'if (line.low) { line.low = curve_of(line.low).v; line.high = curve_of(line.high).v }', &
       '}', &
       'const factor = q => D.quantities[q]?.[units]?.[1] ?? 1, unit = q => D.quantities[q]?.[units]?.[0] ?? q', &
-      'const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))  '// &
-      ' // at or above it', &
-      'const rounding = .01                                         // of depths: a load case has 7 digits, a curve t'// &
-      'hree decimals', &
+      'const row_at = ({d}, depth) => Math.max(0, Math.min(d.findLastIndex(place => place <= depth), d.length - 2))', &
+      'const rounding = .01', &
       'const reaches = ({d}, depth) => depth >= d[0] - rounding && depth <= d[d.length - 1] + rounding', &
       'function value_in(c, depth) {', &
       'if (!c || !reaches(c, depth)) return NaN', &
       'const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0', &
       'if (c.words) return c.v[part < .5 ? i : i + 1]', &
-      'if (part === 0 || part === 1) return c.v[i + part]        // a value may lack beside it', &
-      'const step = c.v[i + 1] - c.v[i]                          // of an angle the short way round', &
+      'if (part === 0 || part === 1) return c.v[i + part]', &
+      'const step = c.v[i + 1] - c.v[i]', &
       'return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step', &
       '}', &
       'const value_at = (p, name, depth) => value_in(p.curves[name], depth)', &
@@ -65,7 +61,7 @@ module dg_page_script
       'if (!isFinite(value)) return ''\u2013''', &
       'const v = value * factor(q), a = Math.abs(v)', &
       'const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
-      'return +text ? text : text.replace(''-'', '''')               // 0, not -0', &
+      'return +text ? text : text.replace(''-'', '''')', &
       '}', &
       'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2), depth_text = depth => `${depth_of_un'// &
       'its(depth)} ${unit(''length'')}`', &
@@ -89,18 +85,18 @@ module dg_page_script
       'if (mark) make(parent, ''path'', {d, ''stroke-width'': 1.6, fill: mark > 4 && mark % 2 ? stroke : ''none'', st'// &
       'roke})', &
       '}', &
-      'function draw_key(parent, key) {                             // a piece of a line, or a mark', &
+      'function draw_key(parent, key) {', &
       'const svg = make(parent, ''svg'', {viewBox: ''0 -4 28 16'', class: ''key''})', &
       'if (!key.marks) make(svg, ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, ''stroke-width'': 3, ...key.look})', &
       'put_marks(svg, [''M14 4''], key)', &
       '}', &
       'function block(S, address) {', &
       'const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Se'// &
-      't(), tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35, near: 1}', &
+      't(), tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35}', &
       'const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)', &
       'const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)', &
       'const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26', &
-      'let H                                                        // height of a panel', &
+      'let H', &
       'const y_of = depth => up + (depth - state.top) / (state.bottom - state.top) * (H - up - down)', &
       'const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)', &
       'const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)', &
@@ -111,33 +107,29 @@ module dg_page_script
       'const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))', &
       'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
       'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
-      'function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near the de'// &
-      'pth that is pointed at', &
+      'function row_beside({curve: {d, v}}) {', &
       'const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - stat'// &
       'e.top)', &
       'return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1', &
       '}', &
-      'function text_at(line, q) {                                  // its value at the depth that is pointed at', &
+      'function text_at(line, q) {', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
       'pth)', &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
       'igh[i], q)})`)', &
       '}', &
-      'function seen_of(line) {                                     // the points of a curve that are seen, and one m'// &
-      'ore at each end', &
+      'function seen_of(line) {', &
       'const {curve: {d, v}} = line, from = row_at(line.curve, state.top), to = row_at(line.curve, state.bottom) + 2', &
       'return line.marks ? {d, v} : {d: d.subarray(from, to), v: v.subarray(from, to)}', &
       '}', &
-      'function path_of({d, v}, x_of, turns) {                      // with a gap where a value lacks, or an angle pa'// &
-      'sses a full turn']
+      'function path_of({d, v}, x_of, turns) {']
    character(192), parameter :: script_lines_2(100) = [character(192) :: &
       'const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)', &
       'const place = i => x_of(v[i]).toFixed(1) + '' '' + y_of(d[i]).toFixed(1)', &
       'return [...d.keys()].filter(i => isFinite(v[i])).map(i => (apart(i) ? `M${place(i)}h0` : ''L'' + place(i))).jo'// &
       'in('''')', &
       '}', &
-      'function range_of(panel, lines) {                            // of what is seen; along the string 0 is among i'// &
-      't', &
+      'function range_of(panel, lines) {', &
       'if (panel.high !== undefined) return [panel.low, panel.high]', &
       'const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
       'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))], least = known.reduce((a, b) => Math'// &
@@ -145,7 +137,7 @@ module dg_page_script
       'const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1', &
       'return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]', &
       '}', &
-      'function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows', &
+      'function draw_axis(svg, left, right, first_of_row) {', &
       'const length = factor(''length''), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H /'// &
       ' 47)', &
       'for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) '// &
@@ -159,7 +151,7 @@ module dg_page_script
       '}', &
       'function draw_line(clip, line, x) {', &
       'const {look, curve} = line', &
-      'if (line.low) {                                           // bars', &
+      'if (line.low) {', &
       'const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('''')', &
       'make(clip, ''path'', {d, stroke: look.stroke, ''stroke-width'': line.thick ? 14 : 2})', &
       'if (!line.thick) return', &
@@ -168,8 +160,7 @@ module dg_page_script
       'make(clip, ''path'', {d, fill: ''none'', ''stroke-width'': 1.7, ''stroke-linecap'': ''round'', ...look})', &
       '}', &
       'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
-      'const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}      // on a line for print wi'// &
-      'thout colours', &
+      'const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}', &
       'const there = [...d.keys()].filter(i => isFinite(v[i]))', &
       'put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
       '}', &
@@ -205,7 +196,7 @@ module dg_page_script
       'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
-      'S.root.classList.toggle(''bare'', bare)                     // an empty chart is not drawn', &
+      'S.root.classList.toggle(''bare'', bare)', &
       'const wide = paper?.wide ?? (view.panels.clientWidth || 1000)', &
       'const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)', &
       'const one = (panel, i) => draw_panel(panel, i % abreast, Math.max(150, wide / abreast))', &
@@ -213,8 +204,7 @@ module dg_page_script
       'for (const s of view.panels.children) s.style.width = 100 / abreast + ''%''', &
       'set_depth(state.depth)', &
       '}', &
-      'function set_depth(depth) {                                  // the slider keeps it within its range, and rows'// &
-      ' whole', &
+      'function set_depth(depth) {', &
       'view.slider.value = depth', &
       'state.depth = +view.slider.value', &
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
@@ -223,7 +213,7 @@ module dg_page_script
       'draw_readout()', &
       'note_address()', &
       '}', &
-      'function cells_of_profiles() {                               // a row a quantity', &
+      'function cells_of_profiles() {', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2', &
       'const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]', &
       'const above = p => D.cases[p.case].depth - state.depth, there = p => D.cases[p.case].parts.find(({from, to}) ='// &
@@ -236,8 +226,7 @@ module dg_page_script
       'return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '''' : text(v[1] - v[0])] : [])]', &
       '})]', &
       '}', &
-      'function cells_of_lines() {                                  // a row a line: all that reach the depth, of mar'// &
-      'ks those that are near', &
+      'function cells_of_lines() {', &
       'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
       'const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
@@ -246,8 +235,7 @@ module dg_page_script
       'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
       '=> cell(name, k))])]', &
       '}', &
-      'function draw_readout() {                                    // a table; a screen reader has its words from th'// &
-      'e slider', &
+      'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
       'make(table, ''h:caption'', {}, ''At '' + place_text() + (S.rows ? '''' : '' '' + S.over))', &
       'rows.forEach((row, k) => {', &
@@ -269,14 +257,13 @@ module dg_page_script
       'draw_panels()', &
       'view.well?.draw()', &
       '}', &
-      'function put_list(parent, key, text) {                       // of which several may be chosen', &
+      'function put_list(parent, key, text) {', &
       'const more = {multiple: '''', size: Math.min(1 + choices[key].length, 16)}, list = make(make(parent, ''h:label'// &
       ''', {}, text), ''h:select'', more)', &
       'for (const name of choices[key]) make(list, ''h:option'', {}, name).selected = state[key].includes(name)', &
       'list.onchange = () => { state[key] = [...list.selectedOptions].map(o => o.value); draw() }', &
       '}', &
-      'function draw_legend() {                                     // an entry in white is words alone; one without '// &
-      'a line is left out', &
+      'function draw_legend() {', &
       'const used = new Set(panels_of().flatMap(lines_of).flatMap(l => l.keys))', &
       'view.legend.replaceChildren()', &
       'S.keys.forEach((key, id) => {', &
@@ -289,19 +276,17 @@ module dg_page_script
       'b.append(key.text)', &
       '})', &
       '}', &
-      'function go_to(depth) {                                      // also beyond what is zoomed to; the old one sta'// &
-      'ys where it is no number', &
+      'function go_to(depth) {', &
       'if (depth < state.top || depth > state.bottom) whole()', &
       'set_depth(isNaN(depth) ? state.depth : depth)', &
       '}', &
-      'function listen() {                                           // a mouse is dragged over what to zoom to, two '// &
-      'fingers spread it', &
+      'function listen() {', &
       'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
       'return place ? (clientY - place.top) / place.height * H : NaN', &
       '}', &
-      'const want = (top, bottom) => {                           // shown as a band', &
+      'const want = (top, bottom) => {', &
       'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]', &
       'view.panels.style.setProperty(''--band'', y_of(wanted[0]) + ''px'')', &
       'view.panels.style.setProperty(''--bands'', Math.max(0, y_of(wanted[1]) - y_of(wanted[0])) + ''px'')', &
@@ -331,7 +316,7 @@ module dg_page_script
       '})', &
       'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)', &
       '}', &
-      'function note_address() {                                     // after a pause: the view is a link', &
+      'function note_address() {', &
       'if (active !== S) return', &
       'clearTimeout(noting)', &
       'noting = setTimeout(() => {', &
@@ -394,8 +379,7 @@ module dg_page_script
       '}', &
       'function draw_all() {', &
       'for (const b of blocks) b.draw()', &
-      'for (const head of document.querySelectorAll(''th[data-q]'')) {       // columns of tables whose numbers have '// &
-      'a unit', &
+      'for (const head of document.querySelectorAll(''th[data-q]'')) {', &
       'const {q, digits} = head.dataset', &
       'head.querySelector(''small'').textContent = unit(q)', &
       'for (const {cells: {[head.cellIndex]: cell}} of head.closest(''table'').tBodies[0].rows) {', &
@@ -404,10 +388,14 @@ module dg_page_script
       'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
       '}', &
       '}', &
+      'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
+      'const own = e.dataset.own ??= e.textContent', &
+      'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
+      '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
-      'function follow_address() {                                   // the block that the address means is made anew', &
+      'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
       'active = parts.find(S => S.title && S.title === q.get(''chart'')) ?? parts[0]', &
@@ -420,8 +408,7 @@ module dg_page_script
       'addEventListener(''resize'', draw_all)', &
       'const draw_for = size => { paper = size; draw_all() }', &
       'addEventListener(''afterprint'', () => draw_for(null))', &
-      'addEventListener(''beforeprint'', () => {                       // the first sheet has the load case nearest t'// &
-      'o a limit, the others what is shown', &
+      'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
       'paper = {wide: 660, high: 300}', &
       'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]', &
@@ -441,12 +428,14 @@ module dg_page_script
       've all points.`)', &
       'put_switch(document.querySelector(''h1 + p''))', &
       'follow_address()', &
-      'document.documentElement.classList.add(''scripted'')            // last: where a script fails fixed pictures s'// &
-      'tand', &
+      'document.documentElement.classList.add(''scripted'')', &
       'function well_figures(b) {', &
-      'const {root, state, shown} = b, angle = (p, d) => value_at(p, ''clock'', d) * Math.PI / 180', &
-      'const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]     // contacts are known to gap elem'// &
-      'ents alone', &
+      'const {root, state, shown} = b', &
+      'const angle = (p, d) => {', &
+      'const {clock} = p.curves, i = row_at(clock, d), off = k => value_at(p, ''displacement'', clock.d[k]) > 0', &
+      'return (off(i) && off(i + 1) ? value_at(p, ''clock'', d) : clock.v[off(i) ? i : i + 1]) * Math.PI / 180', &
+      '}', &
+      'const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]', &
       'const lower = make(root, ''h:div'', {class: ''lower''})', &
       'const picture = (parent, label, more) => make(make(parent, ''h:figure'', {}), ''svg'', {role: ''img'', ''aria-'// &
       'label'': label, ...more})', &
@@ -456,10 +445,9 @@ module dg_page_script
       'h:figcaption'', {})', &
       'const pick = make(null, ''h:select'', {''aria-label'': ''colour of the well'', onchange: () => { state.tint = '// &
       'pick.value; draw() }})', &
-      'const colour = part => `hsl(${230 - 225 * Math.min(part, 1)} 75% 48%)`     // blue, green, yellow, red', &
-      'let marks = []                                               // each moves the sign of the depth in a picture', &
-      'function writer(svg, width) {                                // writes texts, each unless it would hide an ear'// &
-      'lier one', &
+      'const colour = part => `hsl(${230 - 225 * Math.min(part, 1)} 75% 48%)`', &
+      'let marks = []', &
+      'function writer(svg, width) {', &
       'const taken = []', &
       'return (x, y, text) => {', &
       'const half = 3.6 * text.length, at = Math.min(Math.max(x, half), width - half)', &
@@ -468,14 +456,14 @@ module dg_page_script
       'make(svg, ''text'', {x: at, y, ''text-anchor'': ''middle''}, text)', &
       '}', &
       '}', &
-      'function draw_section() {                                    // the hole at the depth, seen down the hole, hig'// &
-      'h side up', &
+      'function draw_section() {', &
       'section.replaceChildren()', &
       'make(section, ''circle'', {cx: 100, cy: 100, r: 88, class: ''wall''})', &
       'make(section, ''text'', {x: 100, y: 9, ''text-anchor'': ''middle''}, ''high side'')', &
       'make(section, ''text'', {x: 100, y: 204, ''text-anchor'': ''middle''}, ''at '' + b.place_text())', &
       'for (const p of shown().filter(p => state.depth <= D.cases[p.case].depth)) {', &
-      'const scale = 88 / value_at(p, ''hole'', state.depth)', &
+      'const scale = 88 / value_at(p, ''hole'', state.depth)']
+   character(192), parameter :: script_lines_5(100) = [character(192) :: &
       'const off = value_at(p, ''displacement'', state.depth) * 2 * scale, a = angle(p, state.depth), r = value_at(p,'// &
       ' ''od'', state.depth) * scale', &
       'make(section, ''circle'', {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r, fill: ''none'', ''stro'// &
@@ -485,9 +473,8 @@ module dg_page_script
       'function draw_well() {', &
       'const p = leading(), place = d => [''east'', ''north'', ''tvd''].map(name => value_at(p, name, d))', &
       'well.replaceChildren()', &
-      'if (!p) return () => {}']
-   character(192), parameter :: script_lines_5(87) = [character(192) :: &
-      'const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]', &
+      'if (!p) return () => {}', &
+      'const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]', &
       'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
       'p, state.tint, d)}))', &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
@@ -496,21 +483,21 @@ module dg_page_script
       'const [[e0, e1], [n0, n1], [, z1]] = ends.map((e, k) => (e[1] - e[0] < .2 * size ? [middle[k] - .1 * size, mid'// &
       'dle[k] + .1 * size] : e))', &
       'const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitc'// &
-      'h), s = 290 * state.near / size', &
+      'h), s = 290 / size', &
       'const project = a => {', &
       'const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]', &
       'return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]', &
       '}', &
       'const line = (a, b, look) => make(well, ''path'', {d: ''M'' + [a, b].map(project).join(''L''), ...look})', &
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
-      'const low = sorted[0], high = sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1'// &
-      '] > high ? ''\u2265 '' : ''''', &
+      'const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - '// &
+      '1))], beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''', &
       'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
-      'write(120, 434, text_of(low, quantity) + '' to '' + beyond + text_of(high, quantity))', &
-      'write(0, 406, `${label} [${unit(quantity)}], ${p.key.text}`.slice(0, 60))', &
-      'const grid = (name, axis, from, to, corner, other) => {   // lines across an axis, none where it is seen from '// &
-      'its end', &
+      'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
+      'ty))', &
+      'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
+      'const grid = (name, axis, from, to, corner, other) => {', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner))), few = Math.min(5, Math.round(Math.hy'// &
       'pot(x2 - x1, y2 - y1) / 40))', &
@@ -532,20 +519,21 @@ module dg_page_script
       '''none''})', &
       'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
       '})', &
-      'const dot = make(well, ''g'', {})', &
+      'const dot = make(well, ''g'', {}), said = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
       'return () => {', &
       'const [x, y] = project(place(state.depth))', &
       'dot.replaceChildren()', &
       'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
-      'make(dot, ''text'', {x: x + 9, y: y - 6, class: ''value''}, b.place_text() + '': '' + text_of(value_at(p, stat'// &
-      'e.tint, state.depth), quantity))', &
+      'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
+      'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said(value_at(p, state.ti'// &
+      'nt, state.depth)))', &
       '}', &
       '}', &
-      'function draw_assembly() {                                   // the lowest 40 m from the side, high side up', &
+      'function draw_assembly() {', &
       'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290', &
       'assembly.replaceChildren()', &
-      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T}`)', &
+      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)', &
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
@@ -553,7 +541,8 @@ module dg_page_script
       'ment'', d) * Math.cos(angle(p, d))', &
       'const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x'// &
       '_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)', &
-      'const write = writer(assembly, W)', &
+      'const write = writer(assembly, W), said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.colum'// &
+      'ns[name].quantity)}`', &
       'for (const side of [.5, -.5]) make(assembly, ''path'', {d: ''M'' + edge(Math.max(top, p.curves.hole.d[0]), bit'// &
       ', d => side * value_at(p, ''hole'', d)).join(''L''), class: ''wall''})', &
       'for (const part of D.cases[p.case].parts) {', &
@@ -573,15 +562,28 @@ module dg_page_script
       'make(assembly, ''line'', {x1: x_of(d), x2: x_of(d), y1, y2, class: ''force''})', &
       'write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, ''force''))', &
       '}', &
+      'const moments = Array.from({length: 201}, (_, i) => bit - (i / 200) * Math.min(shown_length, bit - p.curves.ho'// &
+      'le.d[0]))', &
+      '.map(d => [x_of(d), value_at(p, ''bending'', d)]).filter(([, m]) => isFinite(m))', &
+      'const most = Math.max(...moments.map(([, m]) => m), 0)', &
+      'make(assembly, ''path'', {d: ''M'' + moments.map(([x, m]) => `${x.toFixed(1)} ${(T + 80 - m / (most || 1) * 60'// &
+      ').toFixed(1)}`).join(''L''), class: ''moment''})', &
+      'write(0, T + 14, ''moment, at most '' + said(''bending'', most))', &
       'const cross = make(assembly, ''path'', {class: ''cross''})', &
-      'scale.textContent = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], con'// &
-      'tact forces [${unit(''force'')}], enlarged across the hole.`', &
-      'return () => cross.setAttribute(''d'', state.depth < top || state.depth > bit ? '''' : `M${x_of(state.depth)} '// &
-      '20V${T - 16}`)', &
+      'const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], contact f'// &
+      'orces [${unit(''force'')}], ` +', &
+      '''enlarged across the hole.''', &
+      'return () => {', &
+      'const there = state.depth >= top && state.depth <= bit', &
+      'cross.setAttribute(''d'', there ? `M${x_of(state.depth)} 20V${T + 80}` : '''')', &
+      'const values = [''bending'', ''displacement''].map(name => said(name, value_at(p, name, state.depth)))', &
+      'scale.textContent = words + (there ? ` At ${b.place_text()}: moment ${values.join('', '')} off the axis.` : '''// &
+      ''')', &
+      '}', &
       '}', &
       'const mark = () => { for (const m of marks) m() }', &
       'const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }', &
-      'for (const n in D.columns) if (!D.columns[n].words) make(pick, ''h:option'', {value: n}, D.columns[n].label)', &
+      'for (const n in D.columns) make(pick, ''h:option'', {value: n}, D.columns[n].label)', &
       'pick.value = state.tint', &
       'well.before(pick)', &
       'const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw'// &
@@ -590,21 +592,21 @@ module dg_page_script
       '/ 2, 0]}', &
       'for (const name in sides) well.before(make(null, ''h:button'', {type: ''button'', onclick: () => { [state.yaw,'// &
       ' state.pitch] = sides[name]; draw() }}, name))', &
-      'well.addEventListener(''pointermove'', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })', &
-      'well.addEventListener(''wheel'', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw'// &
-      '() }, {passive: false})', &
+      'well.addEventListener(''pointermove'', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })']
+   character(192), parameter :: script_lines_6(6) = [character(192) :: &
       'well.addEventListener(''keydown'', e => {', &
       'const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]', &
       'if (by) { e.preventDefault(); turn_by(...by) }', &
       '})', &
       'return {draw, mark}', &
       '}']
-   character(192), parameter :: script_lines(487) = [ &
+   character(192), parameter :: script_lines(506) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
-      script_lines_5]
+      script_lines_5, &
+      script_lines_6]
    character(284), parameter :: style_lines_1(31) = [character(284) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
@@ -618,7 +620,8 @@ module dg_page_script
       '.live .band{fill:#0072B2;opacity:.15;y:var(--band,0);height:var(--bands,0)}.near{stroke:transparent;stroke-wid'// &
       'th:30}.dot,.value{pointer-events:none}.lower svg{touch-action:pan-y}.live .wall{fill:none;stroke:var(--wall);s'// &
       'troke-width:2.5}.live .body{fill:var(--steel);stroke:var(--ink)}', &
-      '.live .force{stroke:#D55E00;stroke-width:3}.live .shadow{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
+      '.live .moment{fill:none;stroke:#0072B2;stroke-width:2}.live .force{stroke:#D55E00;stroke-width:3}.live .shadow'// &
+      '{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
       '.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare [type=range]{display:none}', &
       '.live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
       '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button,.unit'// &

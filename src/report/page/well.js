@@ -1,7 +1,11 @@
 // The well of the load cases that are shown, below their curves: the hole across at the depth that is pointed at, the well in three
 // dimensions, the assembly in its hole. Part of page.js, which makes a block `b` with curves and calls it.
 function well_figures(b) {
-   const {root, state, shown} = b, angle = (p, d) => value_at(p, 'clock', d) * Math.PI / 180
+   const {root, state, shown} = b
+   const angle = (p, d) => {                                    // a row on the axis of the hole has none
+      const {clock} = p.curves, i = row_at(clock, d), off = k => value_at(p, 'displacement', clock.d[k]) > 0
+      return (off(i) && off(i + 1) ? value_at(p, 'clock', d) : clock.v[off(i) ? i : i + 1]) * Math.PI / 180
+   }
    const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]     // contacts are known to gap elements alone
    const lower = make(root, 'h:div', {class: 'lower'})
    const picture = (parent, label, more) => make(make(parent, 'h:figure', {}), 'svg', {role: 'img', 'aria-label': label, ...more})
@@ -35,22 +39,22 @@ function well_figures(b) {
       const p = leading(), place = d => ['east', 'north', 'tvd'].map(name => value_at(p, name, d))
       well.replaceChildren()
       if (!p) return () => {}
-      const end = D.cases[p.case].depth, n = 400, {label, quantity} = D.columns[state.tint]
+      const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]
       const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))
       const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at[k]))])
       const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)
       const [[e0, e1], [n0, n1], [, z1]] = ends.map((e, k) => (e[1] - e[0] < .2 * size ? [middle[k] - .1 * size, middle[k] + .1 * size] : e))
-      const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch), s = 290 * state.near / size
+      const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch), s = 290 / size
       const project = a => {
          const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]
          return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]
       }
       const line = (a, b, look) => make(well, 'path', {d: 'M' + [a, b].map(project).join('L'), ...look})
       const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)
-      const low = sorted[0], high = sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1] > high ? '\u2265 ' : ''
+      const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1] > high ? '\u2265 ' : ''
       for (let i = 0; i < 40; i++) make(well, 'rect', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour(i / 39)})
-      write(120, 434, text_of(low, quantity) + ' to ' + beyond + text_of(high, quantity))
-      write(0, 406, `${label} [${unit(quantity)}], ${p.key.text}`.slice(0, 60))
+      write(120, 434, words ? words.join(', ') : text_of(low, quantity) + ' to ' + beyond + text_of(high, quantity))
+      write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + ', ' + p.key.text).slice(0, 60))
       const grid = (name, axis, from, to, corner, other) => {   // lines across an axis, none where it is seen from its end
          const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor('length')
          const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner))), few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))
@@ -69,24 +73,25 @@ function well_figures(b) {
          line(a.at, points[i + 1].at, {stroke, 'stroke-width': 5, 'stroke-linecap': 'round', 'pointer-events': 'none'})
          line(a.at, points[i + 1].at, {class: 'near', onpointerenter: () => b.set_depth(a.d)})
       })
-      const dot = make(well, 'g', {})
+      const dot = make(well, 'g', {}), said = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
       return () => {
          const [x, y] = project(place(state.depth))
          dot.replaceChildren()
          if (state.depth > end) return
          make(dot, 'circle', {cx: x, cy: y, r: 6, class: 'dot'})
-         make(dot, 'text', {x: x + 9, y: y - 6, class: 'value'}, b.place_text() + ': ' + text_of(value_at(p, state.tint, state.depth), quantity))
+         const look = x < 300 ? {x: x + 9} : {x: x - 9, 'text-anchor': 'end'}        // within the picture
+         make(dot, 'text', {...look, y: y - 6, class: 'value'}, b.place_text() + ': ' + said(value_at(p, state.tint, state.depth)))
       }
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
       const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290
       assembly.replaceChildren()
-      assembly.setAttribute('viewBox', `0 0 ${W} ${T}`)
+      assembly.setAttribute('viewBox', `0 0 ${W} ${T + 84}`)
       if (!p) return () => {}
       const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - 30)
       const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
       const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)
-      const write = writer(assembly, W)
+      const write = writer(assembly, W), said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.columns[name].quantity)}`
       for (const side of [.5, -.5]) make(assembly, 'path', {d: 'M' + edge(Math.max(top, p.curves.hole.d[0]), bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
       for (const part of D.cases[p.case].parts) {
          const from = Math.max(bit - part.to, top), to = bit - part.from
@@ -102,20 +107,30 @@ function well_figures(b) {
          make(assembly, 'line', {x1: x_of(d), x2: x_of(d), y1, y2, class: 'force'})
          write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, 'force'))
       }
+      const moments = Array.from({length: 201}, (_, i) => bit - (i / 200) * Math.min(shown_length, bit - p.curves.hole.d[0]))
+         .map(d => [x_of(d), value_at(p, 'bending', d)]).filter(([, m]) => isFinite(m))
+      const most = Math.max(...moments.map(([, m]) => m), 0)   // of the moments, in a strip of their own
+      make(assembly, 'path', {d: 'M' + moments.map(([x, m]) => `${x.toFixed(1)} ${(T + 80 - m / (most || 1) * 60).toFixed(1)}`).join('L'), class: 'moment'})
+      write(0, T + 14, 'moment, at most ' + said('bending', most))
       const cross = make(assembly, 'path', {class: 'cross'})
-      scale.textContent = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], enlarged across the hole.`
-      return () => cross.setAttribute('d', state.depth < top || state.depth > bit ? '' : `M${x_of(state.depth)} 20V${T - 16}`)
+      const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], ` +
+         'enlarged across the hole.'
+      return () => {
+         const there = state.depth >= top && state.depth <= bit
+         cross.setAttribute('d', there ? `M${x_of(state.depth)} 20V${T + 80}` : '')
+         const values = ['bending', 'displacement'].map(name => said(name, value_at(p, name, state.depth)))
+         scale.textContent = words + (there ? ` At ${b.place_text()}: moment ${values.join(', ')} off the axis.` : '')
+      }
    }
    const mark = () => { for (const m of marks) m() }
    const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }
-   for (const n in D.columns) if (!D.columns[n].words) make(pick, 'h:option', {value: n}, D.columns[n].label)
+   for (const n in D.columns) make(pick, 'h:option', {value: n}, D.columns[n].label)
    pick.value = state.tint
    well.before(pick)
    const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw() }
    const sides = {'3D': [-0.6, 0.35], plan: [0, Math.PI / 2], 'from south': [0, 0], 'from east': [-Math.PI / 2, 0]}
    for (const name in sides) well.before(make(null, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw() }}, name))
    well.addEventListener('pointermove', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })
-   well.addEventListener('wheel', e => { e.preventDefault(); state.near *= e.deltaY < 0 ? 1.15 : 1 / 1.15; draw() }, {passive: false})
    well.addEventListener('keydown', e => {
       const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]
       if (by) { e.preventDefault(); turn_by(...by) }
