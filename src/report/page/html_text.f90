@@ -159,17 +159,17 @@ contains
    end function switched
 
    !> Attributes of an element whose text is a sentence: the sentence in each other system of units, where it differs.
-   pure function said(text, systems) result(attributes)
+   pure function said(text, systems) result(found)
       character(*), intent(in) :: text              !< in the deck's units
       type(text_type), intent(in) :: systems(:)     !< by system
-      character(:), allocatable :: attributes
-      character(len(system_name)) :: name
+      character(:), allocatable :: found
+      character(:), allocatable :: name
       integer :: k
-      attributes = ''
+      found = ''
       do k = 1, size(systems)
-         name = system_name(k)
-         if (name == 'SI') name = 'si'              ! names of attributes have no capitals
-         if (systems(k)%text /= text) attributes = attributes//' data-'//trim(name)//'="'//html_safe(systems(k)%text)//'"'
+         name = trim(system_name(k))
+         if (name == 'SI') name = 'si'              ! names of found have no capitals
+         if (systems(k)%text /= text) found = found//' data-'//name//'="'//html_safe(systems(k)%text)//'"'
       end do
    end function said
 
