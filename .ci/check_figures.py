@@ -53,6 +53,7 @@ ENDS = """&job title = 'Ends', units = 'field', models = 'mcge', 'soft', hdf5 = 
 &load_case name = 'a_long_name_of_a_load_case_that_has_no_blank_1', operation = 'up', bit_depth = 10465.8793 /
 &load_case name = 'half_a_metre', operation = 'down', bit_depth = 1.64 /
 """
+SWEEP_ALONE = "&sweep name = 's', model = 'soft', operations = 'up', bit_depth_from = 2000, bit_depth_step = 2000 /\n"
 LOST = 3                                # exit status: solutions that did not converge
 NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
 MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 2400): 330}
@@ -297,6 +298,11 @@ def faults_of_ends(program, scratch):
             faults += [f"ends, {case}, {chart}: {what}" for what in complaints]
             faults += [f"ends, {case}, {chart}: {what}" for what in set(re.findall(r"\bNaN\b|>-0(?:\.0*)?<", re.sub(r"<script.*?</script>", "", made, flags=re.S)))]
     told, complaints = told_by((folder / "report.html").read_text(encoding="utf-8"), HEADINGS)
+    deck.write_text(re.sub(r"&load_case.*", "", ENDS) + SWEEP_ALONE, encoding="utf-8")
+    subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
+    levels = [int(level) for level in re.findall(r"<h(\d)>", (folder / "report.html").read_text(encoding="utf-8"))]
+    if len(levels) < 3 or any(after > before + 1 for before, after in zip(levels, levels[1:])):
+        faults.append(f"without a load case headings have the levels {levels}")
     return faults + complaints + [f"ends: the heading {text} lies on the next one" for text in told or []] + ([] if told is not None else ["ends: headings were not looked at"])
 
 

@@ -2,6 +2,7 @@
 """Keeps the pictures that README.md and output/README.md show true: they are those of the sample decks, drawn anew and compared by all their texts
 (titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
 No text of any picture in the folders is cut or lies on another. Each picture has one title, in words, with that of the run.
+Each page is opened, in field units, without a complaint of the browser.
 
 Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
 """
@@ -12,7 +13,7 @@ import shutil
 import sys
 import xml.etree.ElementTree as xml
 
-from check_page import WIDTHS, faults_of_labels
+from check_page import WIDTHS, dom, faults_of_labels
 
 SHOWN = pathlib.Path("output/examples")
 PAGE = '<html><head><meta charset="utf-8"><title></title></head><body>{}</body></html>'
@@ -69,6 +70,7 @@ def main(arguments):
         drawn = [p.read_text(encoding="utf-8").partition("<svg") for p in sorted((folder / "pictures").glob("*.svg"))]
         page = PAGE.format("".join(f'<div class="drawn" style="width:1120px"><svg{rest}</div>' for _, _, rest in drawn))
         faults += [f"{deck}: {fault}" for fault in faults_of_labels(page, WIDTHS[:1])]
+        faults += [f"{deck}: the browser complains of its page: {c}" for c in set(dom(folder / "report.html", "units=field")[1])]
         count += len(drawn)
     print(f"{len(named)} pictures shown, labels of {count} looked at")
     for fault in faults:

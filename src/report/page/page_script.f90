@@ -652,7 +652,7 @@ module dg_page_script
       '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.units,.sc'// &
       'ripted .hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){'// &
       'display:none!important}', &
-      '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:60mm}.live svg.panel{max-height:none'// &
+      '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:80mm}.live svg.panel{max-height:none'// &
       '}.legend button{border:none;padding:0 .7em 0 0}', &
       '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
       '5pt}.head h3{margin:0}.first{font-size:8.5pt}.lead h2{margin-top:.6em}.legend{gap:0}', &
