@@ -67,7 +67,7 @@ contains
       call find_upper_friction(run%model%holes, run%estimates, upper)
       call solve_all(run%job, run%model, upper, run%results, alongs, wholes, run%status)
       call count_from_references(run%model, run%results, wholes)
-      call note_cases(run%printed%outcome, run%model, run%results)
+      call note_cases(run%printed%outcome, run%results)
       call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, wholes, error)
       call note_failure(error, run%status)
       call write_limits(in_folder(run%job, 'limits.csv'), run%job, run%model, run%results, wholes, error)

@@ -6,7 +6,6 @@ module dg_test_run_outcome
    use dg_line_list, only: line_list_type
    use dg_job, only: model_soft
    use dg_kinds, only: wp
-   use dg_model, only: model_type
    use dg_load_case, only: operation_trip_in, operation_trip_out
    use dg_missing, only: given
    use dg_run_outcome, only: add_part, locked_count, lost_count, note_cases, note_lost, outcome_type, solution_count
@@ -66,22 +65,22 @@ contains
       call assertEqual('<p class="note">All 8 solutions converged.</p>', page%lines(1)%text)
    end subroutine test_all_converged
 
-   !> A load case that locks up is no failure, and has no row of its own.
+   !> A load case that locks up is no failure. One that failed is named among the warnings, not again in a row.
    subroutine test_locked_up()
       type(outcome_type) :: outcome
-      type(line_list_type) :: page
-      type(case_result_type) :: results(1)
-      type(model_type) :: model
-      results(1)%status = result_locked_up
-      results(1)%case_index = 1
-      allocate (model%cases(1))
-      model%cases(1)%name = 'a'
-      call note_cases(outcome, model, results)
+      type(line_list_type) :: page, failed
+      type(case_result_type) :: results(2)
+      results%status = [result_locked_up, result_not_converged]
+      call note_cases(outcome, results(:1))
       call append_outcome(page, si_units(), outcome)
       call append_lost(page, si_units(), outcome)
       call assertEqual(1, page%count, message='a row')
       call assertEqual('<p class="note">No solution failed. 1 of 1 solution locks up: the string cannot be brought to that '// &
                        'depth or load.</p>', page%lines(1)%text)
+      call note_cases(outcome, results(2:))
+      call append_lost(failed, si_units(), outcome)
+      call assertEqual(1, lost_count(outcome))
+      call assertEqual(0, failed%count, message='a row')
    end subroutine test_locked_up
 
    !> Points that failed have a row each; neighbouring depths that lock up have one, which ends with their curve.

@@ -6,7 +6,6 @@ module dg_run_outcome
    use dg_job, only: model_name
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: given, optional_real
-   use dg_model, only: model_type
    use dg_text, only: text_or_nothing, text_type
    implicit none
    private
@@ -54,19 +53,12 @@ contains
       outcome%parts = [outcome%parts, part_type(name, solutions, locked_up, not_converged)]
    end subroutine add_part
 
-   !> The load cases of a deck, each with each model. Those that lock up have their row in the answers.
-   pure subroutine note_cases(outcome, model, results)
+   !> The load cases of a deck, each with each model. Answers and warnings name those without a solution.
+   pure subroutine note_cases(outcome, results)
       type(outcome_type), intent(inout) :: outcome
-      type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
-      character(*), parameter :: name = 'load cases'
-      integer :: i
-      call add_part(outcome, name, size(results), count(results%status == result_locked_up), &
+      call add_part(outcome, 'load cases', size(results), count(results%status == result_locked_up), &
                     count(results%status == result_not_converged))
-      do i = 1, size(results)
-         if (results(i)%status == result_not_converged) call note_lost(outcome, name, results(i)%model, results(i)%status, &
-            text_or_nothing(results(i)%message), model%cases(results(i)%case_index))
-      end do
    end subroutine note_cases
 
    !> Note a missing result of a part: of a load case, or of a fit of several.
