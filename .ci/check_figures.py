@@ -111,6 +111,11 @@ setTimeout(async () => {
 """
 
 
+SCROLLED = """
+setTimeout(() => document.title = 'TOLD' + JSON.stringify(blocks.find(b => b.S.title === TITLE).S.root.getBoundingClientRect().top), 400)
+"""
+
+
 def rows_of(path):
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
@@ -237,13 +242,13 @@ def faults_of_rows(folder, count):
     return faults
 
 
-def acted(folder, script, title):
-    """What a script tells that acts on the page."""
+def acted(folder, script, title, view=""):
+    """What a script tells that acts on the page, opened by an address."""
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', FRAMES, (folder / "report.html").read_text(encoding="utf-8"))
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch) / "actions.html"
         copy.write_text(text.replace("</body>", f"<script>{script.replace('TITLE', json.dumps(title))}</script></body>"), encoding="utf-8")
-        made, complaints = dom(copy)
+        made, complaints = dom(copy, view)
     found = re.search(r"<title>TOLD(.*?)</title>", made, re.S)
     return json.loads(html.unescape(found.group(1))) if found else None, [f"actions: the browser complains: {c}" for c in complaints]
 
@@ -254,7 +259,10 @@ def faults_of_addresses(folder):
     told, faults = acted(folder, ADDRESSES, title)
     query = urllib.parse.urlencode({"chart": title, "depth": 1250, "units": "field"})
     wanted = [["At 0 m measured depth", "At 2400 m bit depth"], ["push_A"], ["At 0 ft measured depth", "At 4101.05 ft bit depth"], "#" + query]
-    return faults if told == wanted else [*faults, f"links lead to {told}"]
+    if told != wanted:
+        faults.append(f"links lead to {told}")
+    place, complaints = acted(folder, SCROLLED, title, query)
+    return faults + complaints + ([] if place is not None and abs(place) < 5 else [f"an address opens its chart {place} px below the top"])
 
 
 def faults_of_actions(folder):

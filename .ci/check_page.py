@@ -116,7 +116,7 @@ setTimeout(async () => {
       for (const o of list.options) o.selected = names.includes(o.value)
       list.dispatchEvent(new Event('change'))
       await later(400)
-      told.push([...root.querySelectorAll('.legend button')].map(b => b.textContent), location.hash, [...root.querySelectorAll('.readout tr:nth-child(3) td')].map(c => c.textContent).slice(1))
+      told.push([...root.querySelectorAll('.legend button')].map(b => b.textContent), location.hash, [...root.querySelectorAll('.readout tr:nth-child(4) td')].map(c => c.textContent).slice(1))
    }
    await choose(models, ['soft'])
    await choose(models, ['mcge', 'soft'])
@@ -125,6 +125,11 @@ setTimeout(async () => {
    field.value = '2500'
    field.dispatchEvent(new Event('change'))
    told.push(root.querySelectorAll('.dot').length, [...root.querySelectorAll('.lower svg')][0].querySelectorAll('circle').length)
+   for (const name of ['rotary_2075', 'sliding_2075', 'up_2075']) {
+      [...document.querySelectorAll('.answers a')].find(a => a.textContent === name).click()
+      await later(400)
+      told.push(blocks[0].S.root.querySelector('.tab[aria-pressed=true]').textContent)
+   }
    document.title = 'FOUND' + JSON.stringify(told)
 }, 300)
 """
@@ -330,12 +335,15 @@ def faults_of_choice(text):
     told, faults = told_by(text, CHOSEN)
     if not told:
         return [*faults, "models were not chosen"]
-    one, one_at, one_row, both, both_at, _, four, _, row, dots, circles = told
+    one, one_at, one_row, both, both_at, _, four, _, row, dots, circles, *charts = told
     if one != ["sliding_3190 soft"] or len(one_row) != 2 or "model=soft" not in one_at or "model=mcge" in one_at:
         faults.append(f"one model: the page shows {one}, {one_row}, {one_at}")
     if both != ["sliding_3190 mcge", "sliding_3190 soft"] or "model=" in both_at:
         faults.append(f"both models: the page shows {both}, {both_at}")
-    if len(four) != 4 or len(row) != 5:
+    if charts != ["Strength", "Buckling", "Forces"]:
+        faults.append(f"answers by von Mises, lock-up, tension lead to {charts}")
+    # unit, two load cases by two models, their difference by each model
+    if len(four) != 4 or len(row) != 7 or any(abs(float(row[k + 1]) - float(row[k]) - float(row[end])) > 0.11 for k, end in ((1, 5), (3, 6))):
         faults.append(f"two load cases: the page shows {four}, {row}")
     if dots or circles != 3:
         faults.append(f"below the end of a string there are {dots} marks, {circles - 1} strings in the section")

@@ -12,7 +12,9 @@ module dg_html_verdict
    use dg_quantity, only: system_base
    use dg_text, only: text_type, to_text
    use dg_units, only: system_of
-   use dg_verdict, only: answer_no, answer_unknown, answer_yes, verdict_type
+   use dg_utilisation, only: limit_von_mises
+   use dg_verdict, only: answer_no, answer_unknown, answer_yes, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
+                         limit_wob_yield, verdict_type
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
@@ -139,7 +141,7 @@ contains
       text = text//'.'
    end function others_text
 
-   !> The name of a load case as a link to its charts, at the depth of the limit that decides.
+   !> The name of a load case as a link to the chart of the limit that decides, at its depth.
    pure function case_link(job, name, verdict) result(link)
       type(job_type), intent(in) :: job
       character(*), intent(in) :: name
@@ -154,6 +156,13 @@ contains
             link = link//html_safe(name(i:i))     ! letters, digits and _ - .
          end if
       end do
+      select case (verdict%limit)
+      case (limit_von_mises, limit_fatigue, limit_joint_fatigue, limit_wob_yield)
+         link = link//'&amp;chart=Strength'
+      case (limit_lock_up)
+         link = link//'&amp;chart=Buckling'
+      case default             ! a force or a torque, in the chart that stands first
+      end select
       if (verdict%md%present) link = link//'&amp;depth='//to_text(verdict%md%value/job%units%length, link_digits)
       link = link//'">'//html_safe(name)//'</a>'
    end function case_link

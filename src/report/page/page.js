@@ -3,8 +3,9 @@
 // run: blocks of panels with their own curves). Numbers are in D.units.
 'use strict'
 const D = JSON.parse(document.getElementById('data').textContent)
-const shapes = ['m0-5v10m-5-5h10', 'm-4-4l8 8m0-8l-8 8', 'm0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5', 'm-4-4h8v8h-8z', 'm-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z',
-   'm0-5l5 8.5h-10z', 'm0 5l5-8.5h-10z', 'm0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z', 'm0-5l4.8 3.5l-1.8 5.5h-6l-1.8-5.5z']   // gnuplot's marks
+const shapes = ['m0-5v10m-5-5h10', 'm-4-4l8 8m0-8l-8 8', 'm0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5', 'm-4-4h8v8h-8z',
+   'm-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z', 'm0-5l5 8.5h-10z', 'm0 5l5-8.5h-10z', 'm0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z',
+   'm0-5l4.8 3.5l-1.8 5.5h-6l-1.8-5.5z']   // gnuplot's marks
 const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.model))]}
 const blocks = []                                            // all charts of the page that answer
 const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole
@@ -53,18 +54,23 @@ function text_of(value, q) {
    const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)
    return +text ? text : text.replace('-', '')               // 0, not -0
 }
-const depth_of_units = depth => +(depth * factor('length')).toFixed(2), depth_text = depth => `${depth_of_units(depth)} ${unit('length')}`
+const depth_of_units = depth => +(depth * factor('length')).toFixed(2)
+const depth_text = depth => `${depth_of_units(depth)} ${unit('length')}`
 
 // ---- drawing
 function make(parent, tag, attributes, text) {
-   const e = tag.startsWith('h:') ? document.createElement(tag.slice(2)) : document.createElementNS('http://www.w3.org/2000/svg', tag)
-   for (const k in attributes) if (k.startsWith('on')) e.addEventListener(k.slice(2), attributes[k]); else e.setAttribute(k, attributes[k])
+   const svg = 'http://www.w3.org/2000/svg'
+   const e = tag.startsWith('h:') ? document.createElement(tag.slice(2)) : document.createElementNS(svg, tag)
+   for (const k in attributes) {
+      if (k.startsWith('on')) e.addEventListener(k.slice(2), attributes[k]); else e.setAttribute(k, attributes[k])
+   }
    if (text !== undefined) e.textContent = text
    parent?.append(e)
    return e
 }
 function ticks(low, high, most) {
-   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw)), step = power * [1, 2, 5, 10].find(f => f * power >= raw)
+   const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))
+   const step = power * [1, 2, 5, 10].find(f => f * power >= raw)
    const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)
    return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))
 }
@@ -78,10 +84,11 @@ function draw_key(parent, key) {                             // a piece of a lin
    put_marks(svg, ['M14 4'], key)
 }
 
-// ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels` over a depth
-// (`over`, `end`) or over rows with names (`rows`). Draw it when all are made.
+// ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels`
+// over a depth (`over`, `end`) or over rows with names (`rows`). Draw it when all are made.
 function block(S, address) {
-   const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set(), tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35}
+   const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set()}
+   Object.assign(state, {tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35})      // of the well
    const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)
    const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)
    const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26
@@ -95,7 +102,7 @@ function block(S, address) {
    const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))
    const visible = line => !line.keys.some(k => state.hidden.has(k))
    const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))
-   function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near the depth that is pointed at
+   function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near
       const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - state.top)
       return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1
    }
@@ -115,14 +122,16 @@ function block(S, address) {
    function range_of(panel, lines) {                            // of what is seen; along the string 0 is among it
       if (panel.high !== undefined) return [panel.low, panel.high]
       const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])
-      const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))], least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
+      const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]
+      const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
       const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1
       return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]
    }
    function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows
       const length = factor('length'), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H / 47)
       for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) {
-         const y = y_of(at), most = Math.floor((left - 6) / 6.4), short = name.length > most ? name.slice(0, most - 1) + '\u2026' : name
+         const y = y_of(at), most = Math.floor((left - 6) / 6.4)
+         const short = name.length > most ? name.slice(0, most - 1) + '\u2026' : name
          make(svg, 'line', {x1: left, x2: right, y1: y, y2: y, class: 'grid'})
          if (first_of_row) make(make(svg, 'text', {x: left - 4, y: y + 4, 'text-anchor': 'end'}, short), 'title', {}, name)
       }
@@ -144,7 +153,8 @@ function block(S, address) {
    }
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
-      const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length))) : 46, right = width - 16
+      const names = S.rows && Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length)))
+      const left = index ? 12 : names ?? 46, right = width - 16
       const lines = lines_of(panel).filter(visible).map(l => ({...l, seen: seen_of(l)})), q = panel.quantity, f = factor(q)
       const [low, high] = range_of(panel, lines).map(v => v * f)
       const x_of = v => left + (v * f - low) / (high - low) * (right - left)
@@ -185,22 +195,32 @@ function block(S, address) {
       draw_readout()
       note_address()
    }
-   function cells_of_profiles() {                               // a row a quantity
-      const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2
+   function cells_of_profiles() {                               // a row a quantity; of two curves, or two load cases, differences
+      const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))
       const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]
-      const above = p => D.cases[p.case].depth - state.depth, there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
-      const parts = list.map(p => there(p)?.name ?? '\u2013')
-      return [['quantity', 'unit', ...list.map(p => p.key.text), ...(both ? ['difference'] : [])], ['component', '', ...parts, ...(both ? [''] : [])], ...names.map(n => {
-         const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '\u2013' : text_of(x, c.quantity)
-         return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '' : text(v[1] - v[0])] : [])]
-      })]
+      const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []
+      const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)
+      const heads = pairs.map(([{model}]) => 'difference' + (pairs.length > 1 ? ' ' + model : ''))
+      const above = p => D.cases[p.case].depth - state.depth
+      const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
+      const row_of = n => {
+         const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)
+         const text = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
+         return [label, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '' : text(at(b) - at(a)))]
+      }
+      return [
+         ['quantity', 'unit', ...list.map(p => p.key.text), ...heads],
+         ['component', '', ...list.map(p => there(p)?.name ?? '\u2013'), ...pairs.map(() => '')],
+         ...names.map(row_of)
+      ]
    }
-   function cells_of_lines() {                                  // a row a line: all that reach the depth, of marks those that are near
+   function cells_of_lines() {                                  // a row a line that reaches the depth, or mark near it
       const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))
       const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))
       const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))
-      const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity)).find(text => text !== '\u2013') ?? '\u2013'
-      return [['curve', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) => cell(name, k))])]
+      const texts = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity))
+      const row_of = name => [name, ...panels.map((_, k) => texts(name, k).find(text => text !== '\u2013') ?? '\u2013')]
+      return [['curve', ...heads], ...[...new Set(near.map(l => l.name))].map(row_of)]
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()
@@ -222,7 +242,8 @@ function block(S, address) {
       view.well?.draw()
    }
    function put_list(parent, key, text) {                       // of which several may be chosen
-      const more = {multiple: '', size: Math.min(1 + choices[key].length, 16)}, list = make(make(parent, 'h:label', {}, text), 'h:select', more)
+      const more = {multiple: '', size: Math.min(1 + choices[key].length, 16)}
+      const list = make(make(parent, 'h:label', {}, text), 'h:select', more)
       for (const name of choices[key]) make(list, 'h:option', {}, name).selected = state[key].includes(name)
       list.onchange = () => { state[key] = [...list.selectedOptions].map(o => o.value); draw() }
    }
@@ -238,7 +259,7 @@ function block(S, address) {
          b.append(key.text)
       })
    }
-   function go_to(depth) {                                      // also beyond what is zoomed to; the old one stays where it is no number
+   function go_to(depth) {                                      // also beyond what is zoomed to; the old one if it is no number
       if (depth < state.top || depth > state.bottom) whole()
       set_depth(isNaN(depth) ? state.depth : depth)
    }
@@ -284,7 +305,8 @@ function block(S, address) {
          const q = new URLSearchParams(S.charts ? state.case.map(name => ['case', name]) : [])
          if (S.charts && state.model.length < choices.model.length) for (const name of state.model) q.append('model', name)
          q.set('chart', S.title ?? S.charts[state.chart].title)
-         for (const k of state.top > first || state.bottom < end_of() ? ['depth', 'top', 'bottom'] : ['depth']) q.set(k, +state[k].toFixed(3))
+         const zoomed = state.top > first || state.bottom < end_of()
+         for (const k of zoomed ? ['depth', 'top', 'bottom'] : ['depth']) q.set(k, +state[k].toFixed(3))
          if (units !== D.units) q.set('units', units)
          history.replaceState(null, '', '#' + q)
       }, 300)
@@ -296,7 +318,11 @@ function block(S, address) {
    S.root.replaceChildren()
    const bar = make(S.root, 'h:div', {class: 'bar'})
    const button = (text, onclick, more) => make(bar, 'h:button', {type: 'button', onclick, ...more}, text)
-   const choose = i => { state.chart = i; bar.querySelectorAll('.tab').forEach((o, k) => o.setAttribute('aria-pressed', k === i)); draw() }
+   const choose = i => {
+      state.chart = i
+      bar.querySelectorAll('.tab').forEach((o, k) => o.setAttribute('aria-pressed', k === i))
+      draw()
+   }
    S.charts?.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
    put_switch(bar)
    if (!S.rows) button('whole depth', whole)
@@ -310,8 +336,12 @@ function block(S, address) {
    const right = make(main, 'h:div', {class: 'right'})
    view.legend = make(right, 'h:div', {class: 'legend'})
    view.panels = make(right, 'h:div', {class: 'panels'})
-   view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', 'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)})
-   if (!S.rows) view.typed = make(make(right, 'h:label', {class: 'typed'}, ' '), 'h:input', {type: 'number', step: 'any', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor('length'))})
+   const slide = {'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)}
+   view.slider = make(right, 'h:input', {type: 'range', step: S.rows ? 1 : 'any', ...slide})
+   if (!S.rows) {
+      const type = {type: 'number', step: 'any', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor('length'))}
+      view.typed = make(make(right, 'h:label', {class: 'typed'}, ' '), 'h:input', type)
+   }
    view.readout = make(right, 'h:div', {class: 'wide readout', tabindex: 0})
    if (S.charts) {
       const label = make(right, 'h:label', {})
@@ -362,7 +392,7 @@ addEventListener('hashchange', follow_address)
 addEventListener('resize', draw_all)
 const draw_for = size => { paper = size; draw_all() }
 addEventListener('afterprint', () => draw_for(null))
-addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit, the others what is shown
+addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit
    if (D.profiles) {
       paper = {wide: 660, high: 300}
       const root = make(null, 'h:div', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]
@@ -372,11 +402,14 @@ addEventListener('beforeprint', () => {                       // the first sheet
    draw_for({wide: 1100, high: 260})
 })
 const places = [...document.querySelectorAll('.live:not(.first)')]
-const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', root: make(places.shift(), 'h:div', {})}] : []
+const root_in = place => make(place, 'h:div', {})
+const string = () => ({charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', root: root_in(places.shift())})
+const along = D.profiles ? [string()] : []
 const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '')
-const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make(place, 'h:div', {})}))
+const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: root_in(place)}))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
 document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range. The CSV files have all points.`)
 put_switch(document.querySelector('h1 + p'))
 follow_address()
 document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand
+if (location.hash) active.root.scrollIntoView()               // without them it stands higher

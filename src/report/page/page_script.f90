@@ -5,14 +5,15 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '2rOfCThwYJAoY8bCkTYC8OTdg21HGax6IUXRb4bCbhI='
-   character(192), parameter :: script_lines_1(100) = [character(192) :: &
+   character(*), parameter :: script_hash = 'b9sCkI7g93LHoZl4uUThpouKsE023mW06y5lF0iv4yg='
+   character(130), parameter :: script_lines_1(100) = [character(130) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
-      '8h-8z'', ''m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z'',', &
-      '''m0-5l5 8.5h-10z'', ''m0 5l5-8.5h-10z'', ''m0-5.5l4.5 5.5l-4.5 5.5l-4.5-5.5z'', ''m0-5l4.8 3.5l-1.8 5.5h-6l-1'// &
-      '.8-5.5z'']', &
+      '8h-8z'',', &
+      '''m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z'', ''m0-5l5 8.5h-10z'', ''m0 5l5-8.5h-10z'', ''m0-5.5l4.5 5.5l-4.5 5.5l-4'// &
+      '.5-5.5z'',', &
+      '''m0-5l4.8 3.5l-1.8 5.5h-6l-1.8-5.5z'']', &
       'const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.mode'// &
       'l))]}', &
       'const blocks = []', &
@@ -63,20 +64,21 @@ module dg_page_script
       'const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
       'return +text ? text : text.replace(''-'', '''')', &
       '}', &
-      'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2), depth_text = depth => `${depth_of_un'// &
-      'its(depth)} ${unit(''length'')}`', &
+      'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2)', &
+      'const depth_text = depth => `${depth_of_units(depth)} ${unit(''length'')}`', &
       'function make(parent, tag, attributes, text) {', &
-      'const e = tag.startsWith(''h:'') ? document.createElement(tag.slice(2)) : document.createElementNS(''http://ww'// &
-      'w.w3.org/2000/svg'', tag)', &
-      'for (const k in attributes) if (k.startsWith(''on'')) e.addEventListener(k.slice(2), attributes[k]); else e.se'// &
-      'tAttribute(k, attributes[k])', &
+      'const svg = ''http://www.w3.org/2000/svg''', &
+      'const e = tag.startsWith(''h:'') ? document.createElement(tag.slice(2)) : document.createElementNS(svg, tag)', &
+      'for (const k in attributes) {', &
+      'if (k.startsWith(''on'')) e.addEventListener(k.slice(2), attributes[k]); else e.setAttribute(k, attributes[k])', &
+      '}', &
       'if (text !== undefined) e.textContent = text', &
       'parent?.append(e)', &
       'return e', &
       '}', &
       'function ticks(low, high, most) {', &
-      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw)), step = power * [1, 2, 5, 10].find('// &
-      'f => f * power >= raw)', &
+      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))', &
+      'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)', &
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
       'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
       '}', &
@@ -92,7 +94,8 @@ module dg_page_script
       '}', &
       'function block(S, address) {', &
       'const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Se'// &
-      't(), tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35}', &
+      't()}', &
+      'Object.assign(state, {tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35})', &
       'const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)', &
       'const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)', &
       'const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26', &
@@ -114,7 +117,8 @@ module dg_page_script
       '}', &
       'function text_at(line, q) {', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
-      'pth)', &
+      'pth)']
+   character(130), parameter :: script_lines_2(100) = [character(130) :: &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
       'igh[i], q)})`)', &
       '}', &
@@ -122,8 +126,7 @@ module dg_page_script
       'const {curve: {d, v}} = line, from = row_at(line.curve, state.top), to = row_at(line.curve, state.bottom) + 2', &
       'return line.marks ? {d, v} : {d: d.subarray(from, to), v: v.subarray(from, to)}', &
       '}', &
-      'function path_of({d, v}, x_of, turns) {']
-   character(192), parameter :: script_lines_2(100) = [character(192) :: &
+      'function path_of({d, v}, x_of, turns) {', &
       'const apart = i => !isFinite(v[i - 1]) || (turns && Math.abs(v[i] - v[i - 1]) > 180)', &
       'const place = i => x_of(v[i]).toFixed(1) + '' '' + y_of(d[i]).toFixed(1)', &
       'return [...d.keys()].filter(i => isFinite(v[i])).map(i => (apart(i) ? `M${place(i)}h0` : ''L'' + place(i))).jo'// &
@@ -132,8 +135,8 @@ module dg_page_script
       'function range_of(panel, lines) {', &
       'if (panel.high !== undefined) return [panel.low, panel.high]', &
       'const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
-      'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))], least = known.reduce((a, b) => Math'// &
-      '.min(a, b), panel.low ?? known[0] ?? 0)', &
+      'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]', &
+      'const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)', &
       'const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1', &
       'return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]', &
       '}', &
@@ -142,8 +145,8 @@ module dg_page_script
       ' 47)', &
       'for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) '// &
       '{', &
-      'const y = y_of(at), most = Math.floor((left - 6) / 6.4), short = name.length > most ? name.slice(0, most - 1) '// &
-      '+ ''\u2026'' : name', &
+      'const y = y_of(at), most = Math.floor((left - 6) / 6.4)', &
+      'const short = name.length > most ? name.slice(0, most - 1) + ''\u2026'' : name', &
       'make(svg, ''line'', {x1: left, x2: right, y1: y, y2: y, class: ''grid''})', &
       'if (first_of_row) make(make(svg, ''text'', {x: left - 4, y: y + 4, ''text-anchor'': ''end''}, short), ''title'''// &
       ', {}, name)', &
@@ -167,8 +170,8 @@ module dg_page_script
       'function draw_panel(panel, index, width) {', &
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
       'ss: ''panel''})', &
-      'const left = index ? 12 : S.rows ? Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length))) : 4'// &
-      '6, right = width - 16', &
+      'const names = S.rows && Math.min(.4 * width, 12 + 6.4 * Math.max(...S.rows.map(n => n.length)))', &
+      'const left = index ? 12 : names ?? 46, right = width - 16', &
       'const lines = lines_of(panel).filter(visible).map(l => ({...l, seen: seen_of(l)})), q = panel.quantity, f = fa'// &
       'ctor(q)', &
       'const [low, high] = range_of(panel, lines).map(v => v * f)', &
@@ -214,26 +217,34 @@ module dg_page_script
       'note_address()', &
       '}', &
       'function cells_of_profiles() {', &
-      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column)), both = list.length === 2', &
+      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
       'const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]', &
-      'const above = p => D.cases[p.case].depth - state.depth, there = p => D.cases[p.case].parts.find(({from, to}) ='// &
-      '> from <= above(p) && above(p) <= to)', &
-      'const parts = list.map(p => there(p)?.name ?? ''\u2013'')', &
-      'return [[''quantity'', ''unit'', ...list.map(p => p.key.text), ...(both ? [''difference''] : [])], [''componen'// &
-      't'', '''', ...parts, ...(both ? [''''] : [])], ...names.map(n => {', &
-      'const c = D.columns[n], v = list.map(p => value_at(p, n, state.depth)), text = x => c.words ? c.words[x] ?? '''// &
-      '\u2013'' : text_of(x, c.quantity)', &
-      'return [c.label, unit(c.quantity), ...v.map(text), ...(both ? [c.words ? '''' : text(v[1] - v[0])] : [])]', &
-      '})]', &
+      'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
+      'const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)', &
+      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))', &
+      'const above = p => D.cases[p.case].depth - state.depth', &
+      'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
+      'const row_of = n => {', &
+      'const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)', &
+      'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
+      'return [label, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at('// &
+      'b) - at(a)))]', &
+      '}']
+   character(130), parameter :: script_lines_3(100) = [character(130) :: &
+      'return [', &
+      '[''quantity'', ''unit'', ...list.map(p => p.key.text), ...heads],', &
+      '[''component'', '''', ...list.map(p => there(p)?.name ?? ''\u2013''), ...pairs.map(() => '''')],', &
+      '...names.map(row_of)', &
+      ']', &
       '}', &
       'function cells_of_lines() {', &
       'const panels = panels_of(), lines = panels.map(p => lines_of(p).filter(visible))', &
       'const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
-      'const cell = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity)).find('// &
-      'text => text !== ''\u2013'') ?? ''\u2013''', &
-      'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(name => [name, ...panels.map((_, k) '// &
-      '=> cell(name, k))])]', &
+      'const texts = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity))', &
+      'const row_of = name => [name, ...panels.map((_, k) => texts(name, k).find(text => text !== ''\u2013'') ?? ''\u'// &
+      '2013'')]', &
+      'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(row_of)]', &
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
@@ -241,8 +252,7 @@ module dg_page_script
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
-      '] ?? ''''}, text))']
-   character(192), parameter :: script_lines_3(100) = [character(192) :: &
+      '] ?? ''''}, text))', &
       '})', &
       'view.readout.replaceChildren(table)', &
       'view.slider.setAttribute(''aria-valuetext'', [place_text(), ...rows.map(row => row.join('' ''))].join('', ''))', &
@@ -258,8 +268,8 @@ module dg_page_script
       'view.well?.draw()', &
       '}', &
       'function put_list(parent, key, text) {', &
-      'const more = {multiple: '''', size: Math.min(1 + choices[key].length, 16)}, list = make(make(parent, ''h:label'// &
-      ''', {}, text), ''h:select'', more)', &
+      'const more = {multiple: '''', size: Math.min(1 + choices[key].length, 16)}', &
+      'const list = make(make(parent, ''h:label'', {}, text), ''h:select'', more)', &
       'for (const name of choices[key]) make(list, ''h:option'', {}, name).selected = state[key].includes(name)', &
       'list.onchange = () => { state[key] = [...list.selectedOptions].map(o => o.value); draw() }', &
       '}', &
@@ -324,9 +334,10 @@ module dg_page_script
       'if (S.charts && state.model.length < choices.model.length) for (const name of state.model) q.append(''model'','// &
       ' name)', &
       'q.set(''chart'', S.title ?? S.charts[state.chart].title)', &
-      'for (const k of state.top > first || state.bottom < end_of() ? [''depth'', ''top'', ''bottom''] : [''depth''])'// &
-      ' q.set(k, +state[k].toFixed(3))', &
-      'if (units !== D.units) q.set(''units'', units)', &
+      'const zoomed = state.top > first || state.bottom < end_of()', &
+      'for (const k of zoomed ? [''depth'', ''top'', ''bottom''] : [''depth'']) q.set(k, +state[k].toFixed(3))', &
+      'if (units !== D.units) q.set(''units'', units)']
+   character(130), parameter :: script_lines_4(100) = [character(130) :: &
       'history.replaceState(null, '''', ''#'' + q)', &
       '}, 300)', &
       '}', &
@@ -337,8 +348,11 @@ module dg_page_script
       'S.root.replaceChildren()', &
       'const bar = make(S.root, ''h:div'', {class: ''bar''})', &
       'const button = (text, onclick, more) => make(bar, ''h:button'', {type: ''button'', onclick, ...more}, text)', &
-      'const choose = i => { state.chart = i; bar.querySelectorAll(''.tab'').forEach((o, k) => o.setAttribute(''aria-'// &
-      'pressed'', k === i)); draw() }', &
+      'const choose = i => {', &
+      'state.chart = i', &
+      'bar.querySelectorAll(''.tab'').forEach((o, k) => o.setAttribute(''aria-pressed'', k === i))', &
+      'draw()', &
+      '}', &
       'S.charts?.forEach((c, i) => button(c.title, () => choose(i), {''aria-pressed'': i === state.chart, class: ''ta'// &
       'b''}))', &
       'put_switch(bar)', &
@@ -352,13 +366,15 @@ module dg_page_script
       'if (choices.model.length > 1) put_list(side, ''model'', ''Models'')', &
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
-      'view.legend = make(right, ''h:div'', {class: ''legend''})']
-   character(192), parameter :: script_lines_4(100) = [character(192) :: &
+      'view.legend = make(right, ''h:div'', {class: ''legend''})', &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
-      'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ''aria-label'': S.over ??'// &
-      ' ''row'', oninput: e => set_depth(+e.target.value)})', &
-      'if (!S.rows) view.typed = make(make(right, ''h:label'', {class: ''typed''}, '' ''), ''h:input'', {type: ''numb'// &
-      'er'', step: ''any'', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor(''length''))})', &
+      'const slide = {''aria-label'': S.over ?? ''row'', oninput: e => set_depth(+e.target.value)}', &
+      'view.slider = make(right, ''h:input'', {type: ''range'', step: S.rows ? 1 : ''any'', ...slide})', &
+      'if (!S.rows) {', &
+      'const type = {type: ''number'', step: ''any'', min: 0, onchange: e => go_to(e.target.valueAsNumber / factor('''// &
+      'length''))}', &
+      'view.typed = make(make(right, ''h:label'', {class: ''typed''}, '' ''), ''h:input'', type)', &
+      '}', &
       'view.readout = make(right, ''h:div'', {class: ''wide readout'', tabindex: 0})', &
       'if (S.charts) {', &
       'const label = make(right, ''h:label'', {})', &
@@ -418,17 +434,21 @@ module dg_page_script
       'draw_for({wide: 1100, high: 260})', &
       '})', &
       'const places = [...document.querySelectorAll(''.live:not(.first)'')]', &
-      'const along = D.profiles ? [{charts: D.charts, keys: D.profiles.map(p => p.key), over: ''measured depth'', roo'// &
-      't: make(places.shift(), ''h:div'', {})}] : []', &
+      'const root_in = place => make(place, ''h:div'', {})', &
+      'const string = () => ({charts: D.charts, keys: D.profiles.map(p => p.key), over: ''measured depth'', root: roo'// &
+      't_in(places.shift())})', &
+      'const along = D.profiles ? [string()] : []', &
       'const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '''')', &
-      'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: make'// &
-      '(place, ''h:div'', {})}))', &
+      'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: root'// &
+      '_in(place)}))', &
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
       'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
       've all points.`)', &
       'put_switch(document.querySelector(''h1 + p''))', &
-      'follow_address()', &
+      'follow_address()']
+   character(130), parameter :: script_lines_5(100) = [character(130) :: &
       'document.documentElement.classList.add(''scripted'')', &
+      'if (location.hash) active.root.scrollIntoView()', &
       'function well_figures(b) {', &
       'const {root, state, shown} = b', &
       'const angle = (p, d) => {', &
@@ -462,12 +482,11 @@ module dg_page_script
       'make(section, ''text'', {x: 100, y: 9, ''text-anchor'': ''middle''}, ''high side'')', &
       'make(section, ''text'', {x: 100, y: 204, ''text-anchor'': ''middle''}, ''at '' + b.place_text())', &
       'for (const p of shown().filter(p => state.depth <= D.cases[p.case].depth)) {', &
-      'const scale = 88 / value_at(p, ''hole'', state.depth)']
-   character(192), parameter :: script_lines_5(100) = [character(192) :: &
-      'const off = value_at(p, ''displacement'', state.depth) * 2 * scale, a = angle(p, state.depth), r = value_at(p,'// &
-      ' ''od'', state.depth) * scale', &
-      'make(section, ''circle'', {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r, fill: ''none'', ''stro'// &
-      'ke-width'': 2, ...p.key.look})', &
+      'const scale = 88 / value_at(p, ''hole'', state.depth)', &
+      'const off = value_at(p, ''displacement'', state.depth) * 2 * scale, a = angle(p, state.depth)', &
+      'const circle = {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r: value_at(p, ''od'', state.depth) '// &
+      '* scale}', &
+      'make(section, ''circle'', {...circle, fill: ''none'', ''stroke-width'': 2, ...p.key.look})', &
       '}', &
       '}', &
       'function draw_well() {', &
@@ -475,15 +494,16 @@ module dg_page_script
       'well.replaceChildren()', &
       'if (!p) return () => {}', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]', &
-      'const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at('// &
-      'p, state.tint, d)}))', &
+      'const depths = Array.from({length: n + 1}, (_, i) => i / n * end)', &
+      'const points = depths.map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))', &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
       '[k]))])', &
       'const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)', &
-      'const [[e0, e1], [n0, n1], [, z1]] = ends.map((e, k) => (e[1] - e[0] < .2 * size ? [middle[k] - .1 * size, mid'// &
-      'dle[k] + .1 * size] : e))', &
+      'const least = .1 * size, apart = (e, k) => (e[1] - e[0] < 2 * least ? [middle[k] - least, middle[k] + least] :'// &
+      ' e)', &
+      'const [[e0, e1], [n0, n1], [, z1]] = ends.map(apart), s = 290 / size', &
       'const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitc'// &
-      'h), s = 290 / size', &
+      'h)', &
       'const project = a => {', &
       'const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]', &
       'return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]', &
@@ -491,7 +511,8 @@ module dg_page_script
       'const line = (a, b, look) => make(well, ''path'', {d: ''M'' + [a, b].map(project).join(''L''), ...look})', &
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - '// &
-      '1))], beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''', &
+      '1))]', &
+      'const beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''', &
       'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
@@ -499,13 +520,13 @@ module dg_page_script
       'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
       'const grid = (name, axis, from, to, corner, other) => {', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
-      'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner))), few = Math.min(5, Math.round(Math.hy'// &
-      'pot(x2 - x1, y2 - y1) / 40))', &
+      'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
+      'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
       'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
-      'if (Math.abs(x2 - x1) > Math.abs(y2 - y1)) write(x, y + 16, name + t); else write(x + (x < 230 ? -30 : 30), y '// &
-      '+ 4, name + t)', &
+      'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
+      'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
       '}', &
       '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
@@ -537,14 +558,18 @@ module dg_page_script
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
-      'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, ''displace'// &
-      'ment'', d) * Math.cos(angle(p, d))', &
-      'const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x'// &
-      '_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)', &
-      'const write = writer(assembly, W), said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.colum'// &
-      'ns[name].quantity)}`', &
-      'for (const side of [.5, -.5]) make(assembly, ''path'', {d: ''M'' + edge(Math.max(top, p.curves.hole.d[0]), bit'// &
-      ', d => side * value_at(p, ''hole'', d)).join(''L''), class: ''wall''})', &
+      'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * 150', &
+      'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))', &
+      'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`']
+   character(130), parameter :: script_lines_6(55) = [character(130) :: &
+      'const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)', &
+      'const edge = (from, to, v_of) => between(from, to, 80).map(d => point(x_of(d), y_of(v_of(d))))', &
+      'const write = writer(assembly, W), start = Math.max(top, p.curves.hole.d[0])', &
+      'const said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.columns[name].quantity)}`', &
+      'for (const side of [.5, -.5]) {', &
+      'make(assembly, ''path'', {d: ''M'' + edge(start, bit, d => side * value_at(p, ''hole'', d)).join(''L''), class'// &
+      ': ''wall''})', &
+      '}', &
       'for (const part of D.cases[p.case].parts) {', &
       'const from = Math.max(bit - part.to, top), to = bit - part.from', &
       'if (to <= top) continue', &
@@ -557,22 +582,20 @@ module dg_page_script
       ', T - 4, String(t))', &
       'const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])', &
       'for (const [d, force, clock] of contacts) {', &
-      'const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 2'// &
-      '0 * force / contacts[0][1])', &
+      'const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2)', &
+      'const y1 = y2 - side * (8 + 20 * force / contacts[0][1])', &
       'make(assembly, ''line'', {x1: x_of(d), x2: x_of(d), y1, y2, class: ''force''})', &
       'write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, ''force''))', &
       '}', &
-      'const moments = Array.from({length: 201}, (_, i) => bit - (i / 200) * Math.min(shown_length, bit - p.curves.ho'// &
-      'le.d[0]))', &
-      '.map(d => [x_of(d), value_at(p, ''bending'', d)]).filter(([, m]) => isFinite(m))', &
+      'const moments = between(start, bit, 200).map(d => [x_of(d), value_at(p, ''bending'', d)]).filter(([, m]) => is'// &
+      'Finite(m))', &
       'const most = Math.max(...moments.map(([, m]) => m), 0)', &
-      'make(assembly, ''path'', {d: ''M'' + moments.map(([x, m]) => `${x.toFixed(1)} ${(T + 80 - m / (most || 1) * 60'// &
-      ').toFixed(1)}`).join(''L''), class: ''moment''})', &
+      'const places = moments.map(([x, m]) => point(x, T + 80 - m / (most || 1) * 60))', &
+      'make(assembly, ''path'', {d: ''M'' + places.join(''L''), class: ''moment''})', &
       'write(0, T + 14, ''moment, at most '' + said(''bending'', most))', &
       'const cross = make(assembly, ''path'', {class: ''cross''})', &
-      'const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], contact f'// &
-      'orces [${unit(''force'')}], ` +', &
-      '''enlarged across the hole.''', &
+      'const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], ` +', &
+      '`contact forces [${unit(''force'')}], enlarged across the hole.`', &
       'return () => {', &
       'const there = state.depth >= top && state.depth <= bit', &
       'cross.setAttribute(''d'', there ? `M${x_of(state.depth)} 20V${T + 80}` : '''')', &
@@ -590,17 +613,18 @@ module dg_page_script
       '() }', &
       'const sides = {''3D'': [-0.6, 0.35], plan: [0, Math.PI / 2], ''from south'': [0, 0], ''from east'': [-Math.PI '// &
       '/ 2, 0]}', &
-      'for (const name in sides) well.before(make(null, ''h:button'', {type: ''button'', onclick: () => { [state.yaw,'// &
-      ' state.pitch] = sides[name]; draw() }}, name))', &
-      'well.addEventListener(''pointermove'', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })']
-   character(192), parameter :: script_lines_6(6) = [character(192) :: &
+      'for (const name in sides) {', &
+      'const turn = () => { [state.yaw, state.pitch] = sides[name]; draw() }', &
+      'well.before(make(null, ''h:button'', {type: ''button'', onclick: turn}, name))', &
+      '}', &
+      'well.addEventListener(''pointermove'', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })', &
       'well.addEventListener(''keydown'', e => {', &
       'const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]', &
       'if (by) { e.preventDefault(); turn_by(...by) }', &
       '})', &
       'return {draw, mark}', &
       '}']
-   character(192), parameter :: script_lines(506) = [ &
+   character(130), parameter :: script_lines(555) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

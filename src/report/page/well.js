@@ -31,8 +31,9 @@ function well_figures(b) {
       make(section, 'text', {x: 100, y: 204, 'text-anchor': 'middle'}, 'at ' + b.place_text())
       for (const p of shown().filter(p => state.depth <= D.cases[p.case].depth)) {
          const scale = 88 / value_at(p, 'hole', state.depth)
-         const off = value_at(p, 'displacement', state.depth) * 2 * scale, a = angle(p, state.depth), r = value_at(p, 'od', state.depth) * scale
-         make(section, 'circle', {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r, fill: 'none', 'stroke-width': 2, ...p.key.look})
+         const off = value_at(p, 'displacement', state.depth) * 2 * scale, a = angle(p, state.depth)
+         const circle = {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r: value_at(p, 'od', state.depth) * scale}
+         make(section, 'circle', {...circle, fill: 'none', 'stroke-width': 2, ...p.key.look})
       }
    }
    function draw_well() {
@@ -40,28 +41,33 @@ function well_figures(b) {
       well.replaceChildren()
       if (!p) return () => {}
       const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]
-      const points = Array.from({length: n + 1}, (_, i) => i / n * end).map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))
+      const depths = Array.from({length: n + 1}, (_, i) => i / n * end)
+      const points = depths.map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))
       const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at[k]))])
       const size = Math.max(...ends.map(e => e[1] - e[0])), middle = ends.map(e => (e[0] + e[1]) / 2)
-      const [[e0, e1], [n0, n1], [, z1]] = ends.map((e, k) => (e[1] - e[0] < .2 * size ? [middle[k] - .1 * size, middle[k] + .1 * size] : e))
-      const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch), s = 290 / size
+      const least = .1 * size, apart = (e, k) => (e[1] - e[0] < 2 * least ? [middle[k] - least, middle[k] + least] : e)
+      const [[e0, e1], [n0, n1], [, z1]] = ends.map(apart), s = 290 / size
+      const cy = Math.cos(state.yaw), sy = Math.sin(state.yaw), cp = Math.cos(state.pitch), sp = Math.sin(state.pitch)
       const project = a => {
          const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]
          return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]
       }
       const line = (a, b, look) => make(well, 'path', {d: 'M' + [a, b].map(project).join('L'), ...look})
       const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)
-      const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - 1))], beyond = sorted[sorted.length - 1] > high ? '\u2265 ' : ''
+      const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - 1))]
+      const beyond = sorted[sorted.length - 1] > high ? '\u2265 ' : ''
       for (let i = 0; i < 40; i++) make(well, 'rect', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour(i / 39)})
       write(120, 434, words ? words.join(', ') : text_of(low, quantity) + ' to ' + beyond + text_of(high, quantity))
       write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + ', ' + p.key.text).slice(0, 60))
       const grid = (name, axis, from, to, corner, other) => {   // lines across an axis, none where it is seen from its end
          const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor('length')
-         const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner))), few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))
+         const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))
+         const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))
          if (few) for (const t of ticks(from * length, to * length, few)) {
             const [x, y] = project(at(t / length, corner))
             line(at(t / length, corner), at(t / length, other), {class: 'grid'})
-            if (Math.abs(x2 - x1) > Math.abs(y2 - y1)) write(x, y + 16, name + t); else write(x + (x < 230 ? -30 : 30), y + 4, name + t)
+            const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30
+            write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)
          }
       }
       grid('', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])
@@ -89,10 +95,16 @@ function well_figures(b) {
       assembly.setAttribute('viewBox', `0 0 ${W} ${T + 84}`)
       if (!p) return () => {}
       const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - 30)
-      const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150, off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
-      const edge = (from, to, v_of) => Array.from({length: 81}, (_, i) => from + (to - from) * i / 80).map(d => `${x_of(d).toFixed(1)} ${y_of(v_of(d)).toFixed(1)}`)
-      const write = writer(assembly, W), said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.columns[name].quantity)}`
-      for (const side of [.5, -.5]) make(assembly, 'path', {d: 'M' + edge(Math.max(top, p.curves.hole.d[0]), bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
+      const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150
+      const off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
+      const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`
+      const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)
+      const edge = (from, to, v_of) => between(from, to, 80).map(d => point(x_of(d), y_of(v_of(d))))
+      const write = writer(assembly, W), start = Math.max(top, p.curves.hole.d[0])
+      const said = (name, v) => `${text_of(v, D.columns[name].quantity)} ${unit(D.columns[name].quantity)}`
+      for (const side of [.5, -.5]) {
+         make(assembly, 'path', {d: 'M' + edge(start, bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
+      }
       for (const part of D.cases[p.case].parts) {
          const from = Math.max(bit - part.to, top), to = bit - part.from
          if (to <= top) continue
@@ -103,18 +115,19 @@ function well_figures(b) {
       for (const t of ticks(0, shown_length * factor('length'), W / 120)) write(x_of(bit - t / factor('length')), T - 4, String(t))
       const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])
       for (const [d, force, clock] of contacts) {
-         const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2), y1 = y2 - side * (8 + 20 * force / contacts[0][1])
+         const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2)
+         const y1 = y2 - side * (8 + 20 * force / contacts[0][1])
          make(assembly, 'line', {x1: x_of(d), x2: x_of(d), y1, y2, class: 'force'})
          write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, 'force'))
       }
-      const moments = Array.from({length: 201}, (_, i) => bit - (i / 200) * Math.min(shown_length, bit - p.curves.hole.d[0]))
-         .map(d => [x_of(d), value_at(p, 'bending', d)]).filter(([, m]) => isFinite(m))
+      const moments = between(start, bit, 200).map(d => [x_of(d), value_at(p, 'bending', d)]).filter(([, m]) => isFinite(m))
       const most = Math.max(...moments.map(([, m]) => m), 0)   // of the moments, in a strip of their own
-      make(assembly, 'path', {d: 'M' + moments.map(([x, m]) => `${x.toFixed(1)} ${(T + 80 - m / (most || 1) * 60).toFixed(1)}`).join('L'), class: 'moment'})
+      const places = moments.map(([x, m]) => point(x, T + 80 - m / (most || 1) * 60))
+      make(assembly, 'path', {d: 'M' + places.join('L'), class: 'moment'})
       write(0, T + 14, 'moment, at most ' + said('bending', most))
       const cross = make(assembly, 'path', {class: 'cross'})
-      const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], contact forces [${unit('force')}], ` +
-         'enlarged across the hole.'
+      const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], ` +
+         `contact forces [${unit('force')}], enlarged across the hole.`
       return () => {
          const there = state.depth >= top && state.depth <= bit
          cross.setAttribute('d', there ? `M${x_of(state.depth)} 20V${T + 80}` : '')
@@ -129,7 +142,10 @@ function well_figures(b) {
    well.before(pick)
    const turn_by = (x, y) => { state.yaw += x; state.pitch = Math.min(1.5, Math.max(-1.5, state.pitch + y)); draw() }
    const sides = {'3D': [-0.6, 0.35], plan: [0, Math.PI / 2], 'from south': [0, 0], 'from east': [-Math.PI / 2, 0]}
-   for (const name in sides) well.before(make(null, 'h:button', {type: 'button', onclick: () => { [state.yaw, state.pitch] = sides[name]; draw() }}, name))
+   for (const name in sides) {
+      const turn = () => { [state.yaw, state.pitch] = sides[name]; draw() }
+      well.before(make(null, 'h:button', {type: 'button', onclick: turn}, name))
+   }
    well.addEventListener('pointermove', e => { if (e.buttons) turn_by(e.movementX / 150, e.movementY / 150) })
    well.addEventListener('keydown', e => {
       const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]
