@@ -214,7 +214,7 @@ def faults_of_view(folder, page, data, view, field=False):
     rows = readout(text)
     chart = next(c for c in data["charts"] if c["title"] == query["chart"][0])
     wanted = [c["column"] for p in chart["panels"] for c in p["curves"]]
-    names = [name.split(" ") for name in rows.get("quantity", ["unit"])[1:] if " " in name]
+    names = [name.split(" ") for name in rows.get("quantity", ["unit"])[1:] if " " in name and not name.startswith("difference ")]
     profiles = [Profile(folder, case, model) for case, model in names]
     if len(profiles) != len(MODELS) * len(query["case"]):
         faults.append(f"{view}: the page shows {names}")

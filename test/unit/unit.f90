@@ -80,6 +80,7 @@ contains
       use dg_test_stuck_string, only: stuck_string_suite
       use dg_test_strength, only: strength_suite
       use dg_test_connection_rating, only: connection_rating_suite
+      use dg_test_zero_crossing, only: zero_crossing_suite
       type(TestSuite) :: suite
       suite = TestSuite('unit')
       call suite%addTest(asserts_suite())
@@ -101,6 +102,7 @@ contains
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
       call suite%addTest(run_outcome_suite())
+      call suite%addTest(zero_crossing_suite())
       call suite%addTest(survey_file_suite())
       call suite%addTest(survey_heading_suite())
       call suite%addTest(witsml_survey_suite())

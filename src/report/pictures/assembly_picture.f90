@@ -18,6 +18,7 @@ module dg_assembly_picture
    use dg_text, only: either, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_label
+   use dg_zero_crossing, only: add_zeros
    implicit none
    private
    public :: assembly_chart, shown_length
@@ -54,6 +55,7 @@ contains
       type(case_result_type), intent(in) :: result
       type(chart_type) :: chart
       type(view_type) :: view
+      real(wp), allocatable :: md(:), moment(:)
       associate (load_case => model%cases(result%case_index), units => job%units, profile => result%profile)
          chart = new_chart('assembly_'//load_case%name, case_title(units, load_case)//', model '// &
                            trim(model_name(result%model))//bit_text(units, result), units, 700, [places(4, 1) + 0.02_wp, 0.94_wp])
@@ -62,9 +64,12 @@ contains
          view%bit = load_case%bit_depth
          view%shown = min(shown_length, view%bit - profile%md(1))
          call add_view(chart, view, model%strings(string_index(model%strings, load_case%string)), result)
-         call add_low_panel(chart, view, 'moment ['//unit_label(units, quantity_moment)//']', '', &
-                            reshape(profile%bending/units%moment, [size(profile%md), 1]))
-         call add_low_panel(chart, view, 'offset ['//unit_label(units, quantity_width)//']', &
+         md = profile%md
+         moment = profile%bending
+         if (.not. any(is_missing(profile%shear))) call add_zeros(md, moment, profile%shear)
+         call add_low_panel(chart, view, md, 'moment ['//unit_label(units, quantity_moment)//']', '', &
+                            reshape(moment/units%moment, [size(md), 1]))
+         call add_low_panel(chart, view, profile%md, 'offset ['//unit_label(units, quantity_width)//']', &
                             'distance above the bit ['//trim(units%length_label)//']', &
                             reshape([profile%displacement*cos(profile%clock), profile%displacement*sin(profile%clock)]/ &
                                     units%diameter, [size(profile%md), 2]))
@@ -262,22 +267,23 @@ contains
    end subroutine add_contacts
 
    !> A low panel of curves along the string, as they are shown: all and 0 lie in it with some air, about four steps apart.
-   subroutine add_low_panel(chart, view, label, x_label, values)
+   subroutine add_low_panel(chart, view, md, label, x_label, values)
       type(chart_type), intent(inout) :: chart
       type(view_type), intent(in) :: view
+      real(wp), intent(in) :: md(:)             !< [m]
       character(*), intent(in) :: label, x_label
-      real(wp), intent(in) :: values(:, :)      !< of each row of the profile, a curve a column
+      real(wp), intent(in) :: values(:, :)      !< at each depth, a curve a column
       real(wp), parameter :: spare = 0.08_wp, steps = 4.0_wp
       integer, parameter :: digits = 8
       logical :: near(size(values, 1))
       real(wp) :: low, high
       integer :: k
-      near = view%bit - view%profile%md <= view%shown
+      near = view%bit - md <= view%shown
       low = min(0.0_wp, minval(values, mask=spread(near, 2, size(values, 2))))
       high = max(0.0_wp, maxval(values, mask=spread(near, 2, size(values, 2))))
       call add_panel(chart, places(:, size(chart%panels) + 1), x_label, label)
       do k = 1, size(values, 2)
-         call add_curve(chart, (view%bit - pack(view%profile%md, near))/chart%units%length, pack(values(:, k), near), &
+         call add_curve(chart, (view%bit - pack(md, near))/chart%units%length, pack(values(:, k), near), &
                         line_style(k), '')
       end do
       associate (panel => chart%panels(size(chart%panels)))
