@@ -272,7 +272,7 @@ module dg_deck_keys
       key_rule_type('component', 'fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
          meaning='number of turns above which the endurance limit holds'), &
       key_rule_type('component', 'joint_fatigue_limit', unit=unit_stress, low=0.0_wp, open=.true., high=1.0e5_wp, &
-         meaning='endurance limit of connections, as bending stress of the body beside them; default: not known'), &
+         meaning='endurance limit of connections, as bending stress outside the tool joint; default: not known'), &
       key_rule_type('component', 'joint_fatigue_exponent', low=0.0_wp, high=50.0_wp, default='0', &
          meaning='fatigue_exponent of connections'), &
       key_rule_type('component', 'joint_fatigue_turns', low=1.0e3_wp, high=1.0e10_wp, default='1e6', &
