@@ -18,7 +18,8 @@ module dg_test_length_change
    use dg_kinds, only: wp
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type, less, total_change
    use dg_load_case, only: operation_static
-   use dg_model, only: hold_fixed, hold_landed, model_type
+   use dg_missing, only: given
+   use dg_model, only: hold_fixed, hold_free, hold_landed, model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_unit_kind, only: unit_density, unit_diameter, unit_expansion, unit_factor, unit_force, unit_length, unit_mass, &
@@ -42,6 +43,7 @@ contains
       suite = TestSuite('length_change')
       call suite%addTest(TestMethod('packer_by_beams', test_packer_by_beams))
       call suite%addTest(TestMethod('packer_by_formulas', test_packer_by_formulas))
+      call suite%addTest(TestMethod('packer_by_two_cases', test_two_cases))
       call suite%addTest(TestMethod('fixed_packer', test_fixed))
       call suite%addTest(TestMethod('landed_string', test_landed))
       call suite%addTest(TestMethod('hanging_in_mud', test_hanging))
@@ -159,6 +161,28 @@ contains
       call check_packer(model_soft, 1.0e-9_wp, 2.0e-3_wp)
       call check_packer(model_rigid, 1.0e-9_wp, 2.0e-3_wp)
    end subroutine test_packer_by_formulas
+
+   !> The example as two load cases: tubing is landed in oil, then cement is pumped against pressure of the annulus.
+   subroutine test_two_cases()
+      type(model_type) :: model
+      type(case_result_type) :: results(2)
+      type(along_string_type) :: along
+      type(length_change_type) :: changes(2)
+      type(error_type), allocatable :: error
+      integer :: i
+      call build_two(model, hold_free, si(cooled, unit_temperature))
+      model%cases(2)%wob = 0.0_wp
+      model%cases(2)%annulus_pressure = si(annulus, unit_stress)
+      model%cases(2)%inside_density = given(si(cement, unit_density))
+      do i = 1, 2
+         call solve_case(model, model_soft, i, results(i), error)
+         call assertFalse(allocated(error))
+         call find_along_string(model, results(i), along)
+         call find_length_change(model, results(i), along, changes(i))
+      end do
+      call assertRelativelyEqual(si(published_landed, unit_diameter), total_change(less(changes(2), changes(1))), printed)
+      call assertRelativelyEqual(si(published_temperature, unit_diameter), changes(2)%temperature, printed)
+   end subroutine test_two_cases
 
    !> Two load cases: a packer is set, then pressure is pumped and the temperature changes.
    subroutine build_two(model, hold, warmer)

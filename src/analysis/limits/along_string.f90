@@ -9,11 +9,11 @@ module dg_along_string
    use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
                                  lubinski_first, vertical_unit
    use dg_case_result, only: case_result_type, contact_joint
-   use dg_component, only: bending_stiffness, buoyed_weight, component_type, contact_diameter, has_joints, &
+   use dg_component, only: bending_stiffness, component_type, contact_diameter, has_joints, &
                            joint_bore, tube_inertia, worn_od
    use dg_drillstring, only: component_at, component_tops
-   use dg_fluid, only: density_at, side_inside, side_outside
-   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
+   use dg_fluid, only: side_inside, side_outside
+   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
    use dg_hole_section, only: hole_section_at
    use dg_job, only: model_mcge
    use dg_joint_bending, only: joint_magnification, pulled_magnification
@@ -102,8 +102,7 @@ contains
                arc(k) = arc_at(model%trajectory, min(max(profile%md(i) + merge(-hair, hair, k == 1), &
                                                          top_md(model%trajectory)), bit), near=arc(k))
             end do
-            weight = buoyed_weight(components(part), density_at(model%mud, side_outside, depths(i), bit), &
-                                   density_at(model%mud, side_inside, depths(i), bit), model%gravity)
+            weight = weight_at(components(part), model, model%cases(result%case_index), depths(i))
             solved = apart .or. (components(part)%centralizer%present .and. result%model == model_mcge)
             along%pressure(i) = pressure_at(outside, depths(i), profile%tvd(i))
             along%inside_pressure(i) = pressure_at(inside, depths(i), profile%tvd(i))

@@ -46,7 +46,8 @@ contains
       type(load_case_type), intent(in) :: load_case
       logical :: asks
       asks = model%boundary%packer_bore > 0.0_wp .or. abs(load_case%temperature_change_top) > 0.0_wp .or. &
-             abs(load_case%temperature_change_bottom) > 0.0_wp .or. any(model%cases%length_reference > 0)
+             abs(load_case%temperature_change_bottom) > 0.0_wp .or. any(model%cases%length_reference > 0) .or. &
+             load_case%annulus_pressure > 0.0_wp
       if (allocated(model%mud%fluids)) asks = asks .or. any(model%mud%fluids%surface_pressure > 0.0_wp)
    end function asks_for_length
 

@@ -4,10 +4,11 @@ module dg_string_piece
    use dg_kinds, only: wp
    use dg_centralized_contact, only: body_share, spans_of, spans_type
    use dg_helical_load, only: least_helical_load
-   use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, centralizer_diameter, contact_diameter
+   use dg_component, only: axial_stiffness, bending_stiffness, centralizer_diameter, contact_diameter
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: component_at, component_tops
-   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_fluid, only: fluid_tops
+   use dg_fluid_pressure, only: weight_at
    use dg_hole_section, only: hole_section_at
    use dg_model, only: model_type, string_index
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
@@ -96,8 +97,7 @@ contains
       end do
       middle = 0.5_wp*(piece%top + md)
       associate (load_case => model%cases(layout%case_index), part => model%strings(layout%string)%components(i))
-         piece%weight = buoyed_weight(part, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
-                                      density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
+         piece%weight = weight_at(part, model, load_case, middle)
          piece%radius = 0.5_wp*contact_diameter(part, -layout%heights(i))
          if (part%centralizer%present) piece%radius = 0.5_wp*centralizer_diameter(part)
          piece%stiffness = bending_stiffness(part)

@@ -3,15 +3,14 @@
 module dg_deck_fluid
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of
-   use dg_component, only: buoyed_weight
    use dg_deck_check, only: report_faults
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: add_fault, error_list_type, key_of
-   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, density_at, fluid_tops, side_inside, &
+   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, fluid_tops, side_inside, &
                        side_outside
    use dg_fluid_check, only: check_fluid, check_fluid_order
-   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at
+   use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, quoted, text_type
@@ -147,8 +146,7 @@ contains
                md = depths(k) - hair        ! every piece of one weight ends at one of these depths
                if (md <= top_md(model%trajectory)) cycle
                associate (part => string%components(component_at(tops, bit - md)))
-                  said = buoyed_weight(part, density_at(model%mud, side_outside, md, bit), &
-                                       density_at(model%mud, side_inside, md, bit), model%gravity) < 0.0_wp
+                  said = weight_at(part, model, model%cases(number), md) < 0.0_wp
                   if (said) call append_text(notes, 'group &fluid: load case '//quoted(model%cases(number)%name)//': '// &
                      quoted(part%name)//' floats at '//in_units(units, unit_length, depths(k), digits)// &
                      ': with what is in it it weighs less than the fluid outside that it displaces')

@@ -1,9 +1,9 @@
 !> Hook loads, measured or of the block, that do not fit the weight of their string: mostly another unit, or two that are swapped.
 module dg_unusual_rig
    use dg_kinds, only: wp
-   use dg_component, only: buoyed_weight
    use dg_drillstring, only: component_tops
-   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_fluid, only: fluid_tops
+   use dg_fluid_pressure, only: weight_at
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, operation_trip_in, &
                            operation_trip_out, rotates
@@ -208,8 +208,7 @@ contains
                upper = max(bit - tops(i), breaks(k))
                if (upper >= lower) cycle
                weight = weight + (true_vertical_depth(model%trajectory, lower) - true_vertical_depth(model%trajectory, upper))* &
-                  buoyed_weight(string%components(i), density_at(model%mud, side_outside, 0.5_wp*(lower + upper), bit), &
-                                density_at(model%mud, side_inside, 0.5_wp*(lower + upper), bit), model%gravity)
+                  weight_at(string%components(i), model, load_case, 0.5_wp*(lower + upper))
             end do
             end = bit - tops(i)
          end do

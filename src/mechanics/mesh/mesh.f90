@@ -8,12 +8,13 @@ module dg_mesh
    use dg_beam_element, only: membrane_length
    use dg_beam_section, only: beam_section_type, section_of
    use dg_centralizer, only: at_centralizer, bow_opening, bow_stiffness, contact_length
-   use dg_component, only: buoyed_weight, centralizer_diameter, component_type, contact_diameter, effective_joint_length, &
+   use dg_component, only: centralizer_diameter, component_type, contact_diameter, effective_joint_length, &
                            has_bend, has_joints, has_pad, is_eccentric, room_of, room_of_held_bit
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: all_centralizer_ends, at_joint, bend_within, component_at, component_tops, joint_ends, &
                              pad_within, tool_ends
-   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_fluid, only: fluid_tops
+   use dg_fluid_pressure, only: weight_at
    use dg_hole_section, only: hole_section_at, wall_of
    use dg_load_case, only: load_case_type, rotates
    use dg_merge_sort, only: sorted_places
@@ -139,8 +140,7 @@ contains
          associate (component => model%strings(index)%components(part))
             mesh%section(e) = section_of(component, mesh%length(e), &
                                          membrane_length(mesh%chord(:, e), mesh%frame(:, 1, e), mesh%frame(:, 1, e + 1)))
-            mesh%weight(e) = buoyed_weight(component, density_at(model%mud, side_outside, middle, load_case%bit_depth), &
-                                           density_at(model%mud, side_inside, middle, load_case%bit_depth), model%gravity)
+            mesh%weight(e) = weight_at(component, model, load_case, middle)
             distance = load_case%bit_depth - middle
             if (part > 1) distance = distance - tops(part - 1)
             mesh%centralizer(e) = at_centralizer(component%centralizer, distance)

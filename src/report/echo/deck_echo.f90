@@ -282,6 +282,9 @@ contains
             given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
             optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
                      unit_label(units, unit_pressure))// &
+            optional(', annulus pressure ', case%annulus_pressure, unit_factor(units, unit_pressure), &
+                     unit_label(units, unit_pressure))// &
+            given_text(', density inside ', case%inside_density, units%density, unit_label(units, unit_density))// &
             optional(', warmer at top by ', case%temperature_change_top, unit_factor(units, unit_temperature), &
                      unit_label(units, unit_temperature))// &
             optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &

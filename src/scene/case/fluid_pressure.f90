@@ -6,7 +6,7 @@
 !> is lost along the string is left out, so that the bit takes all of it. Below a closed collar the column begins anew.
 module dg_fluid_pressure
    use dg_kinds, only: wp
-   use dg_component, only: tube_area
+   use dg_component, only: buoyed_weight, component_type, tube_area
    use dg_drillstring, only: component_tops, topmost
    use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &
       side_outside
@@ -15,7 +15,7 @@ module dg_fluid_pressure
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, new_fluid_column, pressure_at, surface_push
+   public :: fluid_column_type, new_fluid_column, pressure_at, surface_push, weight_at
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
    type :: fluid_column_type
@@ -68,16 +68,42 @@ contains
          pressure = load_case%pump_pressure
       else
          i = fluid_at(model%mud, side, column%md(1), load_case%bit_depth)
-         if (i > 0) pressure = model%mud%fluids(i)%surface_pressure
+         pressure = load_case%annulus_pressure
+         if (i > 0) pressure = pressure + model%mud%fluids(i)%surface_pressure
       end if
       do i = 1, size(column%md)
          column%tvd(i) = true_vertical_depth(model%trajectory, column%md(i))
-         column%gradient(i) = density_at(model%mud, side, column%md(i), load_case%bit_depth)*model%gravity
+         column%gradient(i) = density_in(model, load_case, side, column%md(i))*model%gravity
          if (i > 1) pressure = pressure + column%gradient(i - 1)*(column%tvd(i) - column%tvd(i - 1))
          if (side == side_inside .and. collar_at(model, column%md(i), load_case%bit_depth) /= collar_none) pressure = 0.0_wp
          column%pressure(i) = pressure
       end do
    end subroutine stack_up
+
+   !> Buoyed weight per length of a component at a measured depth, in the fluids of a load case [N/m].
+   pure function weight_at(component, model, load_case, md) result(weight)
+      type(component_type), intent(in) :: component
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(in) :: md          !< [m]
+      real(wp) :: weight
+      weight = buoyed_weight(component, density_in(model, load_case, side_outside, md), &
+                             density_in(model, load_case, side_inside, md), model%gravity)
+   end function weight_at
+
+   !> Density of the fluid of a side in a load case [kg/m3]; where two fluids meet, of the lower one.
+   pure function density_in(model, load_case, side, md) result(density)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      integer, intent(in) :: side         !< side_inside or side_outside
+      real(wp), intent(in) :: md          !< [m]
+      real(wp) :: density
+      if (side == side_inside .and. load_case%inside_density%present) then
+         density = load_case%inside_density%value
+      else
+         density = density_at(model%mud, side, md, load_case%bit_depth)
+      end if
+   end function density_in
 
    !> Which collar stands at the upper end of a piece.
    pure function collar_at(model, md, bit_depth) result(collar)
@@ -116,9 +142,10 @@ contains
       real(wp) :: push
       real(wp) :: pressure
       push = 0.0_wp
-      if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp .or. .not. allocated(model%mud%fluids)) return
+      if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp) return
+      pressure = model%cases(case_index)%annulus_pressure
       ! the uppermost fluid of the annulus alone may have one
-      pressure = maxval(model%mud%fluids%surface_pressure)
+      if (allocated(model%mud%fluids)) pressure = pressure + maxval([0.0_wp, model%mud%fluids%surface_pressure])
       if (.not. pressure > 0.0_wp) return
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          push = pressure* &

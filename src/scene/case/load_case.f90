@@ -105,6 +105,8 @@ module dg_load_case
       real(wp) :: toolface = 0.0_wp         !< to which bends of the string point: from the high side (north), clockwise [rad]
       logical :: bend_stands = .false.      !< a string that turns is seen at this toolface; else without its bends
       real(wp) :: pump_pressure = 0.0_wp    !< added to the pressure inside [Pa], >= 0
+      real(wp) :: annulus_pressure = 0.0_wp !< added to the pressure outside [Pa], >= 0
+      type(optional_real) :: inside_density !< of the fluid inside, in place of that of the mud [kg/m3]
       real(wp) :: temperature_change_top = 0.0_wp      !< of the string at surface, since it was run [K]
       real(wp) :: temperature_change_bottom = 0.0_wp   !< the same at the bit; linear in true vertical depth between [K]
       real(wp) :: above_ambient_top = 0.0_wp           !< temperature of the string at surface, >= 0 [K]
@@ -129,6 +131,8 @@ contains
       call visitor%number('trip_speed', load_case%trip_speed)
       call visitor%number('toolface', load_case%toolface)
       call visitor%number('pump_pressure', load_case%pump_pressure)
+      call visitor%number('annulus_pressure', load_case%annulus_pressure)
+      call visitor%optional('inside_density', load_case%inside_density)
       call visitor%number('temperature_change_top', load_case%temperature_change_top)
       call visitor%number('temperature_change_bottom', load_case%temperature_change_bottom)
       call visitor%number('above_ambient_top', load_case%above_ambient_top)

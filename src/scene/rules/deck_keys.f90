@@ -362,6 +362,10 @@ module dg_deck_keys
          meaning='axial speed of the string'), &
       key_rule_type('load_case', 'pump_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
          meaning='pump pressure, added inside from surface to the bit or a closed collar'), &
+      key_rule_type('load_case', 'annulus_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
+         meaning='annulus pressure at surface in this case, added to surface_pressure of &fluid'), &
+      key_rule_type('load_case', 'inside_density', unit=unit_density, low=0.0_wp, high=heaviest, &
+         meaning='density of the fluid inside in this case (injected, produced); default that of &fluid'), &
       key_rule_type('load_case', 'temperature_change_top', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
          meaning='rise in temperature of the string at surface since it was run; changes its length'), &
       key_rule_type('load_case', 'temperature_change_bottom', unit=unit_temperature, low=-hottest, high=hottest, default='0', &
