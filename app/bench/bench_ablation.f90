@@ -15,7 +15,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 41
+   integer, parameter :: numbers = 44
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -170,6 +170,9 @@ contains
       case (38); call change('start_mirrored', tuning%start_mirrored, changed)
       case (39); call change('longest_stall', tuning%longest_stall, 400, changed)
       case (40); call change('coiled_longest', tuning%coiled_longest, 170, changed)
+      case (41); call change('longest_quiet', tuning%longest_quiet, endless, changed)
+      case (42); call change('hold_stiffness', tuning%hold_stiffness, 0.1_wp, changed)
+      case (43); call change('most_held', tuning%most_held, 0.02_wp, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

@@ -28,6 +28,7 @@ contains
       call suite%addTest(TestMethod('twisted_string', test_twisted_string))
       call suite%addTest(TestMethod('walls_that_pull', test_walls_that_pull))
       call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
+      call suite%addTest(TestMethod('drifting_coils', test_drifting_coils))
    end function hard_cases_suite
 
    !> Walls of 1e9 to 1e17 N/m2, ten million times as stiff as solid steel. A place of some hundred metres is known to 1e-13 m, and
@@ -190,4 +191,52 @@ contains
       call solve_static_analysis(model, 1, result, error)
       call assertTrue(result%message /= '', message='what elements of 10 m come to is not quiet')
    end subroutine test_severe_dogleg
+
+   !> Tubing that slides near lock-up, coiled above and in the build: with friction along the hole alone its coils turn round the
+   !> hole for ever. Friction holds them sideways, too. It is Coulomb's in sum: along the hole it is less than the friction factor
+   !> times contact by what the largest share takes, no more. Forces balance in the sum over the string, sideways friction
+   !> included. At 36 kN an equilibrium without it is found, too, after a long way: hook loads differ by less than the largest share
+   !> may take off friction. With less load the string soon comes to rest by itself, and nothing holds it.
+   subroutine test_drifting_coils()
+      real(wp), parameter :: friction = 0.348_wp, wob(3) = [34.5e3_wp, 36.0e3_wp, 29.7e3_wp]
+      integer, parameter :: drifting = 2
+      type(model_type) :: model, unheld
+      type(case_result_type) :: result, other
+      type(error_type), allocatable :: error
+      real(wp) :: lost
+      integer :: i
+      call new_well(model, [0.0_wp, 1020.0_wp, 2175.0_wp, 2655.0_wp], [0.0_wp, 0.0_wp, 77.0_wp, 77.0_wp], spread(145.0_wp, 1, 4), &
+                    0.1594_wp, friction, pipe(73.1_wp, 0.073_wp, 0.062_wp))
+      call hold_ends(model)
+      model%numerics%moments = .false.
+      model%numerics%tuning%most_meshes = 1
+      model%numerics%tuning%most_attempts = 1
+      model%cases(1)%operation = operation_sliding_drilling
+      do i = 1, size(wob)
+         model%cases(1)%wob = wob(i)
+         call solve_static_analysis(model, 1, result, error)
+         call assertEqual(result_converged, result%status, message=result%message)
+         call note('iterations', real(result%iterations, wp))
+         call note('hook load [N]', result%hookload)
+         call assertLessThan(result%equilibrium_force, 1.0e-6_wp*string_weight(model), message='forces balance')
+         lost = 1.0_wp - result%friction/(friction*result%normal_force)
+         call note('part of friction that is not along the hole', lost)
+         unheld = model
+         unheld%numerics%tuning%longest_quiet = 1000000
+         call solve_static_analysis(unheld, 1, other, error)
+         call note('iterations, not held', real(other%iterations, wp))
+         if (i <= drifting) then
+            call assertGreaterThan(index(result%message, 'acts sideways'), 0, message='said: '//result%message)
+            call assertGreaterThan(lost, 0.0_wp, message='less along the hole')
+            call assertLessThan(lost, 0.51_wp*model%numerics%tuning%most_held**2, message='no more than the largest share takes')
+            if (i == 1) call assertEqual(result_not_converged, other%status, message='not held')
+            if (i == 2) call assertEqual(result_converged, other%status, message=other%message)
+            if (i == 2) call assertLessThan(abs(result%hookload - other%hookload), &
+                                            0.5_wp*model%numerics%tuning%most_held**2*abs(other%friction), message='hook load')
+         else
+            call assertEqual(index(result%message, 'acts sideways'), 0, message='nothing said: '//result%message)
+            call assertEqual(other%hookload, result%hookload, message='hook load')
+         end if
+      end do
+   end subroutine test_drifting_coils
 end module dg_test_hard_cases

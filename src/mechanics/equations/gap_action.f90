@@ -14,7 +14,8 @@ module dg_gap_action
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
    implicit none
    private
-   public :: load_type, contact_type, find_contact, add_gap_force, add_gap_tangent, add_whirl, find_contact_rows, near
+   public :: load_type, contact_type, find_contact, add_gap_force, add_gap_tangent, add_whirl, find_contact_rows
+   public :: find_side_row, near
 
    !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: they stay open in the linear problem. After
    !> the step `judge_gaps` may close them.
@@ -65,6 +66,10 @@ contains
       contact%direction = contact%slope(3)*(mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))) &
                           + contact%slope(2)*work%d(:, e) + contact%slope(4)*work%d(:, e + 1)
       contact%sideways = work%sideways(e)*contact%rotary
+      if (abs(work%held(e)) > 0.0_wp) then      ! Coulomb's law: the sum of both parts stays as it is
+         contact%sideways = contact%sideways + abs(contact%axial)*work%held(e)
+         contact%axial = contact%axial*sqrt(1.0_wp - work%held(e)**2)
+      end if
       contact%turning%lever = 0.0_wp
       if (work%sideways(e) < 1.0_wp) then
          contact%turning%lever = contact%rotary*mesh%radius(e)
@@ -237,6 +242,22 @@ contains
       on([dof_axial, dof_twist], 1) = 0.0_wp
       by([dof_axial, dof_twist], 1) = 0.0_wp
    end subroutine find_contact_rows
+
+   !> Change of a gap's place along t x n by the unknowns of its element's nodes (12) [-, m].
+   pure subroutine find_side_row(mesh, gaps, e, work, row)
+      type(mesh_type), intent(in) :: mesh
+      type(gap_table_type), intent(in) :: gaps
+      integer, intent(in) :: e
+      type(workspace_type), intent(in) :: work
+      real(wp), intent(out) :: row(:)
+      real(wp), parameter :: no_force(6) = 0.0_wp
+      real(wp) :: shape(4), side(3), on(6)
+      shape = hermite_value(gaps%xi(e), mesh%length(e))
+      side = cross(work%axis_tangent(:, e), work%gap(:, e)/work%displacement(e))
+      call rows_of_node(mesh%frame(:, :, e), work%d(:, e), no_force, side, shape(1:2), on, row(1:6))
+      call rows_of_node(mesh%frame(:, :, e + 1), work%d(:, e + 1), no_force, side, shape(3:4), on, row(7:12))
+      if (e == 1) row([dof_axial, dof_twist]) = 0.0_wp
+   end subroutine find_side_row
 
    !> Those of one node but for the twist, on which `by` is nothing.
    pure subroutine rows_of_node(frame, d, force, outward, shape, on, by)

@@ -25,6 +25,7 @@ module dg_workspace
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
       real(wp), allocatable :: sideways(:)          !< share of circumferential friction's force, 0 where the string whirls (e) [-]
+      real(wp), allocatable :: held(:)              !< share of a sliding string's friction that acts against t x n (e) [-]
       logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
       ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
       real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes, of all elements (6,nodes) [N, N.m]
@@ -49,7 +50,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(out) :: work
       allocate (work%sideways(mesh%elements), source=1.0_wp)
-      allocate (work%normal(mesh%elements), source=0.0_wp)
+      allocate (work%normal(mesh%elements), work%held(mesh%elements), source=0.0_wp)
    end subroutine new_start_room
 
    !> Room for a mesh; what a start has put there stays.

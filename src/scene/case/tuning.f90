@@ -127,6 +127,16 @@ module dg_tuning
       !> Residual over the force scale next to an equilibrium [-]: there a string that would count as stable is not held.
       real(wp) :: near = 1.0e-4_wp
 
+      ! ---- a string that drifts (dg_held_coils)
+      !> Iterations in which no gap opened, closed or moved, after which a stable string that slides is taken to drift. With 20
+      !> two of 600 wells are held that come to rest by themselves.
+      integer :: longest_quiet = 30
+      !> Stiffness against its sideways motion, in units of damping [-]: half of what a stable equilibrium may need.
+      real(wp) :: hold_stiffness = 0.01_wp
+      !> Largest share of a contact's friction that acts sideways [-]. It takes 0.13 % off friction along the hole at most. With 2 %
+      !> two of 600 wells find no equilibrium that find one by themselves.
+      real(wp) :: most_held = 0.05_wp
+
       ! ---- the step (dg_step, dg_line_search, dg_node_moves, dg_equilibrium)
       !> Nodes are slid along the hole until elements have the axial forces of the linear problem.
       logical :: keep_lengths = .true.

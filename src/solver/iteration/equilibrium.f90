@@ -17,6 +17,8 @@
 !>   4. The step of a damped string is shortened while the energy still rises at its end, friction's forces held constant.
 !>      Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
 !>   5. A step that still raises the energy, and does not lessen the residual, is refused, and damping raised.
+!>   6. A stable string that goes on moving though no gap has changed for long drifts: from there on friction holds it sideways, too
+!>      (dg_held_coils).
 !> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A damped
 !> string is stable and has stopped moving. No element that may still be cut stands outside its hole.
 module dg_equilibrium
@@ -29,6 +31,7 @@ module dg_equilibrium
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
    use dg_gap_table, only: keep_gaps, take_gaps_back
+   use dg_held_coils, only: holder_type, start_to_hold
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
                                  place_and_survey, rigid
    use dg_line_search, only: search_along
@@ -53,6 +56,8 @@ contains
       solution%work%separate = .true.
       solution%equations%gaps_taken_back = .false.
       solution%gaps%followed = .false.
+      solution%work%held = 0.0_wp
+      it%holder = holder_type()
       call keep_gaps(solution%gaps, it%kept)
       call place_and_survey(trajectory, solution)
       call judge_gaps(it, trajectory, .true., solution)
@@ -61,6 +66,7 @@ contains
          call enter_row(it, solution)
          call settle_gaps(it, trajectory, solution)
          if (it%outcome == outcome_open) call judge_progress(it, trajectory, solution)
+         if (it%outcome == outcome_open .and. it%damped) call judge_drift(it, solution)
          if (it%outcome == outcome_open) call find_step(it, trajectory, solution)
          if (it%outcome /= outcome_open) exit
          call search_along(it, trajectory, solution)
@@ -165,6 +171,7 @@ contains
          if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
             it%settled = solution%state                   ! an equilibrium, or where gaps first touched
             it%settled_force = solution%work%normal
+            it%settled_held = solution%work%held
             call keep_gaps(it%kept, it%settled_gaps)
          end if
          it%rounds = it%rounds + 1
@@ -191,6 +198,24 @@ contains
          call take_back(it, trajectory, solution)
       end if
    end subroutine judge_progress
+
+   !> Begins to hold a string that drifts. Where gaps do not change Newton's method finds an equilibrium near a stable string in a
+   !> few iterations, or there is none. A string whose residual is already small is left to itself.
+   subroutine judge_drift(it, solution)
+      type(equilibrium_type), intent(inout) :: it
+      type(solution_type), intent(inout) :: solution
+      logical :: stable
+      if (it%holder%holding) return
+      it%holder%quiet = it%holder%quiet + 1
+      if (it%row%flips + it%row%moves > 0 .or. it%growth < rigid) it%holder%quiet = 0
+      associate (tuning => it%numerics%tuning)
+         if (it%holder%quiet < tuning%longest_quiet .or. it%before < tuning%near*solution%equations%force_scale) return
+      end associate
+      call judge_stability(it, solution, stable)
+      if (.not. stable) return
+      call start_to_hold(solution%mesh, it%holder)
+      if (it%holder%holding) it%least_at = solution%equations%iterations
+   end subroutine judge_drift
 
    !> Why a run without equilibrium ends here; outcome_open: it goes on.
    function ending(it, solution) result(outcome)
@@ -226,6 +251,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       solution%state = it%settled
       solution%work%normal = it%settled_force
+      solution%work%held = it%settled_held
       call take_gaps_back(it%settled_gaps, solution%gaps)
       call take_gaps_back(it%settled_gaps, it%kept)
       solution%equations%gaps_taken_back = .true.

@@ -9,6 +9,7 @@ module dg_iteration_state
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: move_rule_type, relocate_gaps, survey_gaps
    use dg_gap_table, only: gap_table_type, take_gaps_back
+   use dg_held_coils, only: holder_type
    use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_straight_down, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
@@ -69,7 +70,8 @@ module dg_iteration_state
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
-      real(wp), allocatable :: settled(:, :), settled_force(:)   !< where the string was before gaps last moved
+      type(holder_type) :: holder             !< of a string that drifts
+      real(wp), allocatable :: settled(:, :), settled_force(:), settled_held(:)   !< where the string was before gaps last moved
       type(gap_table_type) :: settled_gaps
    end type equilibrium_type
 
@@ -224,6 +226,7 @@ contains
       type(solution_type), intent(inout) :: solution
       solution%state = it%old
       solution%work%normal = it%old_force
+      if (it%holder%holding) solution%work%held = it%holder%before
       call take_gaps_back(it%kept, solution%gaps)
       call place_and_survey(trajectory, solution)
    end subroutine go_back

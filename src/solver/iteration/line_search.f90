@@ -8,6 +8,7 @@ module dg_line_search
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
    use dg_gap_table, only: keep_gaps, take_gaps_back
+   use dg_held_coils, only: hold_sideways
    use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, stiffen_walls
    use dg_node_moves, only: move_across, slide_along, slide_on
    use dg_solution, only: solution_type
@@ -96,6 +97,7 @@ contains
                gaps%state(e) = merge(state_elastic, state_free, work%normal(e) > 0.0_wp)
             end do
          end associate
+         if (it%holder%holding) call hold_sideways(it%holder, it%numerics%tuning%most_held, solution)
          call find_tangent(equations, trajectory, mesh, loads, gaps, state, forces_alone, work, it%problem%load)
          it%slope_after = energy_slope(equations, it%problem%load)
          it%trial = maxval(abs(it%problem%load))
@@ -194,6 +196,7 @@ contains
             if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
          end do
          call judge_gaps(it, trajectory, it%growth < it%numerics%tuning%stiff, solution)
+         if (it%holder%holding) call hold_sideways(it%holder, it%numerics%tuning%most_held, solution)
       end associate
    end subroutine take_step
 end module dg_line_search

@@ -8,6 +8,7 @@ module dg_step
    use dg_equations, only: add_gap_rigidity, energy_tangent, find_tangent
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness
    use dg_gap_state, only: state_free
+   use dg_held_coils, only: add_holding, find_holding
    use dg_iteration_state, only: energy_slope, equilibrium_type, make_room_to_damp, margin_of, rigid
    use dg_node_moves, only: split_step
    use dg_outcome, only: outcome_open, outcome_singular
@@ -78,6 +79,7 @@ contains
       associate (equations => solution%equations, mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, &
                  work => solution%work)
          call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
+         if (it%holder%holding) call find_holding(it%numerics%tuning%hold_stiffness, it%lump, solution, it%holder)
          it%problem%closed = gaps%state /= state_free
          associate (tuning => it%numerics%tuning)
             margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
@@ -92,6 +94,7 @@ contains
                      call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
                   end if
                   call add_damping(it%damping, it%lump, equations%matrix)
+                  if (it%holder%holding) call add_holding(it%holder, equations%matrix)
                   call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
                   call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
                   if (fault /= 0) then

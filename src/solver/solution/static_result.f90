@@ -106,6 +106,10 @@ contains
          ! a part of a string may be pushed by what is above it
          if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
+         if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
+            call add_message(result, 'Up to '//to_text(rounded_up(100.0_wp*maxval(abs(work%held)), shown_clearances), &
+                                                       shown_clearances)//' % of the friction of a contact acts sideways, '// &
+                             'which keeps the helically buckled string from turning round the hole')
          if (outcome == outcome_converged .and. equations%gaps_taken_back) &
             call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
          if (outcome == outcome_converged) then
