@@ -51,7 +51,7 @@ module dg_bending_profile
    !> No element is halved to less than half of this to prove a mesh [m]: with parts of a quarter of a millimetre
    !> numbers ran away.
    real(wp), parameter :: finest = 4.0e-3_wp
-   !> Power of EI by which a moment M stresses a bar, M/EI**(3/4) [-]: pipe of 127 mm is stressed by a sixth of the moment of a collar.
+   !> Power of EI by which a moment M stresses a bar, M/EI**(3/4) [-]: it stresses pipe of 127 mm six times as much as a collar.
    real(wp), parameter :: stress_power = 0.75_wp
    !> Number of elements on each side of halved ones that are solved again with them.
    integer, parameter :: margin = 8

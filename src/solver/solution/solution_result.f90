@@ -83,8 +83,10 @@ contains
          if (.not. result%unlike_contact%share > max(worth_fitting, left_out(model%trajectory, solution%mesh))) return
          again = solution
          again%gaps = fitted%gaps
-         again%work = workspace_type(sideways=solution%work%sideways, normal=fitted%normal)
+         again%work = workspace_type()
          call new_workspace(again%mesh, again%work)
+         again%work%sideways = solution%work%sideways
+         again%work%normal = fitted%normal
          call make_room(again%equations, numerics%linear_solver, again%mesh%nodes)
          call new_equilibrium(again, numerics, it)
          it%growth = growth
