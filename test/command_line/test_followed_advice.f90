@@ -51,8 +51,11 @@ contains
    subroutine test_short_elements()
       character(*), parameter :: job = "&job models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline
       character(*), parameter :: solver = "&solver /"//newline
-      call follow(job//reamed_well()//solver, 'An element_length of 4.6 m brings most strings inside', '&solver', &
-                  '&solver element_length = 4.6', 0)
+      call follow(job//"&trajectory md = 0, 100, 115, 300, inc = 0, 0, 40, 40, azi = 4*0 /"//newline// &
+                  "&hole diameter = 216, friction = 0.3 /"//newline//"&fluid density = 1200 /"//newline// &
+                  "&component od = 165, id = 71.4, joint_od = 212 /"//newline// &
+                  "&load_case name = 'c', operation = 'trip_in', bit_depth = 250 /"//newline//solver, &
+                  'An element_length of 12 m brings most strings inside', '&solver', '&solver element_length = 12', 0)
       call follow(job//large_hole()//solver, 'An element_length of 1.5 m gives most strings contact points where', &
                   '&solver', '&solver element_length = 1.5', 0)
       call follow(job//"&trajectory md = 0, 600, inc = 30, 30, azi = 0, 0 /"//newline//"&hole md_bottom = 500, diameter = 224 /"// &
@@ -271,28 +274,6 @@ contains
       call execute_command_line(command, exitstat=status)
       call assertEqual(0, status, message=command)
    end subroutine shell
-
-   !> An opened reamer above a hole that was not opened.
-   pure function reamed_well() result(text)
-      character(:), allocatable :: text
-      text = "&trajectory md = 0, 780, 810, 840, 1277.04, inc = 0.08, 12.32, 11.77, 12.21, 11.91"//newline// &
-             "  azi = 305.06, 100.96, 93, 95.99, 106.77 /"//newline// &
-             "&hole md_bottom = 828.4, diameter = 220.5, friction = 0.24, cased = .true. /"//newline// &
-             "&hole md_bottom = 1218.6, diameter = 241.3, friction = 0.37 /"//newline// &
-             "&hole diameter = 215.9, friction = 0.37 /"//newline// &
-             "&component kind = 'bit', length = 0.3, od = 165.1, id = 71.4, mass = 136.63, joint_od = 215.9 /"//newline// &
-             "&component length = 4.4, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
-             "&component kind = 'stabilizer', length = 1.5, od = 165.1, id = 71.4, mass = 136.63, joint_od = 213 /"//newline// &
-             "&component length = 53.2, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
-             "&component kind = 'stabilizer', length = 1.2, od = 190.1, id = 71.4, mass = 177.61, joint_od = 213"//newline// &
-             "  opened_od = 240.9 /"//newline// &
-             "&component length = 18, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
-             "&component kind = 'stabilizer', length = 1.5, od = 165.1, id = 71.4, mass = 136.63, joint_od = 213 /"//newline// &
-             "&component length = 23.649, od = 165.1, id = 71.4, mass = 136.63 /"//newline// &
-             "&component length = 168.154, od = 127, id = 76.2, mass = 73.4, joint_od = 165.1 /"//newline// &
-             "&component od = 127, id = 108.6, mass = 31.9, joint_od = 168.3 /"//newline// &
-             "&load_case name = 'c', operation = 'trip_out', bit_depth = 1277.04 /"//newline
-   end function reamed_well
 
    !> Collars and a stabiliser in a hole of half a metre.
    pure function large_hole() result(text)

@@ -1,12 +1,14 @@
 !> Sweeps as a user runs them: the same results alone, interrupted, or in parts on several machines; what does not fit is
 !> refused by name.
 module dg_test_sweep_runs
-   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, assertTrue, TestMethod, &
+      TestSuite
    use dg_error, only: error_type
    use dg_file_system, only: delete_file, write_text_file
+   use dg_kinds, only: wp
    use dg_program_run, only: content, deck_path, good_deck, is_result, replaced, results_path, run_deck_text, run_interrupted, &
       run_program, run_type, unwrapped
-   use dg_result_rows, only: field, lines_of
+   use dg_result_rows, only: field, lines_of, number
    use dg_text, only: append_text, text_type, to_text
    implicit none
    private
@@ -47,13 +49,23 @@ contains
       end do
    end subroutine compare
 
-   !> A deck whose load cases are points of its sweep, with friction given, gives the same hook loads and torques to the digit.
+   !> A deck whose load cases are points of its sweep, with friction given, gives the same hook loads and torques: to the digit
+   !> where gaps are not fitted to short elements, which sweeps leave out, else within 1e-4.
    subroutine test_points()
+      call compare_points("fidelity = 'fast'", 1.0e-9_wp)
+      call compare_points('element_length = 10.0', 1.0e-4_wp)
+   end subroutine test_points
+
+   !> Compares hook loads and torques of load cases and of the points of a sweep, with a setting of &solver.
+   subroutine compare_points(solver, within)
+      character(*), intent(in) :: solver
+      real(wp), intent(in) :: within       !< [-]
       type(run_type) :: run
       type(text_type), allocatable :: sweep(:), summary(:)
       character(:), allocatable :: deck
       integer :: i, j, found
       deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge'")
+      deck = replaced(deck, 'element_length = 10.0', solver)
       deck = replaced(deck, "operation = 'sliding', bit_depth = 800.0", "operation = 'rotate_off_bottom', bit_depth = 700.0")
       deck = replaced(deck, '  wob = 20.0', '  friction = 0.2, wob = 20.0, tob = 1.0')
       deck = replaced(deck, '  bit_depth = 900.0', '  bit_depth = 900.0, friction = 0.2, wob = 20.0, tob = 1.0')
@@ -74,13 +86,13 @@ contains
             if (field(summary(i)%text, 4) /= field(sweep(j)%text, 2)) cycle
             if (field(summary(i)%text, 5) /= field(sweep(j)%text, 4)) cycle
             found = found + 1
-            call assertEqual(field(summary(i)%text, 8), field(sweep(j)%text, 5))
-            call assertEqual(field(summary(i)%text, 14), field(sweep(j)%text, 6))
+            call assertRelativelyEqual(number(summary(i)%text, 8), number(sweep(j)%text, 5), within, message=solver//': hook load')
+            call assertRelativelyEqual(number(summary(i)%text, 14), number(sweep(j)%text, 6), within, message=solver//': torque')
             call assertEqual('converged', field(sweep(j)%text, 7))
          end do
       end do
       call assertEqual(2, found, message='points that are load cases')
-   end subroutine test_points
+   end subroutine compare_points
 
    !> Measured values of load cases join the depths of the sweep, and stand beside the calculated ones. The factor that fits has a
    !> column where one factor can, not with pairs.

@@ -228,16 +228,18 @@ contains
       call finish_row(row)
    end subroutine test_stations
 
-   !> From straight down to straight up.
+   !> From straight down to straight up. A string of 60 m that is pushed straight up buckles, which closed forms do not know.
    subroutine test_inclination()
       type(row_type) :: row
+      type(extreme_case_type) :: extreme
       real(wp), parameter :: inclination(9) = [0.0_wp, 1.0_wp, 10.0_wp, 45.0_wp, 80.0_wp, 90.0_wp, 100.0_wp, 150.0_wp, 180.0_wp]
       integer :: i, k
       call begin_row(row, 'inclination', '0 to 180 deg')
       do i = 1, size(inclination)
          do k = 1, 3
-            call take_straight(case_of(straight_well(60.0_wp, inclination(i)), three(k), mu, &
-                                       'inclination '//to_text(inclination(i), 3)), row)
+            extreme = case_of(straight_well(60.0_wp, inclination(i)), three(k), mu, 'inclination '//to_text(inclination(i), 3))
+            if (inclination(i) < 180.0_wp) call take_straight(extreme, row)
+            if (.not. inclination(i) < 180.0_wp) call take_short(extreme, row)
          end do
       end do
       call finish_row(row)

@@ -12,6 +12,7 @@ module dg_gap_table
       real(wp), allocatable :: xi(:)             !< place x0/L [-]
       integer, allocatable :: state(:)           !< state_free, state_elastic, state_rigid
       logical, allocatable :: followed(:)        !< its place follows the extremum within the iteration
+      logical, allocatable :: fixed(:)           !< it stays at its place
       integer, allocatable :: flips(:)           !< changes of state so far
       integer, allocatable :: moves(:)           !< times moved, or begun to follow, so far
    end type gap_table_type
@@ -35,7 +36,7 @@ contains
       allocate (table%law, source=laws)
       allocate (table%xi(n), source=place)
       allocate (table%state(n), source=state_free)
-      allocate (table%followed(n), source=.false.)
+      allocate (table%followed(n), table%fixed(n), source=.false.)
       allocate (table%flips(n), table%moves(n), source=0)
    end function new_gap_table
 
@@ -70,7 +71,7 @@ contains
       real(wp), intent(in) :: at_gap        !< |f| at the present place [m]
       real(wp), intent(in) :: threshold     !< [m]
       logical, intent(out) :: moved
-      moved = at_extremum - at_gap > gain_to_move(table, e, threshold)
+      moved = at_extremum - at_gap > gain_to_move(table, e, threshold) .and. .not. table%fixed(e)
       if (.not. moved) return
       table%xi(e) = xi
       table%moves(e) = table%moves(e) + 1
@@ -84,7 +85,7 @@ contains
       integer, intent(in) :: state
       table%xi(e) = xi
       table%state(e) = state
-      table%moves(e) = most_doublings
+      table%fixed(e) = .true.
    end subroutine hold_gap
 
    !> Gain in depth at the extremum above which a gap moves there [m]. The paper puts x0 where the element "is to make first

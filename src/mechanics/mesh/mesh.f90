@@ -23,7 +23,7 @@ module dg_mesh
    use dg_vector, only: cross
    implicit none
    private
-   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_straight_down, reach_of, upright, widest_beside
+   public :: mesh_type, new_mesh, node_depths, subdivided, graded, is_vertical, reach_of, upright, widest_beside
 
    type :: mesh_type
       integer :: nodes = 0
@@ -73,12 +73,12 @@ module dg_mesh
 
 contains
 
-   !> True if the hole is vertical along the whole string.
-   pure function is_straight_down(mesh) result(straight)
+   !> True if the hole is vertical along the whole string, up or down.
+   pure function is_vertical(mesh) result(vertical)
       type(mesh_type), intent(in) :: mesh
-      logical :: straight
-      straight = all(mesh%frame(3, 1, :) > upright)
-   end function is_straight_down
+      logical :: vertical
+      vertical = all(abs(mesh%frame(3, 1, :)) > upright)
+   end function is_vertical
 
    !> Largest distance of the axis of the string from that of the hole within the wall [m]: the clearance, more by eccentric blades.
    pure function reach_of(mesh, e) result(reach)

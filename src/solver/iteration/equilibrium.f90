@@ -35,6 +35,7 @@ module dg_equilibrium
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
                                  place_and_survey, rigid
    use dg_line_search, only: search_along
+   use dg_mesh, only: is_vertical
    use dg_outcome, only: outcome_converged, outcome_damped, outcome_exhausted, outcome_open, outcome_outside, outcome_stalled, &
                          outcome_stopped
    use dg_outside_hole, only: measure_outside, outside_type
@@ -200,12 +201,13 @@ contains
    end subroutine judge_progress
 
    !> Begins to hold a string that drifts. Where gaps do not change Newton's method finds an equilibrium near a stable string in a
-   !> few iterations, or there is none. A string whose residual is already small is left to itself.
+   !> few iterations, or there is none. A string whose residual is already small is left to itself, and so is one in a
+   !> vertical hole, which may turn about it as it likes.
    subroutine judge_drift(it, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       logical :: stable
-      if (it%holder%holding) return
+      if (it%holder%holding .or. is_vertical(solution%mesh)) return
       it%holder%quiet = it%holder%quiet + 1
       if (it%row%flips + it%row%moves > 0 .or. it%growth < rigid) it%holder%quiet = 0
       associate (tuning => it%numerics%tuning)

@@ -11,7 +11,7 @@ module dg_iteration_state
    use dg_gap_table, only: gap_table_type, take_gaps_back
    use dg_held_coils, only: holder_type
    use dg_largest, only: largest_of_rows
-   use dg_mesh, only: is_straight_down, mesh_type
+   use dg_mesh, only: is_vertical, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_outcome, only: outcome_open
    use dg_round_wall, only: smooth_room
@@ -124,7 +124,7 @@ contains
          wanted = merge(energy_tangent, whole_tangent, it%damped)
          if (forces_only) wanted = forces_alone
          call find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, it%residual)
-         if (it%damped .and. any(gaps%state /= state_free) .and. is_straight_down(mesh)) &
+         if (it%damped .and. any(gaps%state /= state_free) .and. is_vertical(mesh)) &
             call hold_turn(state, it%held, equations%matrix, it%residual)
          if (it%rounds > 0) call measure_followers(trajectory, mesh, loads, it%numerics%relocation, gaps, work, &
                                                    it%problem%followers)

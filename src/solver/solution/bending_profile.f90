@@ -51,8 +51,6 @@ module dg_bending_profile
    !> No element is halved to less than half of this to prove a mesh [m]: with parts of a quarter of a millimetre
    !> numbers ran away.
    real(wp), parameter :: finest = 4.0e-3_wp
-   !> Power of EI by which a moment M stresses a bar, M/EI**(3/4) [-]: it stresses pipe of 127 mm six times as much as a collar.
-   real(wp), parameter :: stress_power = 0.75_wp
    !> Number of elements on each side of halved ones that are solved again with them.
    integer, parameter :: margin = 8
    !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
@@ -209,7 +207,7 @@ contains
       call recover_moments(beam, y, bent, moments, differences)
       do pass = 1, most_passes
          do round = 1, most_rounds
-            marked = to_be_halved(beam, moments, differences)
+            marked = to_be_halved(beam%md, moments, differences, largest_of(beam, moments))
             if (.not. any(marked)) exit
             call halve(model, mesh, gaps, work, solved, marked, beam, y)
             call recover_moments(beam, y, bent, moments, differences)
@@ -322,32 +320,20 @@ contains
       largest = max(maxval(moments), least_moment(beam), tiny(1.0_wp))
    end function largest_of
 
-   !> Marks elements that are too long: two recoveries of the moment differ at one of their ends, by a part of the largest moment
-   !> or, as far as it bends the string, of the moment that stresses it most.
-   pure function to_be_halved(beam, moments, differences) result(marked)
-      type(bending_beam_type), intent(in) :: beam
+   !> Marks elements that are too long: two recoveries of the moment differ at one of their ends.
+   pure function to_be_halved(nodes, moments, differences, largest) result(marked)
+      real(wp), intent(in) :: nodes(:)                 !< [m]
       real(wp), intent(in) :: moments(:)               !< at the nodes [N.m]
       real(wp), intent(in) :: differences(:)           !< of two recoveries, at the nodes [N.m]
-      logical :: marked(size(beam%element))
-      logical :: bad(size(moments))
-      real(wp) :: weak(size(moments))
+      real(wp), intent(in) :: largest                  !< of largest_of [N.m]
+      logical :: marked(size(nodes) - 1)
+      logical :: bad(size(nodes))
       integer :: n
-      do n = 1, size(moments)
-         weak(n) = minval(beam%element(max(n - 1, 1):min(n, size(marked)))%section%ei)**(-stress_power)
-      end do
-      bad = beyond(moments, differences, largest_of(beam, moments)) .or. &
-            beyond(weak*moments, weak*differences, max(maxval(weak*moments), tiny(1.0_wp)))
+      bad = differences > merge(rough_peak, rough, moments > (1.0_wp - near_largest)*largest)*largest
       do n = 1, size(marked)
-         marked(n) = any(bad(n:n + 1)) .and. beam%md(n + 1) - beam%md(n) > 2.0_wp*shortest
+         marked(n) = any(bad(n:n + 1)) .and. nodes(n + 1) - nodes(n) > 2.0_wp*shortest
       end do
    end function to_be_halved
-
-   !> True where two recoveries differ by too large a part of the largest value.
-   elemental function beyond(value, difference, largest) result(is)
-      real(wp), intent(in) :: value, difference, largest
-      logical :: is
-      is = difference > merge(rough_peak, rough, value > (1.0_wp - near_largest)*largest)*largest
-   end function beyond
 
    !> Moments at the nodes from the equilibrium of the elements, and how far the moments by the shape of the elements are from
    !> them. The first are of higher order in the length of the elements. They are right where the difference is small.

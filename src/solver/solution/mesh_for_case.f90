@@ -10,7 +10,7 @@ module dg_mesh_for_case
    use dg_helical_load, only: helical_contact, helical_load
    use dg_constants, only: pi
    use dg_load_case, only: load_case_type
-   use dg_mesh, only: graded, is_straight_down, mesh_type, new_mesh, node_depths, subdivided
+   use dg_mesh, only: graded, is_vertical, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: arc_at
@@ -87,7 +87,7 @@ contains
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
          if (totals%runaway) return
-         straight_down = is_straight_down(mesh)
+         straight_down = is_vertical(mesh)
          allocate (bends, source=bend_depths(mesh))
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1)), &

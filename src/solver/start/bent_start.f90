@@ -12,7 +12,7 @@ module dg_bent_start
    use dg_bending_solution, only: solve_bending
    use dg_gap_state, only: gap_law_type
    use dg_hardened_walls, only: solve_with_hardened_walls
-   use dg_mesh, only: is_straight_down, mesh_type
+   use dg_mesh, only: is_vertical, mesh_type
    use dg_model, only: model_type
    use dg_moved_walls, only: firm, soften_walls
    use dg_trajectory, only: arc_at, frame_on_arc
@@ -128,7 +128,7 @@ contains
       real(wp), intent(in) :: force(:)
       real(wp) :: pressing
       pressing = 0.0_wp
-      if (is_forced(mesh) .and. is_straight_down(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))
+      if (is_forced(mesh) .and. is_vertical(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))
    end function pressing_of_bend
 
    !> True if a tool of the string presses it against the wall without weight: a bent housing, pads or eccentric blades.
