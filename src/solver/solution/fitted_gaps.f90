@@ -33,7 +33,7 @@ contains
       type(gap_table_type), intent(in) :: gaps    !< of the analysis
       real(wp), intent(in) :: normal(:)           !< its contact forces, by element [N]
       type(fitted_gaps_type), intent(out) :: fitted
-      real(wp) :: force(mesh%elements), place(mesh%elements), shape(4, 1), offset(2), pressed, xi
+      real(wp) :: force(mesh%elements), place(mesh%elements), xi(mesh%elements), shape(4, mesh%elements), offset(2), pressed
       integer :: of(mesh%elements)                ! an element of the beam in each of the analysis
       type(gap_law_type) :: law
       integer :: e, o, p
@@ -51,15 +51,15 @@ contains
             place(o) = place(o) + pressed*(beam%md(e) + contact_xi(p)*(beam%md(e + 1) - beam%md(e)))
          end do
       end do
+      xi = gaps%xi
+      where (force > 0.0_wp) xi = min(max((place/force - mesh%md(:mesh%elements))/mesh%length, 0.0_wp), 1.0_wp)
+      shape = shape_at(beam%md, bent%y, mesh%md(:mesh%elements) + xi*mesh%length)
       do o = 1, mesh%elements
          if (of(o) == 0 .or. .not. bends(o) .or. mesh%centralizer(o) .or. mesh%spacing(o) > 0.0_wp) cycle
          if (.not. (force(o) > 0.0_wp .or. normal(o) > 0.0_wp)) cycle
-         xi = gaps%xi(o)
-         if (force(o) > 0.0_wp) xi = min(max((place(o)/force(o) - mesh%md(o))/mesh%length(o), 0.0_wp), 1.0_wp)
-         shape = shape_at(beam%md, bent%y, [mesh%md(o) + xi*mesh%length(o)])
-         offset = shape(1:2, 1)
+         offset = shape(1:2, o)
          if (allocated(mesh%blade)) offset = offset + beam%element(of(o))%blade
-         call hold_gap(fitted%gaps, o, xi, merge(state_elastic, state_free, force(o) > 0.0_wp))
+         call hold_gap(fitted%gaps, o, xi(o), merge(state_elastic, state_free, force(o) > 0.0_wp))
          law = gaps%law(o)
          law%clearance = mesh%opening(o)
          if (force(o) > 0.0_wp) then
