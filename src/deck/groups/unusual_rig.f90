@@ -1,9 +1,7 @@
 !> Hook loads, measured or of the block, that do not fit the weight of their string: mostly another unit, or two that are swapped.
 module dg_unusual_rig
    use dg_kinds, only: wp
-   use dg_drillstring, only: component_tops
-   use dg_fluid, only: fluid_tops
-   use dg_fluid_pressure, only: weight_at
+   use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, operation_trip_in, &
                            operation_trip_out, rotates
@@ -194,23 +192,16 @@ contains
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       real(wp) :: weight
-      real(wp), allocatable :: tops(:), breaks(:)      ! of components above the bit, of fluids [m]
-      real(wp) :: upper, lower, end
-      integer :: i, k
+      type(stretch_type), allocatable :: stretches(:)
+      integer :: i
       weight = 0.0_wp
-      associate (string => model%strings(string_index(model%strings, load_case%string)), bit => load_case%bit_depth)
-         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
-         allocate (breaks, source=[top_md(model%trajectory), fluid_tops(model%mud, bit), bit])
-         end = bit
-         do i = 1, size(tops)
-            do k = 1, size(breaks) - 1
-               lower = min(end, breaks(k + 1))
-               upper = max(bit - tops(i), breaks(k))
-               if (upper >= lower) cycle
+      associate (string => model%strings(string_index(model%strings, load_case%string)))
+         allocate (stretches, source=stretches_of(model, string, load_case%bit_depth))
+         do i = 1, size(stretches)
+            associate (upper => stretches(i)%upper, lower => stretches(i)%lower)
                weight = weight + (true_vertical_depth(model%trajectory, lower) - true_vertical_depth(model%trajectory, upper))* &
-                  weight_at(string%components(i), model, load_case, 0.5_wp*(lower + upper))
-            end do
-            end = bit - tops(i)
+                  weight_at(string%components(stretches(i)%component), model, load_case, 0.5_wp*(lower + upper))
+            end associate
          end do
       end associate
    end function hanging_weight

@@ -3,7 +3,8 @@ module dg_well_head
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_hwdp, is_pipe
    use dg_drillstring, only: component_tops, drillstring_type
-   use dg_fluid, only: density_at, fluid_tops, side_inside, side_outside
+   use dg_fluid, only: density_at, side_inside, side_outside
+   use dg_fluid_pressure, only: stretch_type, stretches_of
    use dg_friction_estimate, only: upper_friction_type
    use dg_hole_section, only: hole_section_type
    use dg_minimum_curvature, only: dogleg_between
@@ -209,32 +210,24 @@ contains
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth of the bit [m]
       real(wp), intent(out) :: air, mud, collars
-      real(wp) :: tops(size(string%components)), lower, upper, piece, middle, weight
-      real(wp), allocatable :: breaks(:)   ! of the fluids [m]
-      logical :: below_pipe
-      integer :: i, k
+      type(stretch_type), allocatable :: stretches(:)
+      real(wp) :: length, middle, weight
+      integer :: i, pipe                    ! the lowest drill pipe
       air = 0.0_wp
       mud = 0.0_wp
       collars = 0.0_wp
-      tops = component_tops(string, bit - top_md(model%trajectory))
-      allocate (breaks, source=[top_md(model%trajectory), fluid_tops(model%mud, bit), bit])
-      below_pipe = .true.
-      lower = bit
-      do i = 1, size(tops)
-         associate (part => string%components(i))
-            upper = bit - tops(i)
-            below_pipe = below_pipe .and. (is_hwdp(part) .or. .not. is_pipe(part))
-            do k = 1, size(breaks) - 1
-               piece = min(lower, breaks(k + 1)) - max(upper, breaks(k))
-               if (piece <= 0.0_wp) cycle
-               middle = max(upper, breaks(k)) + 0.5_wp*piece
-               weight = piece*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &
-                                            density_at(model%mud, side_inside, middle, bit), model%gravity)
-               mud = mud + weight
-               if (below_pipe) collars = collars + weight
-            end do
-            air = air + (lower - upper)*part%mass*model%gravity
-            lower = upper
+      allocate (stretches, source=stretches_of(model, string, bit))
+      pipe = findloc(is_pipe(string%components) .and. .not. is_hwdp(string%components), .true., dim=1)
+      if (pipe == 0) pipe = size(string%components) + 1
+      do i = 1, size(stretches)
+         associate (part => string%components(stretches(i)%component))
+            length = stretches(i)%lower - stretches(i)%upper
+            middle = stretches(i)%upper + 0.5_wp*length
+            weight = length*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &
+                                          density_at(model%mud, side_inside, middle, bit), model%gravity)
+            air = air + length*part%mass*model%gravity
+            mud = mud + weight
+            if (stretches(i)%component < pipe) collars = collars + weight
          end associate
       end do
    end subroutine weigh

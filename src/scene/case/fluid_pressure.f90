@@ -7,7 +7,7 @@
 module dg_fluid_pressure
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, component_type, tube_area
-   use dg_drillstring, only: component_tops, topmost
+   use dg_drillstring, only: component_tops, drillstring_type, topmost
    use dg_fluid, only: collar_none, collar_open_below, density_at, fluid_at, fluid_top, fluid_tops, side_inside, &
       side_outside
    use dg_load_case, only: load_case_type
@@ -15,7 +15,7 @@ module dg_fluid_pressure
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, new_fluid_column, pressure_at, surface_push, weight_at
+   public :: fluid_column_type, new_fluid_column, pressure_at, stretch_type, stretches_of, surface_push, weight_at
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
    type :: fluid_column_type
@@ -24,6 +24,12 @@ module dg_fluid_pressure
       real(wp), allocatable :: pressure(:)   !< at the upper ends [Pa]
       real(wp), allocatable :: gradient(:)   !< density times gravity [Pa/m]
    end type fluid_column_type
+
+   !> A part of a string that is of one component, in one fluid on either side.
+   type :: stretch_type
+      integer :: component = 0     !< of the string
+      real(wp) :: upper = 0.0_wp, lower = 0.0_wp   !< measured depths of its ends [m]
+   end type stretch_type
 
 contains
 
@@ -90,6 +96,27 @@ contains
       weight = buoyed_weight(component, density_in(model, load_case, side_outside, md), &
                              density_in(model, load_case, side_inside, md), model%gravity)
    end function weight_at
+
+   !> Stretches of a string with its bit at a depth [m], component by component from the bit upwards. What stands above the first
+   !> station is left out.
+   pure function stretches_of(model, string, bit) result(stretches)
+      type(model_type), intent(in) :: model
+      type(drillstring_type), intent(in) :: string
+      real(wp), intent(in) :: bit
+      type(stretch_type), allocatable :: stretches(:)
+      type(stretch_type) :: one
+      real(wp), allocatable :: ends(:), breaks(:)      ! of components, from the bit upwards; of fluids, from the top down
+      integer :: i, k
+      allocate (stretches(0))
+      allocate (ends, source=[bit, bit - component_tops(string, bit - top_md(model%trajectory))])
+      allocate (breaks, source=[top_md(model%trajectory), fluid_tops(model%mud, bit), bit])
+      do i = 1, size(ends) - 1
+         do k = 1, size(breaks) - 1
+            one = stretch_type(i, max(ends(i + 1), breaks(k)), min(ends(i), breaks(k + 1)))
+            if (one%upper < one%lower) stretches = [stretches, one]
+         end do
+      end do
+   end function stretches_of
 
    !> Density of the fluid of a side in a load case [kg/m3]; where two fluids meet, of the lower one.
    pure function density_in(model, load_case, side, md) result(density)
