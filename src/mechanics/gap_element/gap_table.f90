@@ -4,7 +4,7 @@ module dg_gap_table
    use dg_gap_state, only: gap_law_type, gap_thresholds_type, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, gain_to_move, hold_gap, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
+   public :: gap_table_type, new_gap_table, fix_gap, gain_to_move, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -78,7 +78,7 @@ contains
    end subroutine move_gap
 
    !> Puts a gap at a place where it stays.
-   pure subroutine hold_gap(table, e, xi, state)
+   pure subroutine fix_gap(table, e, xi, state)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
       real(wp), intent(in) :: xi            !< place x0/L [-]
@@ -86,7 +86,7 @@ contains
       table%xi(e) = xi
       table%state(e) = state
       table%fixed(e) = .true.
-   end subroutine hold_gap
+   end subroutine fix_gap
 
    !> Gain in depth at the extremum above which a gap moves there [m]. The paper puts x0 where the element "is to make first
    !> contact": a free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by

@@ -201,8 +201,8 @@ contains
    end subroutine judge_progress
 
    !> Begins to hold a string that drifts. Where gaps do not change Newton's method finds an equilibrium near a stable string in a
-   !> few iterations, or there is none. A string whose residual is already small is left to itself, and so is one in a
-   !> vertical hole, which may turn about it as it likes.
+   !> few iterations, or there is none. Strings with a small residual are left alone. So are strings in vertical holes, where every
+   !> turn about the hole is an equilibrium.
    subroutine judge_drift(it, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution

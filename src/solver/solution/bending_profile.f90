@@ -23,7 +23,7 @@ module dg_bending_profile
    use dg_contact_edges, only: moments_of_misplacing
    use dg_contact_list, only: list_contacts
    use dg_drillstring, only: component_tops
-   use dg_fitted_gaps, only: fit_gaps, fitted_gaps_type
+   use dg_fitted_gaps, only: are_worth_fitting, fit_gaps, fitted_gaps_type
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing, missing
@@ -75,7 +75,7 @@ contains
       type(workspace_type), intent(in) :: work          !< assembled at the solution
       type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
       real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam; equal: none [m]
-      type(fitted_gaps_type), intent(out) :: fitted     !< gaps that have the contact of the beam
+      type(fitted_gaps_type), intent(out) :: fitted     !< gaps that have the contact of the beam, where they are worth it
       type(solved_string_type) :: solved
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
@@ -114,7 +114,8 @@ contains
       end if
       result%moment_error = result%moment_error + alike       ! rows may be so far from the beam
       result%beam_nodes = size(beam%md)
-      call fit_gaps(mesh, solved%bends, beam, bent, gaps, work%normal, fitted)
+      if (are_worth_fitting(model%trajectory, mesh, result%coiled, result%unlike_contact%share)) &
+         call fit_gaps(mesh, solved%bends, beam, bent, gaps, work%normal, fitted)
       call take_bit(model%trajectory, mesh, beam, bent, result)
       call take_sag(model, beam, bent, result)
       result%shortening = shortening_of(beam%place, bent%y)

@@ -75,7 +75,7 @@ contains
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
       integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:), bends(:)
-      logical :: straight_down, beside_bend
+      logical :: vertical, beside_bend
       real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
       integer :: e, i
       compressed = 0.0_wp
@@ -87,14 +87,14 @@ contains
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
          if (totals%runaway) return
-         straight_down = is_vertical(mesh)
+         vertical = is_vertical(mesh)
          allocate (bends, source=bend_depths(mesh))
          do e = 1, mesh%elements
             curvature = model%trajectory%arcs(arc_at(model%trajectory, 0.5_wp*(mesh%md(e) + mesh%md(e + 1)), &
                                                       near=mesh%arc(e)))%curvature
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            across = merge(0.0_wp, mesh%weight(e), straight_down)      ! where weight presses against nothing
+            across = merge(0.0_wp, mesh%weight(e), vertical)      ! where weight presses against nothing
             pressing = max(pressing, max(across, side_load, helical_contact(mesh%section(e)%ei, compression, mesh%clearance(e))) &
                                      *mesh%load_factor(e)/mesh%clearance(e))
             scales = local_scales(mesh%section(e)%ei, mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)

@@ -7,7 +7,6 @@ module dg_solution_result
    use dg_equations, only: end_iterations, make_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_fitted_gaps, only: fitted_gaps_type
-   use dg_mesh, only: mesh_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type
@@ -16,7 +15,6 @@ module dg_solution_result
    use dg_recovery, only: part_profile, recover_profile
    use dg_solution, only: solution_type
    use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, warn_of_contact, warn_of_slope
-   use dg_trajectory, only: trajectory_type
    use dg_unit_kind, only: in_units, unit_length
    use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
    implicit none
@@ -25,13 +23,9 @@ module dg_solution_result
 
    !> Compression over the helical load from which a string is taken for coiled [-].
    real(wp), parameter :: coiled = 1.0_wp
-   !> Difference of the contact force of a part of the string from that of the beam for the moments, over the whole, from which on
-   !> gaps are fitted to that beam [-]; what is left of it after a fit that is worth its while [-]; the most fits, and the most
-   !> iterations for one: it takes 2 to 10.
-   real(wp), parameter :: worth_fitting = 1.0e-3_wp, better = 0.9_wp
-   !> The same from which on the beam may be as far off as the analysis, and nothing is fitted [-]: a blade of 0.4 m at a bend
-   !> has 7 % more contact on short elements, 10 % on those of fidelity reference.
-   real(wp), parameter :: too_unlike = 0.03_wp
+   !> What is left of the difference in contact after a fit that is worth its while [-]; the most fits, and the most iterations for
+   !> one: it takes 2 to 10.
+   real(wp), parameter :: better = 0.9_wp
    integer, parameter :: most_fits = 3, most_to_fit = 50
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
@@ -67,7 +61,7 @@ contains
    end subroutine make_result
 
    !> Where the contact of a part of the string is not that of the beam for the moments, solves again with gaps that have that
-   !> contact, as long as that brings both nearer to each other. In a coiled string it is the beam that is off.
+   !> contact, as long as that brings both nearer to each other.
    subroutine solve_fitted(model, case_index, numerics, growth, fitted, solution, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -81,9 +75,8 @@ contains
       type(fitted_gaps_type) :: next
       type(case_result_type) :: found
       integer :: round
-      if (result%coiled .or. result%unlike_contact%share > too_unlike) return
       do round = 1, most_fits
-         if (.not. result%unlike_contact%share > max(worth_fitting, left_out(model%trajectory, solution%mesh))) return
+         if (.not. allocated(fitted%normal)) return
          again = solution
          again%gaps = fitted%gaps
          again%work = workspace_type()
@@ -108,15 +101,6 @@ contains
          fitted = next
       end do
    end subroutine solve_fitted
-
-   !> Part of the contact that the beam for the moments may miss [-]: twice the offset of the string over the radius of the hole's
-   !> bends, which that beam leaves out.
-   pure function left_out(trajectory, mesh) result(part)
-      type(trajectory_type), intent(in) :: trajectory
-      type(mesh_type), intent(in) :: mesh
-      real(wp) :: part
-      part = 2.0_wp*maxval(trajectory%arcs(mesh%arc(:mesh%elements))%curvature*mesh%clearance)
-   end function left_out
 
    !> Moments along the string on elements short enough for them. A message says where no equilibrium was found on such elements.
    subroutine find_moments(model, solution, fitted, result)

@@ -8,7 +8,7 @@
 !>      friction's forces frozen, or the largest residual.
 !>   4. An equilibrium must be stable, and within the hole.
 !>   5. Its contact is that of a beam on shorter elements (dg_bending_profile), or gaps are fitted to that (dg_solution_result).
-!>   6. Where there is none: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
+!>   6. Without an equilibrium: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -220,7 +220,7 @@ contains
             call find_stability_margin(model%trajectory, solution, margin)
          call make_result(model, case_index, numerics, outcome, wanted, solution, fitted, result)
          numerics%max_iterations = most
-         if (allocated(fitted%normal)) &
+         if (outcome == outcome_converged) &
             call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
          result%stability_margin = margin
          result%attempts = last - attempts(1) + 1
