@@ -120,6 +120,7 @@ module dg_case_result
       !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
       !> where not locked up [N].
       real(wp) :: lock_up_load = missing
+      real(wp) :: weight_on_bit = missing          !< that a given hook load brings [N]
       type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> Estimated error of moments of the profile, over the largest [-]; missing where it was not estimated.

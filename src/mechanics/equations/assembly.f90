@@ -15,7 +15,7 @@ module dg_assembly
    use dg_gap_table, only: gap_table_type
    use dg_hermite, only: hermite_line_load
    use dg_mesh, only: mesh_type
-   use dg_scatter, only: clear_element, element_type, hold_top, part_all, part_energy, part_of, part_rest, scatter_element
+   use dg_scatter, only: clear_element, element_type, hold_ends, part_all, part_energy, part_of, part_rest, scatter_element
    use dg_trajectory, only: trajectory_type
    use dg_whirling, only: add_end_torque, end_moment
    use dg_workspace, only: dof_axial, dof_twist, workspace_type
@@ -87,8 +87,15 @@ contains
       work%top_torque = residual(dof_twist, 1)
       ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
       work%reaction = top_force - ends(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
-      residual([dof_axial, dof_twist], 1) = 0.0_wp
-      if (element%tangent) call hold_top(matrix)
+      residual(dof_twist, 1) = 0.0_wp
+      work%weight_on_bit = loads%wob
+      if (mesh%held > 1) then
+         work%weight_on_bit = loads%wob - residual(dof_axial, mesh%nodes)
+         work%bit_load = work%bit_load + residual(dof_axial, mesh%nodes)*mesh%frame(:, 1, mesh%nodes)
+         residual(dof_axial, 1) = residual(dof_axial, 1) + loads%hookload
+      end if
+      residual(dof_axial, mesh%held) = 0.0_wp
+      if (element%tangent) call hold_ends(mesh%held, matrix)
    end subroutine assemble
 
    !> A node's residual but for its twist, from the forces on its place and director in space axes; what these do to the tangent.
@@ -233,7 +240,7 @@ contains
          call scatter_element(mesh, e, work%d(:, e:e + 1), element, matrix)
       end do
       call add_end_torques(mesh, loads%tob, (work%top_torque), part_rest, .true., work, ends, matrix)
-      call hold_top(matrix)
+      call hold_ends(mesh%held, matrix)
    end subroutine add_unsymmetric_part
 
    !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,

@@ -54,6 +54,7 @@ contains
       real(wp), intent(in) :: fraction
       type(load_type), intent(out) :: loads
       loads%wob = fraction*end_compression(model, load_case)
+      if (model%hookload%present) loads%hookload = fraction*model%hookload%value
       loads%tob = fraction*load_case%tob
       loads%friction_scale = fraction
       if (model%boundary%top_centred) loads%top_support = end_stiffness

@@ -24,6 +24,7 @@ module dg_gap_action
    !> Loads and supports of a load case at its present increment.
    type :: load_type
       real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
+      real(wp) :: hookload = 0.0_wp         !< where the bit is held: `wob` then lacks the reaction there [N]
       real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
       real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
       real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
@@ -238,9 +239,16 @@ contains
          on(4, e) = twisting(1)
          on(10, e) = twisting(2)
       end do
+      if (mesh%held == mesh%nodes .and. last == mesh%elements) then
+         on(6 + dof_axial, last) = 0.0_wp
+         by(6 + dof_axial, last) = 0.0_wp
+      end if
       if (first > 1) return
-      on([dof_axial, dof_twist], 1) = 0.0_wp
-      by([dof_axial, dof_twist], 1) = 0.0_wp
+      on(dof_twist, 1) = 0.0_wp
+      by(dof_twist, 1) = 0.0_wp
+      if (mesh%held > 1) return
+      on(dof_axial, 1) = 0.0_wp
+      by(dof_axial, 1) = 0.0_wp
    end subroutine find_contact_rows
 
    !> Change of a gap's place along t x n by the unknowns of its element's nodes (12) [-, m].
@@ -256,7 +264,9 @@ contains
       side = cross(work%axis_tangent(:, e), work%gap(:, e)/work%displacement(e))
       call rows_of_node(mesh%frame(:, :, e), work%d(:, e), no_force, side, shape(1:2), on, row(1:6))
       call rows_of_node(mesh%frame(:, :, e + 1), work%d(:, e + 1), no_force, side, shape(3:4), on, row(7:12))
-      if (e == 1) row([dof_axial, dof_twist]) = 0.0_wp
+      if (e == 1) row(dof_twist) = 0.0_wp
+      if (e == mesh%held) row(dof_axial) = 0.0_wp
+      if (e + 1 == mesh%held) row(6 + dof_axial) = 0.0_wp
    end subroutine find_side_row
 
    !> Those of one node but for the twist, on which `by` is nothing.

@@ -7,11 +7,8 @@ module dg_scatter
    use dg_workspace, only: dof_axial, dof_twist
    implicit none
    private
-   public :: element_type, clear_element, scatter_element, part_of, hold_top, clear_top
+   public :: element_type, clear_element, scatter_element, part_of, hold_ends, clear_held
    public :: part_all, part_energy, part_rest
-
-   !> Unknowns of the top that are held.
-   integer, parameter :: held(2) = [dof_axial, dof_twist]
 
    !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
    integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
@@ -110,25 +107,35 @@ contains
       end do
    end subroutine project
 
-   !> Holds u and phi of the top node.
-   pure subroutine hold_top(matrix)
+   !> Holds phi of the top, and u of the node that is held along the hole.
+   pure subroutine hold_ends(held, matrix)
+      integer, intent(in) :: held          !< node: the top or the bit
       type(block_matrix_type), intent(inout) :: matrix
-      integer :: i
-      call clear_top(matrix)
-      do i = 1, size(held)
-         matrix%diagonal(held(i), held(i), 1) = 1.0_wp
-      end do
-   end subroutine hold_top
+      call clear_held(held, matrix)
+      matrix%diagonal(dof_twist, dof_twist, 1) = 1.0_wp
+      matrix%diagonal(dof_axial, dof_axial, held) = 1.0_wp
+   end subroutine hold_ends
 
-   !> Takes the top unknowns that are held out of a matrix.
-   pure subroutine clear_top(matrix)
+   !> Takes these unknowns out of a matrix.
+   pure subroutine clear_held(held, matrix)
+      integer, intent(in) :: held          !< node: the top or the bit
       type(block_matrix_type), intent(inout) :: matrix
-      integer :: i
-      do i = 1, size(held)
-         matrix%diagonal(held(i), :, 1) = 0.0_wp
-         matrix%diagonal(:, held(i), 1) = 0.0_wp
-         matrix%upper(held(i), :, 1) = 0.0_wp
-         matrix%lower(:, held(i), 1) = 0.0_wp
-      end do
-   end subroutine clear_top
+      call clear_unknown(1, dof_twist, matrix)
+      call clear_unknown(held, dof_axial, matrix)
+   end subroutine clear_held
+
+   !> Takes one unknown of the first or the last node out of a matrix.
+   pure subroutine clear_unknown(node, dof, matrix)
+      integer, intent(in) :: node, dof
+      type(block_matrix_type), intent(inout) :: matrix
+      matrix%diagonal(dof, :, node) = 0.0_wp
+      matrix%diagonal(:, dof, node) = 0.0_wp
+      if (node == 1) then
+         matrix%upper(dof, :, 1) = 0.0_wp
+         matrix%lower(:, dof, 1) = 0.0_wp
+      else
+         matrix%upper(:, dof, node - 1) = 0.0_wp
+         matrix%lower(dof, :, node - 1) = 0.0_wp
+      end if
+   end subroutine clear_unknown
 end module dg_scatter

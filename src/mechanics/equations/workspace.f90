@@ -36,6 +36,7 @@ module dg_workspace
       ! of the whole string
       real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
       real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
+      real(wp) :: weight_on_bit = 0.0_wp        !< given, or what a given hook load brings [N]
       real(wp) :: bit_load(3) = 0.0_wp          !< force of the formation on the bit [N]
       real(wp) :: top_moment(3) = 0.0_wp        !< of the torque that holds the top [N.m]
       real(wp) :: bit_moment(3) = 0.0_wp        !< of the torque on bit, on the string [N.m]

@@ -28,6 +28,7 @@ module dg_mesh
    type :: mesh_type
       integer :: nodes = 0
       integer :: elements = 0
+      integer :: held = 1                        !< node that is held along the hole: the top, or the bit under a given hook load
       ! nodes
       real(wp), allocatable :: md(:)             !< measured depth [m]
       real(wp), allocatable :: frame(:, :, :)    !< columns t, n_1, n_2 of the hole axis (3,3,nodes)
@@ -64,12 +65,10 @@ module dg_mesh
    !> Depths closer than this part of the element length are one node: survey, components and hole sections often
    !> end at the same depth but for round-off, and a sliver of an element would only spoil the conditioning.
    real(wp), parameter :: merge_share = 1.0e-3_wp
-   !> However long elements may be, depths further apart are two nodes [m], for the ends of components are: stabilizers are cut into
-   !> pieces of some decimetres, and with elements of 1000 m their ends were lost, and weight with them.
+   !> However long elements may be, depths further apart are two nodes [m]: with elements of 1000 m ends of stabilizers were lost.
    real(wp), parameter :: longest_merge = 0.06_wp
 
-   !> Vertical to round-off: cosine of the inclination.
-   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp
+   real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp      !< vertical to round-off: cosine of the inclination
 
 contains
 
@@ -97,7 +96,7 @@ contains
       reach = max(reach_of(mesh, max(n - 1, 1)), reach_of(mesh, min(n, mesh%elements)))
    end function widest_beside
 
-   !> The mesh of a load case on given nodes. The case's string and depths have been checked with the deck.
+   !> The mesh of a load case on given nodes. String and depths have been checked.
    pure subroutine new_mesh(model, load_case, depths, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -110,6 +109,7 @@ contains
       mesh%md = depths
       mesh%nodes = size(mesh%md)
       mesh%elements = mesh%nodes - 1
+      mesh%held = merge(mesh%nodes, 1, model%hookload%present)
       allocate (mesh%frame(3, 3, mesh%nodes), mesh%base(3, mesh%nodes), mesh%arc(mesh%nodes))
       allocate (mesh%beside_edge(mesh%nodes), source=.false.)
       mesh%arc(1) = 1

@@ -6,6 +6,7 @@ module dg_model
    use dg_fluid, only: mud_type
    use dg_hole_section, only: hole_section_type
    use dg_load_case, only: load_case_type
+   use dg_missing, only: optional_real
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
    use dg_text, only: text_type
@@ -40,6 +41,7 @@ module dg_model
       type(rig_type) :: rig                               !< acts on no string, only on what is read of it
       type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
+      type(optional_real) :: hookload                     !< that brings an unknown load to the bit; absent: the load is known [N]
       real(wp) :: stiff_drag = 0.0_wp                     !< lacks in the soft string of the case being solved (dg_stiff_drag) [N]
       type(unit_system_type) :: units                     !< in which messages speak; all numbers are SI
    end type model_type
@@ -70,6 +72,7 @@ contains
       copy%mud = model%mud
       copy%gravity = model%gravity
       copy%stiff_drag = model%stiff_drag
+      copy%hookload = model%hookload
       copy%units = model%units
       allocate (copy%cases(1))
    end subroutine copy_without_cases

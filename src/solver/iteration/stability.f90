@@ -8,7 +8,7 @@ module dg_stability
    use dg_director, only: director_curvature
    use dg_mesh, only: mesh_type
    use dg_positive_definite, only: block_positive_definite
-   use dg_scatter, only: clear_element, clear_top, element_type, scatter_element
+   use dg_scatter, only: clear_element, clear_held, element_type, scatter_element
    use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: workspace_type
@@ -80,6 +80,6 @@ contains
                                                                                               force(6*(n - e) + 4:6*(n - e) + 6))
          end do
       end do
-      call clear_top(matrix)
+      call clear_held(mesh%held, matrix)
    end subroutine assemble_compression
 end module dg_stability

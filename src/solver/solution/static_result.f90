@@ -116,7 +116,8 @@ contains
             call measure_outside(model%trajectory, mesh, work, outside)
             if (outside%elements > 0) call add_outside(model%units, outside, result)
          end if
-         result%friction = buoyed_axial_weight(mesh) - solution%loads%wob - work%hookload
+         result%friction = buoyed_axial_weight(mesh) - work%weight_on_bit - work%hookload
+         result%weight_on_bit = work%weight_on_bit
          result%torque = work%top_torque
          result%normal_force = sum(work%normal, work%normal > 0.0_wp)     ! thresholds let some gaps pull a little
          result%iterations = equations%iterations
