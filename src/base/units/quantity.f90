@@ -37,7 +37,7 @@ module dg_quantity
    integer, parameter :: quantity_time = 20      !< not named in headers of columns
    integer, parameter :: quantity_temperature = 21  !< difference of temperatures
    integer, parameter :: quantity_expansion = 22    !< thermal
-   integer, parameter :: quantity_wear = 23         !< of casing: volume worn off by a work of sliding
+   integer, parameter :: quantity_wear = 23         !< of casing: worn volume per work of friction
    integer, parameter :: quantity_loss = 24         !< of strength by temperature
    integer, parameter :: quantity_last = 24
 

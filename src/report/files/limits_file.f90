@@ -78,7 +78,7 @@ contains
       call put(row, 'neutral_top', quantity_length, 'depth of the uppermost neutral point', first_neutral)
       call put(row, 'neutral_bottom', quantity_length, 'depth of the lowest neutral point', last_neutral)
       call put(row, 'least_safety_factor', quantity_none, 'least safety factor along the string, yield over von Mises stress; '// &
-               'empty without yield', whole%least_safety)
+               'without bending between tool joints; empty without yield', whole%least_safety)
       call put(row, 'least_safety_md', quantity_length, 'measured depth of this value', whole%least_safety_md)
       call put(row, 'least_envelope_margin', quantity_none, &
                'least envelope_margin along the string', whole%least_envelope_margin)
@@ -98,7 +98,7 @@ contains
                'largest mean on the length of a joint of pipe: joint_spacing of the longest component with joints, else 9.5 m', &
                whole%side_force)
       call put(row, 'largest_side_force_md', quantity_length, &
-               'depth of this value: of that length, the row with the most side force', whole%side_force_md)
+               'depth of the row with the most side force within that length', whole%side_force_md)
       call put(row, 'wob_buckling', quantity_force, &
                'weight on bit at which buckling begins (soft string); 0: buckles without WOB; empty for operations that pull', &
                whole%wob_buckling)
@@ -138,7 +138,8 @@ contains
       call put(row, 'bending_error', quantity_percent, &
                'estimated error of bending moments in percent of the largest: difference of two recoveries or two meshes, '// &
                'plus 0.5 %; empty if not solved on shorter elements', in_percent(whole%bending_error))
-      call put(row, 'largest_von_mises', quantity_stress, 'largest von Mises stress along the string', whole%von_mises)
+      call put(row, 'largest_von_mises', quantity_stress, &
+               'largest von Mises stress along the string, without bending between tool joints', whole%von_mises)
       call put(row, 'von_mises_error', quantity_percent, &
                'estimated error of largest_von_mises, from bending_error', in_percent(whole%von_mises_error))
       call put(row, 'wob_yield', quantity_force, &

@@ -38,7 +38,7 @@ contains
                'where the string lies: degrees from the high side (from north where the hole is vertical), clockwise '// &
                'looking down the hole', profile%clock)
       call put(list, 'gap_state', quantity_text, &
-               'free, elastic or rigid: the hardest of the adjoining elements; where two rows stand, of its own side', &
+               'free, elastic or rigid: the hardest of the adjoining elements; where a depth has two rows, that of its side', &
                profile%gap_state, state_name)
       call put(list, 'true_axial', quantity_force, &
                'axial force in the wall of the pipe: effective - (p_o A_o - p_i A_i)', along%true_axial)

@@ -185,8 +185,8 @@ module dg_deck_keys
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of its drillstring'), &
       key_rule_type('component', 'name', kind_text, meaning='label; default the kind'), &
       key_rule_type('component', 'kind', kind_text, default='drillpipe', &
-         meaning='drillpipe, hwdp, collar, motor, mwd, jar, bit (may fill its hole), stabilizer '// &
-         '(touches at joint_od, else od), ...'), &
+         meaning='drillpipe, hwdp, casing, liner, tubing, rod, collar, jar, stabilizer, bit (may fill its hole), '// &
+         'or the name of a tool'), &
       key_rule_type('component', 'catalogue', kind_text, &
          meaning='entry of the catalogue: supplies keys that are not given here, od too'), &
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
@@ -388,7 +388,8 @@ module dg_deck_keys
    ! Numbers that are defaults of the solver stand in dg_numerics. Its words and logicals stand here, too.
    type(key_rule_type), parameter :: solver_keys(*) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
-         meaning='longest element 30, 60, 10, 1 m; fast: gaps at nodes, tolerance 1e-6, rough moments'), &
+         meaning='longest element: auto 30, fast 60, standard 10, reference 1 m; '// &
+         'fast: gaps at nodes, tolerance 1e-6, rough moments'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', &

@@ -15,7 +15,7 @@ module dg_calibrate_keys
    type(key_rule_type), parameter :: calibrate_keys(*) = [ &
       key_rule_type('calibrate', 'name', kind_text, meaning='unique; default its number'), &
       key_rule_type('calibrate', 'cases', kind_text, array=.true., &
-         meaning='names of load cases; default all with measured_hookload or measured_torque, that no packer holds'), &
+         meaning='names of load cases; default all with measured_hookload or measured_torque, except cases held by a packer'), &
       key_rule_type('calibrate', 'parameter', kind_text, default='friction', &
          choices='friction friction_axial friction_rotary sticking free_point', meaning='the unknown'), &
       key_rule_type('calibrate', 'holes', kind_text, array=.true., &

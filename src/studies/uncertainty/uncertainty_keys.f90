@@ -53,7 +53,7 @@ module dg_uncertainty_keys
       key_rule_type('uncertainty', 'friction_from', kind_text, &
          meaning='name of a &calibrate with apply = .true., which gives deviations and correlations'), &
       key_rule_type('uncertainty', 'density_deviation', unit=unit_density, low=0.0_wp, high=heaviest, default='0', &
-         meaning='standard deviation of the heaviest fluid; others, sea water and gas, vary with it in proportion'), &
+         meaning='standard deviation of the heaviest fluid; all other fluids vary in proportion'), &
       key_rule_type('uncertainty', 'inclination_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
          meaning='standard deviation of the inclination of a station'), &
       key_rule_type('uncertainty', 'azimuth_deviation', unit=unit_angle, low=0.0_wp, high=30.0_wp, default='0', &
