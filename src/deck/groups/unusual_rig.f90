@@ -111,6 +111,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: diameter, usual, in_tonnes       ! weight on bit over diameter [N/m]
+      character(:), allocatable :: question
       integer :: i
       do i = 1, size(model%cases)
          associate (case => model%cases(i))
@@ -120,11 +121,13 @@ contains
             if (case%tob <= usual) cycle
             in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
             if (in_tonnes < least_load .or. in_tonnes > most_load) cycle
+            question = '. Check the unit'
+            if (case%tob <= most_bit_friction*in_tonnes*diameter**2/3.0_wp) &
+               question = tonnes_text('wob', units, case%wob, model%gravity)
             call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
                ' is large for wob = '//in_units(units, unit_force, case%wob, digits)//' in a hole of '// &
                in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
-               in_units(units, unit_moment, usual, few_digits)//tonnes_text('wob', units, case%wob, &
-               model%gravity))
+               in_units(units, unit_moment, usual, few_digits)//question)
             return
          end associate
       end do

@@ -107,7 +107,7 @@ contains
          if (verdict%uncertain > 0.0_wp) text = text//'. UNCERTAIN: contact force may be off by '// &
             to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit'
       else
-         text = 'No solution was found'
+         text = 'Not converged, see Warnings'
       end if
    end function verdict_sentences
 
@@ -201,8 +201,8 @@ contains
             text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
-      if (verdict%weight_alone) text = text//'. Without a solution no other limit '// &
-         either('but pressure ', '', verdict%pressures_judged)//'can be judged'
+      if (verdict%weight_alone) text = text//'. Not solved: '// &
+         either('of the other limits only pressure is checked', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
 
    !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.
@@ -277,6 +277,9 @@ contains
       select case (limit)
       case (limit_rig); title = 'hook load with block (rig)'
       case (limit_top_drive); title = 'torque of the top drive'
+      case (limit_slips); title = 'hook load (slips)'
+      case (limit_makeup); title = 'torque (make-up torque)'
+      case (limit_joint_torsion); title = 'torque (joint torsion)'
       case (limit_von_mises); title = 'von Mises stress'
       case (limit_tension); title = 'tension of the pipe'
       case (limit_string_weight); title = 'string weight along the hole'

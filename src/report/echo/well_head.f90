@@ -22,6 +22,8 @@ module dg_well_head
    integer, parameter :: few = 3, digits = 5
    !> Hole sections whose friction factors are listed one by one.
    integer, parameter :: most_listed = 4
+   !> Relative difference below which two weights are the same [-].
+   real(wp), parameter :: round_off = 1.0e-9_wp
 
 contains
 
@@ -46,7 +48,8 @@ contains
          if (.not. deepest > top_md(model%trajectory)) cycle
          call weigh(model, model%strings(i), deepest, air, mud, collars)
          line = 'String'//name_of(i, ' ')//', bit at '//in_units(units, unit_length, deepest, digits)//': '// &
-            in_units(units, unit_force, air, few)//' in air, '//in_units(units, unit_force, mud, few)//' in mud'
+            in_units(units, unit_force, air, few)//' in air'
+         if (abs(air - mud) > round_off*air) line = line//', '//in_units(units, unit_force, mud, few)//' in mud'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
             in_units(units, unit_force, collars, few)//' of it below the drill pipe'
          call append_text(lines, line)

@@ -21,7 +21,7 @@ module dg_limits_table
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: joint_ratings, limit_name, utilisation_type
+   use dg_utilisation, only: joint_ratings, limit_name, limit_von_mises, utilisation_type
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -29,6 +29,8 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: few = 3
+   !> Increase of von Mises stress by bending between tool joints from which on a line names it [-].
+   real(wp), parameter :: least_joint_bending = 0.01_wp
    !> Turns of a helix from which on they are told to three digits.
    real(wp), parameter :: many_turns = 100.0_wp
    character(*), parameter :: jar_kind = 'jar'
@@ -53,14 +55,15 @@ contains
          if (size(rows) == 0) cycle
          call append_text(lines, '')
          call append_text(lines, 'Limits, model '//trim(model_name(job%models(i)))//' (all: limits.csv)')
-         call append_block(lines, job%units, model, results(rows), wholes(rows))
+         call append_block(lines, job%units, model, job%design%von_mises, results(rows), wholes(rows))
       end do
    end subroutine limits_table
 
-   pure subroutine append_block(lines, units, model, results, wholes)
+   pure subroutine append_block(lines, units, model, factor, results, wholes)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
+      real(wp), intent(in) :: factor       !< design factor on von Mises stress [-]
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), dimension(size(results)) :: numbers, nowhere
@@ -92,6 +95,8 @@ contains
          deciders(i)%text = names(i)%text//', '//deciders(i)%text
       end do
       call append_extreme(lines, units, deciders, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
+      if (any(bends_between_joints(wholes, factor))) call append_text(lines, '    safety and overpull of the pipe leave out '// &
+         'bending between tool joints, which the answers include')
       call append_extreme(lines, units, names, 'Least margin to rig limit', quantity_force, 1, &
                           (wholes%rig_margin), nowhere, .false.)
       call append_extreme(lines, units, names, 'Least margin to make-up', quantity_moment, 2, &
@@ -188,6 +193,17 @@ contains
          end associate
       end do
    end subroutine find_overpull
+
+   !> True where bending between tool joints raises the utilisation of a case.
+   elemental function bends_between_joints(whole, factor) result(bends)
+      type(whole_string_type), intent(in) :: whole
+      real(wp), intent(in) :: factor       !< design factor on von Mises stress [-]
+      logical :: bends
+      associate (used => whole%utilisation%used(limit_von_mises), safety => whole%least_safety)
+         bends = used%present .and. safety%present
+         if (bends) bends = used%value*safety%value > (1.0_wp + least_joint_bending)*factor
+      end associate
+   end function bends_between_joints
 
    !> Append the utilisation of the ratings of premium connections, where they have some.
    pure subroutine append_ratings(lines, name, utilisation)

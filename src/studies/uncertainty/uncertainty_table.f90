@@ -102,7 +102,7 @@ contains
       call append_text(lines, '')
       call append_text(lines, trim(operation_label(uncertainty%range%operations(curve%operation)))//', model '// &
                        trim(model_name(uncertainty%range%models(curve%model)))//': '// &
-                       either('hook load as the rig shows it', 'hook load', indicated)//', '// &
+                       either('weight indicator', 'hook load', indicated)//', '// &
                        trim(units%force_label)// &
                        ', and torque, '//unit_label(units, unit_moment)//', under which 10, 50 and 90 % of the samples lie')
       allocate (depths, source=shown_depths(uncertainty%range))
