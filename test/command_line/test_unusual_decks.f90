@@ -158,6 +158,14 @@ contains
    subroutine test_loads()
       call mistake('&fluid', '&rig block_weight = 600 /'//newline//'&fluid', &
                    'block_weight = 600 klbf is unusual. Usual is at most 337.2')
+      call mistake('&fluid', '&rig lines = 1, sheave_efficiency = 0.98 /'//newline//'&fluid', &
+                   'group &rig: lines = 1 is unusual. Usual is at least 4')
+      call mistake('&fluid', '&rig lines = 20, sheave_efficiency = 0.98 /'//newline//'&fluid', &
+                   'group &rig: lines = 20 is unusual. Usual is at most 16')
+      call usual('&fluid', '&rig lines = 12, sheave_efficiency = 0.98 /'//newline//'&fluid')
+      call mistake('&fluid', '&boundary packer_bore = 9 /'//newline//'&fluid', &
+                   'packer_bore = 9 in is wider than the hole at the packer, 8.5 in at ')
+      call usual('&fluid', '&boundary packer_bore = 8.5 /'//newline//'&fluid')
       call mistake('&fluid', '&rig max_torque = 1000 /'//newline//'&fluid', 'max_torque = 1000 kft.lbf is unusual')
       call mistake('&fluid', '&rig max_hookload = 20000 /'//newline//'&fluid', 'max_hookload = 20000 klbf is unusual')
       call mistake('tob = 5 ', 'tob = 5, measured_torque = 20000 ', 'measured_torque = 20000 kft.lbf is unusual')

@@ -8,8 +8,9 @@ module dg_unusual_rig
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_moment
+   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
+   use dg_usual_range, only: note_range, usual_lines
    implicit none
    private
    public :: note_rig
@@ -30,7 +31,7 @@ module dg_unusual_rig
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
    real(wp), parameter :: tonne = 1000.0_wp, near_tonne = 0.1_wp, percent = 0.01_wp
-   integer, parameter :: digits = 4, few_digits = 2
+   integer, parameter :: digits = 4, few_digits = 2, depth_digits = 6
 
 contains
 
@@ -41,6 +42,10 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: weights(size(model%cases))
       integer :: i
+      call note_packer(model, units, notes)
+      ! Without losses in the sheaves the number of lines changes no result.
+      if (model%rig%sheave_efficiency < 1.0_wp) &
+         call note_range(units, 'group &rig', usual_lines, real(model%rig%lines, wp), notes)
       if (top_md(model%trajectory) > 0.0_wp) return
       weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)
@@ -49,6 +54,25 @@ contains
       call note_measured(model, units, weights, notes)
       call note_swapped(model, units, notes)
    end subroutine note_rig
+
+   !> A seal bore that is wider than the hole just above the lower end of the string: the first load case where it is so.
+   subroutine note_packer(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
+      if (.not. model%boundary%packer_bore > 0.0_wp) return
+      do i = 1, size(model%cases)
+         associate (hole => model%holes(hole_section_at(model%holes, model%cases(i)%bit_depth - same_depth)))
+            if (model%boundary%packer_bore <= hole%diameter) cycle
+            call append_text(notes, 'group &boundary: packer_bore = '// &
+               in_units(units, unit_diameter, model%boundary%packer_bore, digits)//' is wider than the hole at the packer, '// &
+               in_units(units, unit_diameter, hole%diameter, digits)//' at '// &
+               in_units(units, unit_length, model%cases(i)%bit_depth, depth_digits)//'. Give the diameter of the seal bore')
+            return
+         end associate
+      end do
+   end subroutine note_packer
 
    !> A block that is lighter than that of any rig that carries such a string.
    subroutine note_block(model, units, weights, notes)
