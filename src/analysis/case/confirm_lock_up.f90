@@ -29,8 +29,10 @@ module dg_confirm_lock_up
    integer, parameter :: nearly = 1
    !> Iterations for each. Of 85 strings that beams confirm 77 took less.
    integer, parameter :: most_iterations = 150
-   !> Part of the greatest load of the soft string from which on a case without equilibrium may be one that locks up [-].
+   !> A case without equilibrium may be one that locks up from a load that is less by this part of that of the soft string [-].
    real(wp), parameter :: near_lock_up = 0.5_wp
+   !> A load by beams that is less than that of the soft string by more than this part of it is none [-].
+   real(wp), parameter :: farthest = 2.0_wp
    !> Part of the load that pipe bears without any friction from which it is not friction that locks the string up [-]: strings
    !> that turn.
    real(wp), parameter :: by_strength = 0.9_wp
@@ -39,8 +41,8 @@ module dg_confirm_lock_up
 
 contains
 
-   !> Confirms the load of a result that is locked up, or says which one comes to the bit by beams. A string that is lowered and
-   !> found no equilibrium locks up where beams bring less to the bit than its load. Iterations and seconds are added.
+   !> Confirms the load of a result that is locked up, or says which smaller one comes to the bit by beams. A string that is lowered
+   !> and found no equilibrium locks up where beams bring less to the bit than its load. Iterations and seconds are added.
    subroutine confirm_lock_up(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -54,7 +56,7 @@ contains
       else if (result%status == result_not_converged .and. block_way(model%cases(case_index)%operation) < 0 .and. &
                .not. is_stopped(stop)) then
          soft = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
-         if (model%cases(case_index)%wob < near_lock_up*soft) return
+         if (model%cases(case_index)%wob < soft - near_lock_up*abs(soft)) return
       else
          return
       end if
@@ -65,10 +67,11 @@ contains
       end if
       call find_load(model, case_index, soft, merge(size(less), nearly, result%status == result_locked_up), stop, result, load, &
                      found)
+      found = found .and. load > soft - farthest*abs(soft)
       if (result%status == result_locked_up) then
          if (.not. found) then
             call add_sentence(result%message, 'These loads are by the soft string. Beams found no equilibrium near them')
-         else if (load < model%cases(case_index)%wob) then
+         else if (load < soft) then
             call add_sentence(result%message, 'These loads are by the soft string. By beams '//load_text(model, load)// &
                               ': use this load')
             result%lock_up_load = load
