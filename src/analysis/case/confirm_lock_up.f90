@@ -31,7 +31,7 @@ module dg_confirm_lock_up
    integer, parameter :: most_iterations = 150
    !> A case without equilibrium may be one that locks up from a load that is less by this part of that of the soft string [-].
    real(wp), parameter :: near_lock_up = 0.5_wp
-   !> A load by beams that is less than that of the soft string by more than this part of it is none [-].
+   !> A load by beams is not used where it differs from that of the soft string by more than this part of it [-].
    real(wp), parameter :: farthest = 2.0_wp
    !> Part of the load that pipe bears without any friction from which it is not friction that locks the string up [-]: strings
    !> that turn.
