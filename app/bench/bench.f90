@@ -6,7 +6,8 @@
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
 !> it and without it. `-- against PROGRAM [DECK ...]` runs them by this program and by another one, as an earlier commit built it,
 !> in turns, and prints ratios. `-- trade [DECK ...]` prints errors against cost of each fidelity alone, for these decks or the
-!> wells of input/. Any other argument is refused.
+!> wells of input/. `-- once` prints all costs by one run each, without the largest sizes: to see that all of it works. Any other
+!> argument is refused.
 program bench
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version, error_unit, output_unit
    use dg_bench_against, only: print_against
@@ -43,6 +44,8 @@ program bench
    integer, parameter :: turning = 11
    !> Element lengths: a thousand to a hundred thousand elements [m].
    real(wp), parameter :: lengths(5) = [3.2_wp, 1.0_wp, 0.32_wp, 0.1_wp, 0.032_wp]
+   !> Sizes of a quick look.
+   integer, parameter :: quick = 3
    character(4096), allocatable :: arguments(:)
    integer :: i
 
@@ -52,7 +55,9 @@ program bench
    end do
    call keep_freed_memory()      ! as the program does
    if (size(arguments) == 0) then
-      call print_costs()
+      call print_costs(runs, lengths)
+   else if (arguments(1) == 'once') then
+      call print_costs(1, lengths(:quick))
    else if (arguments(1) == 'ablation') then
       if (size(arguments) > 1) then
          call print_ablation(arguments(2:))
@@ -72,14 +77,16 @@ program bench
          call print_trade(decks)
       end if
    else
-      write (error_unit, '(a)') 'bench: unknown argument '//trim(arguments(1))//'. Give ablation, against PROGRAM or trade'
+      write (error_unit, '(a)') 'bench: unknown argument '//trim(arguments(1))//'. Give ablation, against PROGRAM, once or trade'
       error stop 2
    end if
 
 contains
 
    !> Print the cost of solutions.
-   subroutine print_costs()
+   subroutine print_costs(runs, lengths)
+      integer, intent(in) :: runs            !< of what is timed
+      real(wp), intent(in) :: lengths(:)     !< of elements [m]
       type(model_type) :: model
       type(job_type) :: job
       type(text_type), allocatable :: notes(:)
@@ -95,7 +102,7 @@ contains
       write (output_unit, '(a)') compiler_options()
       if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
       write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
-      call print_cases(model)
+      call print_cases(model, runs)
       call print_program(deck, sweep_deck, runs)
       call print_moments(model)
       call print_sizes(model, turning, lengths, runs)
@@ -107,8 +114,9 @@ contains
    end subroutine print_costs
 
    !> The cases of the deck, each several times.
-   subroutine print_cases(model)
+   subroutine print_cases(model, runs)
       type(model_type), intent(in) :: model
+      integer, intent(in) :: runs
       type(case_result_type) :: result
       type(error_type), allocatable :: error
       real(wp) :: seconds(runs), total, work, start, wall
