@@ -196,7 +196,7 @@ contains
          call mesh_for_case(model, case_index, element_length, mesh, totals, solution%compressed, strained, solution%pressing, &
                             solution%shortened)
          if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
-            call result_of_lock_up(model, case_index, strained, result)
+            call result_of_lock_up(model, case_index, totals, strained, result)
             return
          end if
          most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))

@@ -294,15 +294,13 @@ contains
 
    !> The result of a case that nothing at the top can bring about: friction of the coiled string outgrows all bounds, or no pipe
    !> bears the pull against it. It has a message and no numbers.
-   subroutine result_of_lock_up(model, case_index, strained, result)
+   subroutine result_of_lock_up(model, case_index, totals, strained, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: strained      !< largest axial strain of the soft string [-]
+      type(soft_totals_type), intent(in) :: totals   !< of the soft string that locks up
+      real(wp), intent(in) :: strained      !< its largest axial strain [-]
       type(case_result_type), intent(out) :: result
-      type(soft_totals_type) :: totals
       real(wp) :: position(3), tangent(3), axial(1), torque(1), most
-      call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
-                          other=other_loads_type(coiled=.true.))
       call position_at(model%trajectory, model%cases(case_index)%bit_depth, position, tangent)
       result%case_index = case_index
       result%model = model_mcge
@@ -310,6 +308,7 @@ contains
       result%inclination = inclination_of(tangent)
       allocate (result%gaps(0), result%history(0))
       if (.not. totals%runaway) then
+         call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, other=other_loads_type(coiled=.true.))
          result%message = 'Locked up: friction holds the string. '//in_units(model%units, unit_force, &
                           axial(1) - surface_push(model, case_index), shown)//' at surface would move it and stretch it by '// &
                           to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
