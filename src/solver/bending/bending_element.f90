@@ -1,6 +1,6 @@
-!> One element of a bending beam: what bending, tension, torque, loads and the wall do to its nodes, and the derivatives of that.
+!> One element of a bending beam: forces on its nodes by bending, tension, torque, loads and the wall, and their derivatives.
 !> The equation is in the header of dg_bending_beam. Its integrals are those of the cubic shape functions, in closed form where
-!> axial force and weight change linearly; the wall's is taken at `contact_places` places.
+!> axial force and weight change linearly. The integral over the wall is the sum over `contact_places` places.
 module dg_bending_element
    use dg_kinds, only: wp
    use dg_beam_section, only: beam_section_type, end_stiffness
@@ -11,12 +11,13 @@ module dg_bending_element
    public :: beam_element_type, wall_push_type, contact_places, contact_xi
    public :: set_element, push_element, push_at, element_action, element_stiffness, add_action, add_stiffness, moments_of_shape
 
-   !> Places of an element at which the wall is felt. A node has an offset and a slope to each side; more places
-   !> than two would leave a string that lies on the wall no freedom to bend along it.
+   !> Number of places of an element at which the wall is felt. A node has an offset and a slope to each side. More than two
+   !> places would leave a string on the wall no freedom to bend along it.
    integer, parameter :: contact_places = 2
    real(wp), parameter :: third = 1.0_wp/sqrt(3.0_wp)
    real(wp), parameter :: contact_xi(contact_places) = [0.5_wp*(1.0_wp - third), 0.5_wp*(1.0_wp + third)]
-   !> There, of an element of unit length: shape functions of y and y' at its upper, then at its lower node, and their slopes.
+   !> Shape functions of y and y' at these places for an element of unit length, at the upper, then at the lower node. Then
+   !> their slopes.
    real(wp), parameter :: one_minus_xi(contact_places) = 1.0_wp - contact_xi
    real(wp), parameter :: contact_value(4, contact_places) = transpose(reshape( &
       [one_minus_xi**2*(1.0_wp + 2.0_wp*contact_xi), contact_xi*one_minus_xi**2, &
@@ -26,12 +27,12 @@ module dg_bending_element
        6.0_wp*contact_xi*one_minus_xi, -contact_xi*(3.0_wp*one_minus_xi - 1.0_wp)], [contact_places, 4]))
 
    type :: beam_element_type
-      ! set by who makes the beam
+      ! set by the maker of the beam
       type(gap_law_type) :: law          !< of a metre of wall (stiffnesses in N/m2)
-      type(gap_law_type) :: press        !< the same law, no stiffer than Newton's steps bear
+      type(gap_law_type) :: press        !< the same law, no stiffer than Newton's steps tolerate
       type(beam_section_type) :: section !< its length is set by set_element
-      real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards the wall then stands at the places of contact [m]
-      real(wp) :: blade(2) = 0.0_wp      !< e, centre of eccentric blades off the axis of the string [m]
+      real(wp) :: moved(contact_places) = 0.0_wp      !< how far inwards that wall is moved at the places of contact [m]
+      real(wp) :: blade(2) = 0.0_wp      !< e, centre of eccentric blades from the axis of the string [m]
       real(wp) :: lever = 0.0_wp         !< r a, radius of contact times friction coefficient along the hole [m]
       real(wp) :: around = 0.0_wp        !< friction coefficient m around the hole [-]
       ! set by set_element
@@ -39,24 +40,26 @@ module dg_bending_element
       real(wp) :: per_length = 0.0_wp    !< one over it [1/m]
       real(wp) :: bent(2) = 0.0_wp       !< k - b [1/m]
       real(wp) :: torque(2) = 0.0_wp     !< M_t/2 [N.m], M_t over the length [N]
-      ! stiffness coefficients, each with the axial force's part: 12 EI/L^3, 6 EI/L^2, and 4, 2, 4 EI/L
-      real(wp) :: k_offset = 0.0_wp           !< force by the offset of the upper node from that of the lower one [N/m]
-      real(wp) :: k_offset_slope(2) = 0.0_wp  !< couple at the upper and at the lower node by the same [N]
-      real(wp) :: k_slope(3) = 0.0_wp         !< at the upper node by its slope and by the lower one's; there by its own [N.m]
-      real(wp) :: load(8) = 0.0_wp       !< of weight and bends, (y_1, y_2, y_1', y_2') at the upper, then the lower node [N, N.m]
+      ! stiffness coefficients, each including the axial force: 12 EI/L^3, 6 EI/L^2, and 4, 2, 4 EI/L
+      real(wp) :: k_offset = 0.0_wp           !< force by the offset of the upper node from the lower one [N/m]
+      real(wp) :: k_offset_slope(2) = 0.0_wp  !< couple at the upper and at the lower node by that offset [N]
+      real(wp) :: k_slope(3) = 0.0_wp         !< couple at the upper node by its own slope, by the lower slope; at the lower node by
+                                              !< its own slope [N.m]
+      real(wp) :: load(8) = 0.0_wp       !< load of weight and bends on (y_1, y_2, y_1', y_2') of the upper, then the lower node [N,
+                                         !< N.m]
    end type beam_element_type
 
-   !> Push of the wall at a node, or on the half of an element that belongs to a place.
+   !> Push of the wall at a node, or on the half of an element that belongs to a place of contact.
    type :: wall_push_type
-      real(wp) :: force = 0.0_wp         !< R; 0 where nothing touches, and the others are then not set [N]
+      real(wp) :: force = 0.0_wp         !< R [N]; 0 without contact, and then the others are not set
       real(wp) :: stiffness = 0.0_wp     !< derivative of R by the distance from the hole axis [N/m]
       real(wp) :: turning = 0.0_wp       !< R over that distance [N/m]
-      real(wp) :: n(2) = 0.0_wp          !< outwards
+      real(wp) :: n(2) = 0.0_wp          !< direction outwards [-]
    end type wall_push_type
 
 contains
 
-   !> Sets what an element needs but section, law and friction. Axial force and weight change linearly along it.
+   !> Set all but section, law and friction of an element. Axial force and weight change linearly along it.
    pure subroutine set_element(length, axial, torque, curvature, bend, weight, down, element)
       real(wp), intent(in) :: length           !< [m]
       real(wp), intent(in) :: axial(2)         !< T at its nodes [N]
@@ -64,7 +67,7 @@ contains
       real(wp), intent(in) :: curvature(2)     !< k [1/m]
       real(wp), intent(in) :: bend(2)          !< b [1/m]
       real(wp), intent(in) :: weight           !< buoyed, per length [N/m]
-      real(wp), intent(in) :: down(2, 2)       !< part of the unit vector downwards across the hole, at its nodes (2,2) [-]
+      real(wp), intent(in) :: down(2, 2)       !< unit vector downwards, its components across the hole, at its nodes (2,2) [-]
       type(beam_element_type), intent(inout) :: element
       real(wp) :: ends(2), tight(2), upper(2), lower(2), bending(2), turning(2)
       element%section%length = length
@@ -92,7 +95,7 @@ contains
       element%load(7:8) = -length*(upper/30.0_wp + lower/20.0_wp) - bending
    end subroutine set_element
 
-   !> Adds a load that is even along an element.
+   !> Add a load that is constant along an element.
    pure subroutine push_element(load, element)
       real(wp), intent(in) :: load(2)     !< [N/m]
       type(beam_element_type), intent(inout) :: element
@@ -101,8 +104,8 @@ contains
       element%load = element%load + [line(1)*load, line(2)*load, line(3)*load, line(4)*load]
    end subroutine push_element
 
-   !> Forces and couples that an element's nodes must be held with at a shape, and how the wall presses. Over the elements they add
-   !> up to zero at equilibrium: those of the upper node are added to what is there.
+   !> Forces and couples that hold an element's nodes at a given shape, and the push of the wall. Their sum over the elements
+   !> is zero at equilibrium. Those of the upper node are added to `at_upper`.
    pure subroutine element_action(element, upper, lower, push, at_upper, at_lower)
       type(beam_element_type), intent(in) :: element
       real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of its nodes [m, -]
@@ -134,9 +137,8 @@ contains
       end do
    end subroutine element_action
 
-   !> Derivatives of that by offsets and slopes, where the wall presses so. What couples an unknown in both directions with another
-   !> is a number in each direction. By torque it is another one from the first on the second, and minus that from the second on the
-   !> first.
+   !> Derivatives of these by offsets and slopes, at a given push of the wall. Without the wall the block of two unknowns is
+   !> a*I + c*t x I. The torque gives c, which couples the two directions with opposite signs.
    pure subroutine element_stiffness(element, push, k)
       type(beam_element_type), intent(in) :: element
       type(wall_push_type), intent(in) :: push(contact_places)
@@ -172,7 +174,7 @@ contains
       end do
    end subroutine element_stiffness
 
-   !> Shape functions of an element's unknowns at a place of contact, and their slopes.
+   !> Shape functions of an element's unknowns at a place of contact [-, m], and their slopes [1/m, -].
    pure subroutine shapes_at(element, p, value, slope)
       type(beam_element_type), intent(in) :: element
       integer, intent(in) :: p
@@ -181,7 +183,7 @@ contains
       slope = contact_slope(:, p)*[element%per_length, 1.0_wp, element%per_length, 1.0_wp]
    end subroutine shapes_at
 
-   !> A vector across the hole, turned by a right angle.
+   !> Vector t x v: a vector across the hole, turned by a right angle.
    pure function turned(vector) result(other)
       real(wp), intent(in) :: vector(2)
       real(wp) :: other(2)
@@ -189,11 +191,11 @@ contains
       other(2) = vector(1)
    end function turned
 
-   !> Push of the wall, by the law of dg_gap_state.
+   !> Push of the wall at an offset, by the law of dg_gap_state.
    pure subroutine push_at(law, moved, length, offset, push)
       type(gap_law_type), intent(in) :: law
-      real(wp), intent(in) :: moved       !< how far inwards the wall stands [m]
-      real(wp), intent(in) :: length      !< of the wall that presses there, of a law for a metre of wall [m]; else 1
+      real(wp), intent(in) :: moved       !< how far inwards the wall is moved [m]
+      real(wp), intent(in) :: length      !< length of wall that presses there, for a law per metre of wall [m]; else 1
       real(wp), intent(in) :: offset(2)   !< from the hole axis [m]
       type(wall_push_type), intent(inout) :: push
       real(wp) :: distance, force, stiffness
@@ -208,7 +210,7 @@ contains
       push%n = offset/distance
    end subroutine push_at
 
-   !> Force and couple of a wall that presses: R (n + m t x n) on the offset, r a R n on the slope.
+   !> Force and couple of the wall: R (n + m t x n) on the offset, r a R n on the slope.
    pure subroutine find_action(push, lever, around, force, couple)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
@@ -220,7 +222,7 @@ contains
       force = force + around*turned(force)
    end subroutine find_action
 
-   !> Derivatives by the offset: of R n, and with friction around the hole, of R (n + m t x n).
+   !> Derivatives by the offset of R n, and of R (n + m t x n), with friction around the hole.
    pure subroutine find_stiffness(push, around, stiffness, sideways)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: around            !< m [-]
@@ -236,7 +238,7 @@ contains
       sideways(2, :) = stiffness(2, :) + around*stiffness(1, :)
    end subroutine find_stiffness
 
-   !> Adds what a wall that presses at a node does there.
+   !> Add force and couple of the wall at a node.
    pure subroutine add_action(push, lever, around, action)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
@@ -247,12 +249,12 @@ contains
       action = action + [force, couple]
    end subroutine add_action
 
-   !> Adds the derivatives of that by the node's offset.
+   !> Add their derivatives by the node's offset.
    pure subroutine add_stiffness(push, lever, around, block)
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
-      real(wp), intent(inout) :: block(:, :)    !< (4,4)
+      real(wp), intent(inout) :: block(:, :)    !< (4,4) [N/m, N]
       real(wp) :: stiffness(2, 2), sideways(2, 2)
       call find_stiffness(push, around, stiffness, sideways)
       block(1:2, 1:2) = block(1:2, 1:2) + sideways

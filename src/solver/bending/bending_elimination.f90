@@ -1,7 +1,7 @@
-!> A Newton step of a bending beam: its matrix is made and eliminated at once, node by node from the top down, without exchange of
-!> rows. Under tension the matrix is positive definite but for friction and torque, whose part is small. An inexact step does no
-!> harm: dg_bending_solution judges it by the residual that it leaves. No matrix is kept: what a node leaves for the next one is all
-!> that goes on.
+!> A Newton step of a bending beam. Its matrix is made and eliminated node by node from the top down, without exchange of rows.
+!> Under tension the matrix is positive definite but for friction and torque, whose part is small. An inexact step does no
+!> harm, as dg_bending_solution judges it by its residual. No matrix is kept: a node only leaves one block and load for the
+!> next one.
 module dg_bending_elimination
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, b => node_unknowns
@@ -15,19 +15,19 @@ module dg_bending_elimination
 
 contains
 
-   !> Solves matrix step = -residual where the wall presses so.
+   !> Solve matrix*step = -residual at a given push of the wall.
    pure subroutine newton_step(beam, push, points, viscous, indefinite, residual, step, solved)
       type(bending_beam_type), intent(in) :: beam
       type(wall_push_type), intent(in) :: push(:, :)        !< at the places of the elements (contact_places,n-1)
       type(wall_push_type), intent(in) :: points(:)         !< of tool joints
-      integer, intent(in) :: viscous        !< how many times the stiffness that holds a compressed string is added
+      integer, intent(in) :: viscous        !< number of times that the stiffness for a compressed string is added
       logical, intent(in) :: indefinite     !< pivots may be negative
-      real(wp), intent(in) :: residual(:, :)      !< zero for unknowns that stay (4,n) [N, N.m]
+      real(wp), intent(in) :: residual(:, :)      !< zero for fixed unknowns (4,n) [N, N.m]
       real(wp), intent(out) :: step(:, :)         !< [m, -]
-      logical, intent(out) :: solved        !< .false. where a pivot vanishes, or is negative: there is no step then
+      logical, intent(out) :: solved        !< false if a pivot vanishes, or is negative: there is no step then
       real(wp) :: a(2*b, load)              ! equations of a node and the next one
-      real(wp) :: x(b, next:load, size(step, 2))      ! unknowns by those of the next node, and by the load
-      real(wp) :: left(b, next:load)                  ! what the nodes above leave: block and load of a node
+      real(wp) :: x(b, next:load, size(step, 2))      ! unknowns as a function of those of the next node, and of the load
+      real(wp) :: left(b, next:load)                  ! block and load of a node from the nodes above it
       integer :: n, nodes, p, e
       nodes = size(step, 2)
       left = 0.0_wp
@@ -67,7 +67,7 @@ contains
       end do
    end subroutine newton_step
 
-   !> Takes the first unknowns of a node, which stay as they are, out of the equations: zero rows and columns, with ones on the
+   !> Remove the first unknowns of a node, which are fixed, from the equations: zero rows and columns, with ones on the
    !> diagonal.
    pure subroutine keep(fixed, a)
       integer, intent(in) :: fixed
@@ -80,7 +80,7 @@ contains
       end do
    end subroutine keep
 
-   !> Solves the equations of a node for its unknowns, and takes these out of the equations of the next one.
+   !> Solve the equations of a node for its unknowns, and remove these from the equations of the next one.
    pure subroutine eliminate(a, indefinite, solved)
       real(wp), intent(inout) :: a(2*b, load)
       logical, intent(in) :: indefinite

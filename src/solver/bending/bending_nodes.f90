@@ -1,4 +1,4 @@
-!> Nodes of a bending beam. They are dense where the moment changes quickly, and their distance grows from there. Where a solution
+!> Nodes of a bending beam. They are dense where the moment changes quickly, and their distance grows from there. If a solution
 !> shows that they are too far apart, elements are halved.
 module dg_bending_nodes
    use dg_kinds, only: wp
@@ -7,18 +7,18 @@ module dg_bending_nodes
    private
    public :: graded_nodes, halved_nodes, shape_at, rows_needed, shortening_of
 
-   !> Growth of the length of elements per metre of distance from a place that asks for short ones [-].
+   !> Growth of the length of elements per metre of distance from a place with short ones [-].
    real(wp), parameter :: growth = 0.25_wp
    !> Most halvings of one interval: its shortest part is then a billionth of it.
    integer, parameter :: deepest = 30
 
 contains
 
-   !> Depths of nodes, increasing [m]. All `breaks` are nodes. Between them no element is longer than `longest` asks for at the
-   !> breaks, plus what the growth allows at a distance from them.
+   !> Depths of nodes, increasing [m]. All `breaks` are nodes. Between them no element is longer than `longest` at the breaks,
+   !> plus the growth with distance from them.
    pure function graded_nodes(breaks, longest) result(nodes)
       real(wp), intent(in) :: breaks(:)     !< increasing, at least two [m]
-      real(wp), intent(in) :: longest(:)    !< longest element at each break; huge where a break asks for nothing [m]
+      real(wp), intent(in) :: longest(:)    !< longest element at each break; huge where a break has no limit [m]
       real(wp), allocatable :: nodes(:)
       real(wp) :: bound(size(breaks))
       integer :: i, n, filled
@@ -39,8 +39,8 @@ contains
       nodes = nodes(:filled)
    end function graded_nodes
 
-   !> Halves an interval until its parts keep their bounds, and appends its nodes but the first. Parts still to be looked at lie on
-   !> a stack, the uppermost on top.
+   !> Halve an interval until its parts keep their bounds, and append its nodes except the first. Parts that are not yet done
+   !> are on a stack, the uppermost part on top.
    pure subroutine cut(ends, bounds, nodes, filled)
       real(wp), intent(in) :: ends(2), bounds(2)     !< depths, and longest elements there [m]
       real(wp), allocatable, intent(inout) :: nodes(:)
@@ -75,10 +75,10 @@ contains
       end do
    end subroutine cut
 
-   !> The nodes, with a new one in the middle of each marked element [m].
+   !> Nodes with a new one in the middle of each marked element [m].
    pure function halved_nodes(nodes, marked) result(finer)
       real(wp), intent(in) :: nodes(:)      !< increasing [m]
-      logical, intent(in) :: marked(:)      !< elements, one fewer
+      logical, intent(in) :: marked(:)      !< elements to be halved (n-1)
       real(wp), allocatable :: finer(:)
       integer :: e, n
       allocate (finer(size(nodes) + count(marked)))
@@ -97,7 +97,7 @@ contains
    !> Offsets and slopes (y_1, y_2, y_1', y_2') of a beam's cubic shape at other nodes (4,m) [m, -].
    pure function shape_at(nodes, y, others) result(shape)
       real(wp), intent(in) :: nodes(:)      !< of the beam, increasing (n) [m]
-      real(wp), intent(in) :: y(:, :)       !< there (4,n) [m, -]
+      real(wp), intent(in) :: y(:, :)       !< offsets and slopes at them (4,n) [m, -]
       real(wp), intent(in) :: others(:)     !< increasing, with the same ends (m) [m]
       real(wp) :: shape(4, size(others))
       real(wp) :: xi, length, value(4), slope(4)
@@ -136,8 +136,8 @@ contains
       end do
    end function shortening_of
 
-   !> Chooses rows of a table. Straight lines between the rows that are kept miss no value of the others by more than `bound`.
-   !> From the first row on each line is made as long as that allows.
+   !> Choose rows of a table. Straight lines between the rows that are kept differ from the other values by at most `bound`.
+   !> From the first row on, each line is as long as possible.
    pure subroutine rows_needed(md, values, bound, kept)
       real(wp), intent(in) :: md(:)         !< increasing [m]
       real(wp), intent(in) :: values(:)     !< in any unit

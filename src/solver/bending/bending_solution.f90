@@ -1,11 +1,10 @@
 !> Equilibrium of a bending beam by Newton's method with the full tangent. Contact is judged anew at each shape.
 !>
-!> The beam's potential is the sum of bending, tension and wall. The wall pushes back the more the deeper the string is in it.
-!> Without friction and compression, and with a torque below 2 sqrt(EI T), this potential is convex: there is one equilibrium. The
-!> work of the residual along a Newton step then rises from a negative value to zero. A step after which that work is still large
-!> is shortened (see `falls`).
-!> A compressed beam's matrix may be indefinite. It is then solved again with an additional stiffness at the nodes
-!> (beam%viscous). That stiffness is in the matrix alone, so it leaves no trace at equilibrium.
+!> The beam's potential is the sum of bending, tension and wall. The wall pushes back more the deeper the string is in it.
+!> Without friction and compression, and with a torque below 2 sqrt(EI T), this potential is convex: there is one equilibrium.
+!> The work of the residual along a Newton step then rises from a negative value to zero. A step after which that work is still
+!> large is shortened (see `falls`). A compressed beam's matrix may be indefinite. It is then solved again with an additional
+!> stiffness at the nodes (beam%viscous). That stiffness is in the matrix alone, and does not change the equilibrium.
 module dg_bending_solution
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, press_points
@@ -19,26 +18,27 @@ module dg_bending_solution
    !> Largest residual at equilibrium, over the largest nodal load [-]: moments are then right to a hundred-thousandth.
    real(wp), parameter :: tolerance = 1.0e-6_wp
    integer, parameter :: most_iterations = 60
-   !> A step is taken as it is when the work of the residual along it falls to this part of what it was [-]. Else it is shortened.
+   !> A step is taken whole if the work of the residual along it falls to this part of its first value [-]. Otherwise it is
+   !> shortened.
    real(wp), parameter :: falls = 0.7_wp
    integer, parameter :: most_trials = 8
 
 contains
 
-   !> Iterates from a shape to equilibrium. Where none is found within `most_iterations`, or the matrix is singular, y is the last
+   !> Iterate from a shape to equilibrium. If none is found within `most_iterations`, or the matrix is singular, y is the last
    !> shape.
    pure subroutine solve_bending(beam, y, settled, found, anchor, pressed)
       type(bending_beam_type), intent(in) :: beam      !< with its elements set
       real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
       real(wp), intent(in) :: settled      !< the iteration ends with a full step that changes moments by less than this part of
                                            !< the largest one [-]
-      logical, intent(out) :: found        !< equilibrium
-      !> Shape to which springs as stiff as the resistance pull compressed parts (4,n) [m, -]; absent: none do.
+      logical, intent(out) :: found        !< true at equilibrium
+      !> Shape to which springs of stiffness beam%viscous pull compressed parts (4,n) [m, -]; absent: no springs.
       real(wp), contiguous, intent(in), optional :: anchor(:, :)
       real(wp), intent(out), optional :: pressed(:, :)   !< contact forces at the places of the elements (contact_places,n-1) [N]
       type(wall_push_type) :: push(contact_places, size(y, 2) - 1), points(size(beam%point))
       real(wp), dimension(size(y, 1), size(y, 2)) :: residual, step, trial
-      real(wp), allocatable :: springs(:, :)      ! the anchor, or nothing
+      real(wp), allocatable :: springs(:, :)      ! the anchor, or without columns
       real(wp) :: scale, least, work, share, lower, upper, work_lower, work_trial
       logical :: solved
       integer :: iteration, try
@@ -84,15 +84,15 @@ contains
       if (present(pressed)) pressed = push%force
    end subroutine solve_bending
 
-   !> A Newton step, held by more stiffness where the matrix is not positive definite.
+   !> Compute a Newton step, with more stiffness if the matrix is not positive definite.
    pure subroutine find_step(beam, push, points, anchored, residual, step, solved)
       type(bending_beam_type), intent(in) :: beam
       type(wall_push_type), contiguous, intent(in) :: push(:, :)
       type(wall_push_type), intent(in) :: points(:)
-      logical, intent(in) :: anchored          !< by springs, whose stiffness is in the matrix
+      logical, intent(in) :: anchored          !< true if the stiffness of springs is in the matrix
       real(wp), contiguous, intent(in) :: residual(:, :)
       real(wp), contiguous, intent(out) :: step(:, :)
-      logical, intent(out) :: solved           !< .false.: there is no step
+      logical, intent(out) :: solved           !< false: there is no step
       integer :: viscous, more
       viscous = merge(1, 0, anchored)
       do more = 0, 1
@@ -101,14 +101,14 @@ contains
       end do
    end subroutine find_step
 
-   !> Residual at a shape, and how the wall presses there.
+   !> Residual and push of the wall at a shape.
    pure subroutine find_residual(beam, y, push, points, residual, anchor)
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :)
       type(wall_push_type), contiguous, intent(inout) :: push(:, :)    !< at the places of the elements
       type(wall_push_type), intent(inout) :: points(:)                 !< of tool joints
-      real(wp), contiguous, intent(out) :: residual(:, :)              !< zero for unknowns that stay [N, N.m]
-      real(wp), contiguous, intent(in) :: anchor(:, :)                 !< without columns: none
+      real(wp), contiguous, intent(out) :: residual(:, :)              !< zero for fixed unknowns (4,n) [N, N.m]
+      real(wp), contiguous, intent(in) :: anchor(:, :)                 !< shape to which springs pull, or without columns [m, -]
       integer :: e, n, p
       residual(:, 1) = 0.0_wp
       do e = 1, size(beam%element)
@@ -152,15 +152,14 @@ contains
       load = max(load, maxval(abs(above)))
    end function largest_load
 
-   !> True if a step changed moments at the ends of the elements by less than a part of the largest one. The largest is that after
-   !> the step.
+   !> True if a step changed moments at the ends of the elements by less than a part of the largest one after the step.
    pure function is_small(beam, y, step, part, least) result(small)
       type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< after the step; the step
+      real(wp), contiguous, intent(in) :: y(:, :), step(:, :)   !< shape after the step; the step (4,n) [m, -]
       real(wp), intent(in) :: part     !< [-]
       real(wp), intent(in) :: least    !< of least_moment [N.m]
       logical :: small
-      real(wp) :: moments(2, 2), before(2, 2), most, changed    ! squares of the largest
+      real(wp) :: moments(2, 2), before(2, 2), most, changed    ! squares of the largest moment and change
       integer :: e
       most = least**2
       changed = 0.0_wp

@@ -1,4 +1,4 @@
-!> Equilibrium of a bending beam by continuation: walls begin soft and are hardened step by step to their own stiffness.
+!> Equilibrium of a bending beam by continuation: walls start soft and are hardened step by step to their own stiffness.
 !>
 !> Newton's method opens and closes one contact after the other where walls are stiff, and may cycle. Against a soft wall many
 !> places touch at once, and the steps are smooth. Each level starts from the shape of the level before.
@@ -13,18 +13,18 @@ module dg_hardened_walls
 
    !> Stiffness of the softest wall [N/m2]: that of a drill collar of ten metres between its contacts.
    real(wp), parameter :: softest = 1.0e4_wp
-   !> Stiffness of each wall over that of the wall before [-].
+   !> Factor on the stiffness of the walls from step to step [-].
    real(wp), parameter :: hardening = 10.0_wp
-   !> Change of moments over the largest one at which a softer wall has done its part [-].
+   !> Change of moments over the largest one at which a step with softer walls ends [-].
    real(wp), parameter :: roughly = 0.1_wp
 
 contains
 
-   !> Bends a beam against walls that are hardened to their own stiffness. Arguments as those of solve_bending, but that `found` is
-   !> an equilibrium against the stiffest walls that have one that is found.
+   !> Bend a beam against walls that are hardened to their own stiffness. Arguments are those of solve_bending, except that
+   !> `found` is true after any converged step. y is then the equilibrium of the last converged step.
    pure subroutine solve_with_hardened_walls(beam, begin, y, settled, found, anchor, pressed)
-      type(bending_beam_type), intent(inout) :: beam     !< its walls at the end no stiffer than Newton's steps bear
-      real(wp), intent(in) :: begin                      !< stiffness of walls that y is an equilibrium against; 0: none [N/m2]
+      type(bending_beam_type), intent(inout) :: beam     !< on return with walls no stiffer than Newton's steps tolerate
+      real(wp), intent(in) :: begin                      !< stiffness of walls that y is an equilibrium against, 0: none [N/m2]
       real(wp), contiguous, intent(inout) :: y(:, :)     !< offsets and slopes (4,n) [m, -]
       real(wp), intent(in) :: settled                    !< change of moments at the end, over the largest [-]
       logical, intent(out) :: found

@@ -1,14 +1,13 @@
-!> Walls of a bending beam that are as stiff as they are, by steps against walls that yield.
+!> Walls of a bending beam at their own stiffness, by steps against softer walls.
 !>
 !> A wall of rock or steel yields by micrometres. Newton's steps against it open and close one contact after the other, and may
-!> cycle. They are taken against a wall that is no stiffer than `firm` at each place of contact. Where the string presses it by a
-!> force R, the wall is then moved inwards by depth_soft(R) - depth_true(R), so that the force R is reached at the true depth. From
-!> there the beam is solved once more. The error that remains is about the string's stiffness over that of the softened wall. Once
-!> is enough: on 120 wells a second time changed the largest moment by less than
-!> 0.02 % in nine of ten, by 0.2 % at most.
+!> cycle. They are taken against a wall that is no stiffer than `firm` at each place of contact. Where the string presses it by
+!> a force R, the wall is then moved inwards by depth_soft(R) - depth_true(R). The force R is then reached at the true depth,
+!> and the beam is solved once more. The remaining error is about the string's stiffness over that of the softened wall. One
+!> repetition is enough.
 !>
-!> This is the method of multipliers, the force R the multiplier (augmented Lagrangian; Hestenes 1969, Multiplier and gradient
-!> methods, J. Optim. Theory Appl. 4, 303-320).
+!> This is the method of multipliers, with the force R as the multiplier (augmented Lagrangian; Hestenes 1969, Multiplier and
+!> gradient methods, J. Optim. Theory Appl. 4, 303-320).
 module dg_moved_walls
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
@@ -18,18 +17,19 @@ module dg_moved_walls
    private
    public :: move_walls, soften_walls, firm, less_firm
 
-   !> Stiffness of a wall at one place of contact that Newton's steps bear from any shape [N/m]; that of slim strings, which are a
-   !> thousand times less stiff than collars; and by how much stiffer walls may be next to an equilibrium [-].
+   !> Largest stiffness of a wall at one place of contact that Newton's steps tolerate from any shape [N/m]. Slim strings,
+   !> which are a thousand times less stiff than collars, have `less_firm`. Next to an equilibrium walls may be `firmer` times
+   !> as stiff [-].
    real(wp), parameter :: firm = 3.0e8_wp, less_firm = 1.0e7_wp, firmer = 3.0_wp
    !> Length of a tool joint's contact [m].
    real(wp), parameter :: joint_length = 1.0_wp
 
 contains
 
-   !> Moves walls inwards by what they yield too much under the forces that a string of a shape presses them with, and makes them as
-   !> firm as Newton's steps bear next to an equilibrium.
+   !> Move walls inwards by the excess of their yielding under the contact forces of a given shape. Make them as stiff as
+   !> Newton's steps tolerate next to an equilibrium.
    pure subroutine move_walls(at_place, y, beam)
-      real(wp), intent(in) :: at_place                  !< stiffness to which they have been softened [N/m]
+      real(wp), intent(in) :: at_place                  !< stiffness at each place to which they have been softened [N/m]
       real(wp), contiguous, intent(in) :: y(:, :)       !< an equilibrium against them: offsets and slopes (4,n) [m, -]
       type(bending_beam_type), intent(inout) :: beam
       type(bent_type) :: bent
@@ -50,7 +50,7 @@ contains
       end do
    end subroutine move_walls
 
-   !> Puts walls where they are, no stiffer than given [N/m2] and than Newton's steps bear.
+   !> Put walls back to their places, no stiffer than given and than Newton's steps tolerate.
    pure subroutine soften_walls(stiffness, at_place, beam)
       real(wp), intent(in) :: stiffness      !< [N/m2]
       real(wp), intent(in) :: at_place       !< at each place of contact [N/m]
@@ -66,7 +66,7 @@ contains
       beam%point_moved = spread(0.0_wp, 1, size(beam%point))
    end subroutine soften_walls
 
-   !> A law with no stiffness above the given one.
+   !> Law with no stiffness above a given one.
    elemental function softened(law, most) result(softer)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: most           !< in the unit of the law [N/m2 or N/m]
@@ -76,7 +76,7 @@ contains
       softer%maximum = min(law%maximum, most)
    end function softened
 
-   !> By how much more a softer wall yields to a force [m].
+   !> Excess of a softer wall's yielding to a force [m].
    pure function yielding(law, softer, force) result(more)
       type(gap_law_type), intent(in) :: law, softer
       real(wp), intent(in) :: force          !< in the unit of the laws [N/m or N]

@@ -1,17 +1,21 @@
-!> The linear problem of one iteration in which contact forces are unknowns of their own.
+!> Linear problem of one iteration in which contact forces are unknowns of their own.
 !>
-!> Unknowns are the step d of the nodes and the change dR of every closed gap's contact force R. A gap is closed where it presses,
-!> and then |f| = depth(R), the depth in the wall that carries R; else R = 0. To first order, with h = |f| - depth(R) the depth
-!> beyond what the force R needs [m],
-!>   K d + on dR = -r(d, R),      dR = rho (h + by.d),
-!> r is the residual with the forces as they are, K its tangent at given R. `on` = dr/dR has the directions of normal force and
-!> friction, `by` = d|f|/dq that of the depth (dg_gap_action). rho is the wall's stiffness in series with a softer one, so that
-!> steps stay short; as the softer one grows, rho becomes the wall's. dR is eliminated element by element: K + rho on by^T keeps
-!> the blocks of the chain. Where friction's forces are held constant `on` is `by`, and the matrix symmetric.
+!> Unknowns are the step d of the nodes and the change dR of the contact force R of every closed gap. A closed gap presses, and
+!> then |f| = depth(R), the depth in the wall that carries R. In an open gap R = 0. The depth beyond what the force R needs
+!> is h = |f| - depth(R) [m]. To first order:
+!>   K d + on dR = -r(d, R)
+!>   dR = rho (h + by.d)
+!> - r is the residual at the present forces, and K its tangent at given R.
+!> - on = dr/dR has the directions of normal force and friction. by = d |f|/dq has the direction of the depth
+!>   (dg_gap_action).
+!> - rho is the wall's stiffness in series with a softer one, which keeps steps short. As the softer one grows, rho becomes the
+!>   wall's.
+!> The force dR is eliminated element by element: K + rho on by^T keeps the blocks of the chain. Where friction forces are held
+!> constant, on = by, and the matrix is symmetric.
 !>
-!> Which gaps are closed is settled within the linear problem, before the string moves: a closed gap that would pull opens, an open
-!> one that would reach into the wall closes, and the problem is solved anew, which costs a third of an assembly (primal-dual
-!> active set: Hintermueller, Ito & Kunisch 2002, SIAM J. Optim. 13, 865).
+!> The set of closed gaps is found within the linear problem, before the string moves. A closed gap that would pull opens. An
+!> open one that would enter the wall closes. The problem is then solved anew, which costs a third of an assembly. This is the
+!> primal-dual active set method (Hintermueller, Ito & Kunisch 2002, SIAM J. Optim. 13, 865).
 module dg_contact_problem
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -34,21 +38,20 @@ module dg_contact_problem
 
    type :: contact_problem_type
       real(wp), allocatable :: by(:, :)        !< change of |f| by the unknowns of the element's nodes (12,e)
-      real(wp), allocatable :: on(:, :)        !< residual by the contact force, the same
+      real(wp), allocatable :: on(:, :)        !< change of the residual by the contact force (12,e)
       real(wp), allocatable :: penalty(:)      !< rho (e) [N/m]
       real(wp), allocatable :: deep(:)         !< h (e) [m]
       real(wp), allocatable :: moved(:)        !< change of |f| by the linear problem's step (e) [m]
       real(wp), allocatable :: wanted(:)       !< R + dR of closed gaps, 0 of open ones (e) [N]
       logical, allocatable :: closed(:)        !< in the linear problem (e)
-      real(wp), allocatable :: load(:, :)      !< its right-hand side, pushes included; then the residual that a step leads to
-                                               !< (6,nodes)
-      type(follower_type), allocatable :: followers(:)   !< gaps whose places are unknowns, too
-      integer :: unsettled = 0                 !< gaps that would still open or close when its rounds were over
+      real(wp), allocatable :: load(:, :)      !< right-hand side with pushes; then the residual after a step (6,nodes)
+      type(follower_type), allocatable :: followers(:)   !< gaps whose places are unknowns too
+      integer :: unsettled = 0                 !< gaps that would still open or close after the last round
    end type contact_problem_type
 
 contains
 
-   !> Room for a mesh.
+   !> Allocate the arrays of a problem for a mesh.
    pure subroutine new_contact_problem(mesh, problem)
       type(mesh_type), intent(in) :: mesh
       type(contact_problem_type), intent(out) :: problem
@@ -59,7 +62,7 @@ contains
       allocate (problem%followers(0))
    end subroutine new_contact_problem
 
-   !> Rows, penalties and depths at the state at which `work` has been placed and surveyed.
+   !> Compute rows, penalties and depths at the state at which `work` has been placed and surveyed.
    pure subroutine measure_contacts(mesh, loads, gaps, soft, work, problem)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -78,8 +81,8 @@ contains
       call see_from_extrema(problem%followers, problem%by, problem%on, problem%deep)
    end subroutine measure_contacts
 
-   !> problem%load = residual(6,nodes) + rho h on, of the gaps that are closed: the residual were contact forces those that
-   !> belong to the depths, with rho for the wall.
+   !> Set problem%load = residual + sum of rho*h*on over the closed gaps (6,nodes). It is the residual with the contact forces
+   !> that belong to the depths, if the wall had the stiffness rho.
    pure subroutine add_pushes(gaps, residual, problem)
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)
@@ -97,23 +100,23 @@ contains
       stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
    end function in_series
 
-   !> Test if the energy's tangent with the closed gaps' stiffness and the given damping is positive definite.
+   !> Test if the energy's tangent is positive definite, with the stiffness of closed gaps and the given damping.
    pure subroutine is_definite(energy, lump, problem, damping, definite)
       type(block_matrix_type), intent(in) :: energy
-      real(wp), intent(in) :: lump(:, :)              !< what a unit of damping adds to the diagonal
+      real(wp), intent(in) :: lump(:, :)              !< diagonal terms of a unit of damping
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(in) :: damping               !< [-]
       logical, intent(out) :: definite
       call block_positive_definite(energy, damping, lump, definite, merge(problem%penalty, 0.0_wp, problem%closed), problem%by)
    end subroutine is_definite
 
-   !> Raises damping until that tangent is positive definite with it, or with the margin.
+   !> Raise damping until that tangent is positive definite with it, or with the margin.
    pure subroutine damp_until_definite(tuning, energy, lump, problem, margin, damping)
       type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
       real(wp), intent(in) :: lump(:, :)
       type(contact_problem_type), intent(in) :: problem
-      real(wp), intent(in) :: margin                  !< as that of damping [-]
+      real(wp), intent(in) :: margin                  !< damping that it may have without a raise [-]
       real(wp), intent(inout) :: damping
       logical :: definite
       do
@@ -123,16 +126,16 @@ contains
       end do
    end subroutine damp_until_definite
 
-   !> Solves the linear problem for equations%step, what it moves gaps by, the forces wanted and the gaps closed. equations%matrix
-   !> is that without closed gaps; it is left with them.
+   !> Solve the linear problem for equations%step, the moves of the gaps, their forces and the closed gaps. On entry
+   !> equations%matrix has no closed gaps, on return it has them.
    subroutine solve_problem(most_rounds, equations, gaps, residual, force, live, problem, fault)
       integer, intent(in) :: most_rounds           !< times that gaps are opened and closed
       type(equations_type), intent(inout) :: equations
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: residual(:, :)       !< r(d, R)
       real(wp), intent(in) :: force(:)             !< R [N]
-      logical, intent(in) :: live                  !< friction follows the contact forces within the problem
-      type(contact_problem_type), intent(inout) :: problem   !< `closed`: where to begin
+      logical, intent(in) :: live                  !< true if friction follows the contact forces within the problem
+      type(contact_problem_type), intent(inout) :: problem   !< closed: on entry the first guess
       integer, intent(out) :: fault                !< 0: none
       logical :: entered(size(force))              !< gaps whose stiffness is in the matrix
       real(wp) :: change(size(force)), rho
@@ -165,7 +168,7 @@ contains
       problem%unsettled = changes
    end subroutine solve_problem
 
-   !> Opens and closes gaps by what a step makes of them; enters the forces wanted.
+   !> Open and close gaps by the result of a step, and set the contact forces at its end.
    pure subroutine judge_closed(gaps, force, step, problem, changes)
       type(gap_table_type), intent(in) :: gaps
       real(wp), intent(in) :: force(:)

@@ -1,7 +1,7 @@
-!> Damping holds the nodes of a string back in an iteration, in units of F^2/(4 EI) of the place [-], the most by which an
-!> axial compression F can make a beam's lateral stiffness negative, EI v'''' + F v'' + F^2/(4 EI) v being never so. One is
-!> therefore enough where the string is uniform; each zone gets what it needs, and weakly compressed ones grow as fast as
-!> others.
+!> Damping that holds the nodes of a string back during the iteration. Its unit is the local F^2/(4 EI). By so much at most an
+!> axial compression F can make a beam's lateral stiffness negative: EI v'''' + F v'' + F^2/(4 EI) v is never negative. A
+!> damping of one is therefore enough for a uniform string. Each zone gets what it needs, and weakly compressed zones grow as
+!> fast as others.
 module dg_damping
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -13,17 +13,17 @@ module dg_damping
    public :: weigh_string, add_damping, ease_damping
    public :: damping_most
 
-   !> Damping on a slope over damping per length times length cubed: 4/420 of the consistent matrix of a cubic element, rounded
-   !> [-].
+   !> Damping of a slope, over damping per length times length cubed [-]. It is 4/420 of the consistent matrix of a cubic
+   !> element, rounded.
    real(wp), parameter :: slope_lump = 0.01_wp
-   !> Beyond this a run is given up [-].
+   !> Damping above which a run is given up [-].
    real(wp), parameter :: damping_most = 1.0e9_wp
 
 contains
 
-   !> Diagonal terms of a unit of damping. For lateral unknowns F^2/(4 EI) of the place times the node's length, for slopes a part
-   !> of that length's cube, as the consistent matrix of a line load has it, so that no pattern of slopes escapes. Every place has
-   !> at least a part of a soft wall's stiffness, and nodes are held along the hole as well.
+   !> Diagonal terms of a unit of damping (6,nodes). Lateral unknowns get the local F^2/(4 EI) times the node's length. Slopes
+   !> get a part of that length's cube, as in the consistent matrix of a line load. Every place has at least a part of a soft
+   !> wall's stiffness, and nodes are held along the hole as well.
    pure subroutine weigh_string(tuning, mesh, work, soft, lump)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
@@ -43,10 +43,10 @@ contains
       end do
    end subroutine weigh_string
 
-   !> Adds damping to a matrix.
+   !> Add damping to a matrix.
    pure subroutine add_damping(damping, lump, matrix)
       real(wp), intent(in) :: damping
-      real(wp), intent(in) :: lump(:, :)            !< what a unit of damping adds to the diagonal
+      real(wp), intent(in) :: lump(:, :)            !< diagonal terms of a unit of damping
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i
       do n = 1, size(lump, 2)
@@ -56,7 +56,7 @@ contains
       end do
    end subroutine add_damping
 
-   !> Damping after a step that was good, at first try or not.
+   !> Lower the damping after a step was accepted, less after a refusal.
    pure subroutine ease_damping(tuning, first_try, damping)
       type(tuning_type), intent(in) :: tuning
       logical, intent(in) :: first_try

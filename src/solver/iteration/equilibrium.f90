@@ -1,26 +1,26 @@
 !> Newton-Raphson iteration to equilibrium with contact forces as unknowns of their own (Eq. 12 with Eqs. 7 and 8).
 !>
-!> A stiff wall makes contact hard for an iteration: it turns micrometres into kilonewtons. Here a contact force R does
-!> not follow from the depth |f|: both are unknowns, and meet at equilibrium. A gap is closed where R + rho (|f| - depth(R)) > 0,
-!> with rho a stiffness that softens the wall on the way (dg_contact_problem). Residual, tangent and the test of a step go by R,
-!> which changes smoothly.
+!> A stiff wall makes contact hard for an iteration, as it turns micrometres into kilonewtons. Here a contact force R does not
+!> follow from the depth |f|. Both are unknowns, and meet at equilibrium. A gap is closed where R + rho (|f| - depth(R))
+!> > 0. The stiffness rho softens the wall during the iteration (dg_contact_problem). Residual, tangent and the test of a step
+!> depend on R, which changes smoothly.
 !>
 !> One iteration:
-!>   1. The linear problem of dg_contact_problem gives the step and the contact forces at its end, gaps opened and closed within
-!>      it. rho grows to the wall's own as gaps settle.
-!>   2. A compressed string is damped from the start, any other from the first step that is too long or raises the energy. Damping
-!>      is raised until the energy's tangent is positive definite with it, and until no node moves by more than the step limit
-!>      times its clearance. A step that is then still longer than one clearance is scaled to it.
-!>   3. The string is moved, along the wall where it turns about the hole, and slid along the hole until its elements have the
-!>      axial forces of the linear problem. Unslid, a lateral step s lengthens an element by s**2/(2 L), which EA/L turns into
-!>      kilonewtons.
-!>   4. The step of a damped string is shortened while the energy still rises at its end, friction's forces held constant.
-!>      Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
-!>   5. A step that still raises the energy, and does not lessen the residual, is refused, and damping raised.
-!>   6. A stable string that goes on moving though no gap has changed for long drifts: from there on friction holds it sideways, too
-!>      (dg_held_coils).
-!> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A damped
-!> string is stable and has stopped moving. No element that may still be cut stands outside its hole.
+!> 1. The linear problem of dg_contact_problem gives the step and the contact forces at its end. It opens and closes gaps. The
+!> stiffness rho grows to the wall's own as gaps settle.
+!> 2. A compressed string is damped from the start. Any other string is damped from the first step that is too long or raises
+!> the energy. Damping is raised until the energy's tangent is positive definite with it. It is also raised until no node moves
+!> by more than the step limit times its clearance. A step that is then still longer than one clearance is scaled to it.
+!> 3. The string is moved, and a damped string turns along the round wall. Its nodes are then slid along the hole until its
+!> elements have the axial forces of the linear problem. Without that a lateral step s lengthens an element by s^2/(2 L), which
+!> EA/L turns into kilonewtons.
+!> 4. The step of a damped string is shortened while the energy still rises at its end, with friction forces held constant.
+!> Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
+!> 5. A step that still raises the energy, and does not reduce the residual, is refused, and damping is raised.
+!> 6. A stable string that goes on moving though no gap changes for long is drifting. From then on friction holds it sideways
+!> too (dg_held_coils).
+!> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A
+!> damped string is stable and has stopped moving. No element that may still be cut is outside its hole.
 module dg_equilibrium
    use dg_kinds, only: wp
    use dg_block_matrix, only: keep_symmetric
@@ -49,7 +49,7 @@ module dg_equilibrium
 
 contains
 
-   !> Iterates the state and the contact forces of a solution to a stable equilibrium; it%outcome tells.
+   !> Iterate the state and the contact forces of a solution to a stable equilibrium. The result is in it%outcome.
    subroutine find_equilibrium(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -83,8 +83,9 @@ contains
       end associate
    end subroutine find_equilibrium
 
-   !> Residual and tangent where the string is. Where the step before began next to an equilibrium forces are measured alone at
-   !> first: most such states are the last, and need no tangent. The stability of a damped string is judged by its tangent.
+   !> Compute residual and tangent at the present state. If the last step began next to an equilibrium, forces are computed
+   !> first, without the tangent. Most such states are the last, and need no tangent. For a damped string the tangent is always
+   !> computed, as it decides on stability.
    pure subroutine measure_here(it, trajectory, stepped, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -101,7 +102,7 @@ contains
       if (it%damped) call keep_symmetric(solution%equations%matrix, it%energy)
    end subroutine measure_here
 
-   !> Enters the present row in the history.
+   !> Enter the present row in the history.
    pure subroutine enter_row(it, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -116,8 +117,8 @@ contains
       end if
    end subroutine enter_row
 
-   !> Near an equilibrium: ends the run there, or where elements are to be cut, or moves gaps. Farther off Newton's steps change too
-   !> much for that.
+   !> Near an equilibrium, end the run there, or where elements are to be cut, or move gaps. Farther off Newton's steps change
+   !> too much for that.
    subroutine settle_gaps(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -140,7 +141,7 @@ contains
       end do
    end subroutine settle_gaps
 
-   !> Marks the elements that stand outside the hole and may be cut; the run ends where there are any.
+   !> Mark the elements outside the hole that may be cut. The run ends if there are any.
    pure subroutine find_outside(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
@@ -151,13 +152,13 @@ contains
       if (any(it%outside)) it%outcome = outcome_outside
    end subroutine find_outside
 
-   !> Moves gaps to where the string is deepest, and measures there. After the last round they are taken back instead.
+   !> Move gaps to where the string is deepest, and measure there. After the last round, restore their places instead.
    subroutine move_to_deepest(it, trajectory, there, solution, moved)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       logical, intent(in) :: there           !< in equilibrium
-      logical, intent(out) :: moved          !< a gap wanted another place
+      logical, intent(out) :: moved          !< true if a gap had to move
       type(move_rule_type) :: rule
       associate (tuning => it%numerics%tuning)
          rule = move_rule_type(least=merge(0.0_wp, tuning%astray, it%rounds < tuning%most_moves), closed=.true., closely=.true.)
@@ -170,7 +171,7 @@ contains
             return
          end if
          if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
-            it%settled = solution%state                   ! an equilibrium, or where gaps first touched
+            it%settled = solution%state                   ! an equilibrium, or the place where gaps first touched
             it%settled_force = solution%work%normal
             it%settled_held = solution%work%held
             call keep_gaps(it%kept, it%settled_gaps)
@@ -183,8 +184,8 @@ contains
       call measure_here(it, trajectory, .false., solution)
    end subroutine move_to_deepest
 
-   !> Ends a run that does not get on. Gaps that moved and lead to no equilibrium are taken back: in time for the run to go on, or
-   !> at its end, where the string was in equilibrium before they moved.
+   !> End a run without progress. If gaps have moved and there is no equilibrium, their places are restored. That happens early
+   !> enough for the run to go on, or at its end. The string was in equilibrium before the gaps moved.
    subroutine judge_progress(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -200,9 +201,9 @@ contains
       end if
    end subroutine judge_progress
 
-   !> Begins to hold a string that drifts. Where gaps do not change Newton's method finds an equilibrium near a stable string in a
-   !> few iterations, or there is none. Strings with a small residual are left alone. So are strings in vertical holes, where every
-   !> turn about the hole is an equilibrium.
+   !> Begin to hold a string that drifts. If gaps do not change, Newton's method finds an equilibrium near a stable string in a
+   !> few iterations, or there is none. Strings with a small residual are not held. Neither are strings in vertical holes,
+   !> where every turn about the hole is an equilibrium.
    subroutine judge_drift(it, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -219,7 +220,7 @@ contains
       if (it%holder%holding) it%least_at = solution%equations%iterations
    end subroutine judge_drift
 
-   !> Why a run without equilibrium ends here; outcome_open: it goes on.
+   !> Reason why a run without equilibrium ends here; outcome_open if it goes on.
    function ending(it, solution) result(outcome)
       type(equilibrium_type), intent(in) :: it
       type(solution_type), intent(in) :: solution
@@ -234,7 +235,7 @@ contains
       end if
    end function ending
 
-   !> True if gaps may move once more, or are examined for the last time: after more_moves rounds, at equilibrium.
+   !> True if gaps may move once more, or are examined for the last time, after more_moves rounds, at equilibrium.
    pure function may_move(it, equations, there) result(may)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
@@ -246,7 +247,7 @@ contains
       end associate
    end function may_move
 
-   !> Back to where the string was before its gaps last moved. From here on no gap moves.
+   !> Restore the string before its gaps last moved. From here on no gap moves.
    subroutine take_back(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -260,22 +261,22 @@ contains
       it%growth = rigid
       call place_and_survey(trajectory, solution)
       call judge_gaps(it, trajectory, .false., solution)
-      it%before = huge(it%before)      ! the iteration goes on from there, and wants the tangent
+      it%before = huge(it%before)      ! the iteration goes on from there, and needs the tangent
       call measure_here(it, trajectory, .false., solution)
    end subroutine take_back
 
-   !> True if an equilibrium is within `part` of the force scale. The residual and the forces of gaps that opened or closed count,
-   !> with walls at their own stiffness.
+   !> True if the string is in equilibrium within `part` of the force scale. The residual and the forces of gaps that opened or
+   !> closed count, with walls at their own stiffness.
    pure function is_within(it, equations, part) result(is)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations
-      real(wp), intent(in) :: part           !< of the force scale that will do, where the tolerances ask for less [-]
+      real(wp), intent(in) :: part           !< part of the force scale that is enough if the tolerances are smaller [-]
       logical :: is
       is = .not. it%growth < rigid .and. max(it%before, it%flipped) <= max(it%tolerance(1), part)*equations%force_scale .and. &
            it%unbalanced <= max(it%tolerance(2), part)*equations%force_scale
    end function is_within
 
-   !> Stability of the equilibrium; a string without damping counts as stable.
+   !> Judge the stability of an equilibrium. A string without damping counts as stable.
    subroutine judge_stability(it, solution, stable)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -287,7 +288,7 @@ contains
       call is_definite(it%energy, it%lump, it%problem, margin_of(solution), stable)
    end subroutine judge_stability
 
-   !> Accepts the step if energy or residual decreases; otherwise restores the state and raises the damping.
+   !> Accept the step if energy or residual decreases; otherwise restore the state and raise the damping.
    subroutine judge_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -296,7 +297,7 @@ contains
       associate (tuning => it%numerics%tuning)
          taken = .not. it%damped .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
                  it%trial < it%before
-         ! a string that hangs free may start with no residual but round-off, which no step makes less
+         ! a string that hangs free may start with a residual of round-off, which no step reduces
          if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*solution%equations%force_scale
          if (taken) then
             it%row%judged = judged_whole

@@ -1,13 +1,15 @@
-!> Gaps that follow the extremum of their element (Eq. 2) within the iteration: their places x0 are unknowns, too.
+!> Gaps that follow the extremum of their element (Eq. 2) within the iteration: their places x0 are unknowns too.
 !>
-!> A contact that stands by itself carries its load R at the place where |f| is largest. When it is moved there the string tilts
-!> about it, and the extremum goes the other way by kappa times the move, kappa = -R C/|f''|, C the string's flexibility in turning.
-!> In sharp bends |kappa| is above 1, and a gap that is moved time and again swings ever farther. Here x0 is found together with the
-!> string: to first order, with a prime for the derivative by x,
-!>   K d + on dR + R on' dx = -r,      f' + by'.d + f'' dx = 0.
-!> dx is eliminated as dR is (dg_contact_problem): it adds R/|f''| on' by'^T to K, for the energy a spring that resists the string's
-!> turn at the contact, and R on' f'/|f''| to r. Newton's method so converges quadratically in all unknowns. Where the string is so
-!> straight next to the contact that the place makes no difference, the gap is left where it is.
+!> A single contact carries its load R at the place where |f| is largest. When it is moved there the string tilts about it.
+!> The extremum then goes the other way by kappa times the move, with kappa = -R C/|f''| and C the string's flexibility in
+!> turning. In sharp bends |kappa| is above 1, and a gap that is moved repeatedly swings ever farther. Here x0 is found
+!> together with the string. To first order, with a prime for the derivative by x:
+!>   K d + on dR + R on' dx = -r
+!>   f' + by'.d + f'' dx = 0
+!> The change dx is eliminated as dR is (dg_contact_problem). That adds R/|f''| on' by'^T to K, and R on' f'/|f''| to r.
+!> For the energy the first term is a spring that resists the string's turn at the contact. Newton's method then converges
+!> quadratically in all unknowns. Where the string is so straight next to the contact that the place makes no difference, the
+!> gap stays.
 module dg_followed_gaps
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -23,29 +25,31 @@ module dg_followed_gaps
    private
    public :: follower_type, measure_followers, add_place_forces, add_place_stiffness, see_from_extrema, follow_extrema
 
-   !> Derivatives along the element by central differences over so much of it [-].
+   !> Part of the element over which central differences give derivatives along it [-].
    real(wp), parameter :: beside = 0.005_wp
-   !> The farthest that a place may be expected from its gap [-]: where |f| is straighter, f'' is taken to be as large as that.
+   !> Largest distance of the extremum from its gap that is expected [-]. Where |f| is straighter, f'' is increased to give
+   !> that distance.
    real(wp), parameter :: farthest = 0.5_wp
 
-   !> A gap that follows; x is x/L.
+   !> A gap that follows its extremum; x is in units of the element length.
    type :: follower_type
       integer :: e                        !< its element
       real(wp) :: force                   !< R [N]
       real(wp) :: bend                    !< -f'' > 0 [m]
-      real(wp) :: ahead                   !< f'/|f''|: how far the extremum is from the gap, were the string to stay [-]
+      real(wp) :: ahead                   !< f'/|f''|: distance of the extremum from the gap if the string does not move [-]
       real(wp) :: by(2*block_size)        !< by' [-, m]
       real(wp) :: on(2*block_size)        !< on' [-, m]
    end type follower_type
 
 contains
 
-   !> Finds what the gaps that follow add to the linear problem. One at an end of its element that wants to go beyond stays there.
+   !> Compute the terms of gaps that follow in the linear problem. A gap at an end of its element whose extremum is beyond that
+   !> end stays there.
    pure subroutine measure_followers(trajectory, mesh, loads, relocation, gaps, work, followers)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
-      real(wp), intent(in) :: relocation      !< as of is_round
+      real(wp), intent(in) :: relocation      !< as in is_round
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work    !< placed and surveyed
       type(follower_type), allocatable, intent(inout) :: followers(:)
@@ -86,7 +90,7 @@ contains
       followers = followers(:found)
    end subroutine measure_followers
 
-   !> Adds to a residual (6,nodes) what contact forces do at the extrema and not at the gaps.
+   !> Add to a residual (6,nodes) the effect of contact forces at the extrema instead of at the gaps.
    pure subroutine add_place_forces(followers, residual)
       type(follower_type), intent(in) :: followers(:)
       real(wp), intent(inout) :: residual(:, :)
@@ -99,7 +103,7 @@ contains
       end do
    end subroutine add_place_forces
 
-   !> Adds to a tangent what gaps do by following: the energy's part, the rest, which is friction's, or both.
+   !> Add to a tangent the terms of the gaps that follow: the part of the energy, the part of friction, or both.
    pure subroutine add_place_stiffness(followers, energy, rest, matrix)
       type(follower_type), intent(in) :: followers(:)
       logical, intent(in) :: energy, rest
@@ -115,10 +119,10 @@ contains
       end do
    end subroutine add_place_stiffness
 
-   !> Rows and depths as they are at the extrema.
+   !> Change rows and depths to those at the extrema.
    pure subroutine see_from_extrema(followers, by, on, deep)
       type(follower_type), intent(in) :: followers(:)
-      real(wp), intent(inout) :: by(:, :), on(:, :), deep(:)   !< of all gaps
+      real(wp), intent(inout) :: by(:, :), on(:, :), deep(:)   !< of all gaps (12,e), (12,e), (e) [m]
       integer :: i
       do i = 1, size(followers)
          associate (a => followers(i))
@@ -129,13 +133,13 @@ contains
       end do
    end subroutine see_from_extrema
 
-   !> Moves the gaps that follow to where a share of the linear problem's step has them.
+   !> Move the gaps that follow by a share of the linear problem's step.
    pure subroutine follow_extrema(followers, step, share, places, xi)
       type(follower_type), intent(in) :: followers(:)
-      real(wp), intent(in) :: step(:, :)       !< that share of it (6,nodes)
+      real(wp), intent(in) :: step(:, :)       !< that share of the step (6,nodes)
       real(wp), intent(in) :: share
-      real(wp), intent(in) :: places(:)        !< of all gaps before the step
-      real(wp), intent(inout) :: xi(:)         !< after it
+      real(wp), intent(in) :: places(:)        !< places of all gaps before the step (e) [-]
+      real(wp), intent(inout) :: xi(:)         !< places after the step (e) [-]
       integer :: i
       real(wp) :: turn
       do i = 1, size(followers)

@@ -1,14 +1,14 @@
-!> Friction that holds a sliding string sideways, too, where it drifts (dg_equilibrium).
+!> Friction that holds a sliding string sideways too, where it drifts (dg_equilibrium).
 !>
-!> Friction of a string that slides acts along the hole. Nothing then stops coils from turning round the hole, and the smallest
-!> drive, a tenth of a newton, turns them for ever. Real friction opposes any motion. A contact that slides by v along the hole
-!> and by u across it has friction m R against both,
+!> Friction of a sliding string acts along the hole. No force then stops coils from turning round the hole, and a tenth of a
+!> newton turns them for ever. Real friction opposes any motion. A contact that slides by v along the hole and by u across it
+!> has a friction force of size m R. It acts against both:
 !>   F = m R (cos a t - sin a tau),   tan a = u/v,   tau = t x n.
-!> A string in equilibrium has no u, but how it came there is not known: sin a may be anything that history left. It is a state of
-!> its own here, zero when the string begins to be held. A step that moves a contact by u changes it by k u/(m R), up to a small
-!> largest share, where the contact slips. So a string that goes on moving sideways is braked on its way, and one that drifts
-!> comes to rest. The spring k is softer than what damping a stable equilibrium may need, and stability is judged without it.
-!> The torque of the sideways force about the string's own axis, some newton metres, is left out.
+!> A string in equilibrium has no u, but its history is unknown, so that sin a may have any value. It is a state of its own
+!> here, zero when the string begins to be held. A step that moves a contact by u changes it by k u/(m R). At a small upper
+!> limit of it the contact slips. A string that goes on moving sideways is thus braked, and one that drifts comes to rest. The
+!> spring k is softer than the damping that a stable equilibrium may need, and stability is judged without it. The torque of
+!> the sideways force about the string's own axis, some newton metres, is neglected.
 module dg_held_coils
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -26,13 +26,13 @@ module dg_held_coils
       logical :: holding = .false.
       integer :: quiet = 0                       !< iterations since a gap opened, closed or moved
       real(wp), allocatable :: row(:, :)         !< motion along tau by the unknowns of the element's nodes (12,e) [-, m]
-      real(wp), allocatable :: stiffness(:)      !< of the spring, 0 of a gap that is not held (e) [N/m]
+      real(wp), allocatable :: stiffness(:)      !< stiffness of the spring, 0 of a gap that is not held (e) [N/m]
       real(wp), allocatable :: before(:)         !< share of friction before the step (e) [-]
    end type holder_type
 
 contains
 
-   !> From here on the string is held, where it slides without turning.
+   !> Begin to hold the string, if it slides without turning.
    pure subroutine start_to_hold(mesh, holder)
       type(mesh_type), intent(in) :: mesh
       type(holder_type), intent(inout) :: holder
@@ -42,10 +42,10 @@ contains
                 source=0.0_wp)
    end subroutine start_to_hold
 
-   !> The springs where the string is, before a step.
+   !> Compute the springs at the present state, before a step.
    pure subroutine find_holding(share, lump, solution, holder)
-      real(wp), intent(in) :: share              !< of a unit of damping [-]
-      real(wp), intent(in) :: lump(:, :)         !< what a unit of damping adds to the diagonal
+      real(wp), intent(in) :: share              !< stiffness over a unit of damping [-]
+      real(wp), intent(in) :: lump(:, :)         !< diagonal terms of a unit of damping
       type(solution_type), intent(in) :: solution
       type(holder_type), intent(inout) :: holder
       integer :: e
@@ -61,7 +61,7 @@ contains
       end associate
    end subroutine find_holding
 
-   !> Adds the springs to a matrix.
+   !> Add the springs to a matrix.
    pure subroutine add_holding(holder, matrix)
       type(holder_type), intent(in) :: holder
       type(block_matrix_type), intent(inout) :: matrix
@@ -71,7 +71,7 @@ contains
       end do
    end subroutine add_holding
 
-   !> Shares of friction at the end of equations%step.
+   !> Set the shares of friction at the end of equations%step.
    pure subroutine hold_sideways(holder, most, solution)
       type(holder_type), intent(in) :: holder
       real(wp), intent(in) :: most               !< largest share [-]

@@ -1,4 +1,4 @@
-!> The state of the iteration to equilibrium (dg_equilibrium), and what is measured where it is.
+!> State of the iteration to equilibrium (dg_equilibrium), and quantities measured at it.
 module dg_iteration_state
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, new_symmetric_matrix
@@ -24,65 +24,65 @@ module dg_iteration_state
    public :: equilibrium_type, new_equilibrium, make_room_to_damp, measure, margin_of, energy_slope, place_and_survey, go_back
    public :: judge_gaps, move_gaps, rigid, stiffen_walls
 
-   !> Growth of rho at which it is the wall's own [-].
+   !> Growth of rho from which on it is the wall's own stiffness [-].
    real(wp), parameter :: rigid = 1.0e30_wp
-   !> Damping that a compressed equilibrium may need and still count as stable [-]: F would have to drop by half of it. The same
-   !> of a string under torque, which friction and the ends' part of torque, neither of them in the energy, turn out of its minimum
-   !> and hold there: a shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
+   !> Damping that a compressed equilibrium may need and still count as stable [-]. F would have to drop by half of it. A
+   !> string under torque is allowed more. Friction and the ends' part of torque, neither in the energy, turn it out of its
+   !> minimum and hold it there. A shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
    real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
 
-   !> One run of the iteration: what it is asked for, and its state.
+   !> One run of the iteration: its settings, and its state.
    type :: equilibrium_type
       type(numerics_type) :: numerics
-      real(wp) :: tolerance(2) = 0.0_wp       !< of the residual over the force scale, with pushes and without [-]
-      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that the expected load presses in visibly [N/m2]
-      logical :: damped = .false.             !< damping keeps the energy's tangent positive definite
-      real(wp) :: cut_from = huge(1.0_wp)     !< elements so long that stand outside the hole end the run, to be cut [m]
-      logical, allocatable :: outside(:)      !< elements that stand outside there (e)
+      real(wp) :: tolerance(2) = 0.0_wp       !< limit of the residual over the force scale, with pushes and without [-]
+      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that yields visibly to the expected load [N/m2]
+      logical :: damped = .false.             !< true if damping keeps the energy's tangent positive definite
+      real(wp) :: cut_from = huge(1.0_wp)     !< least length of an element outside the hole that ends the run, to be cut [m]
+      logical, allocatable :: outside(:)      !< elements outside the hole that are to be cut (e)
       integer :: outcome = outcome_open
       ! state
       type(contact_problem_type) :: problem
       type(iteration_type) :: row
-      type(block_matrix_type) :: energy       !< the tangent without friction and torque, of a damped string
-      real(wp), allocatable :: lump(:, :)     !< what a unit of damping adds to its diagonal
+      type(block_matrix_type) :: energy       !< tangent without friction and torque, of a damped string
+      real(wp), allocatable :: lump(:, :)     !< diagonal terms of a unit of damping (6,nodes)
       real(wp) :: damping = 0.0_wp            !< in units of F^2/(4 EI) [-]
-      real(wp) :: raised = 1.0_wp             !< what a refusal raises damping by
-      real(wp) :: growth = 1.0_wp             !< of rho since the softest [-]
+      real(wp) :: raised = 1.0_wp             !< factor on damping at a refusal
+      real(wp) :: growth = 1.0_wp             !< growth of rho since the softest [-]
       real(wp) :: before = 0.0_wp             !< largest residual where the step begins, pushes included [N, N.m]
       real(wp) :: unbalanced = 0.0_wp         !< largest residual there, without pushes [N, N.m]
       ! of a damped string
       real(wp) :: trial = 0.0_wp              !< largest residual where the step ends [N, N.m]
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
       ! of any string
-      real(wp) :: share = 1.0_wp              !< of the linear problem's step [-]
+      real(wp) :: share = 1.0_wp              !< share of the linear problem's step that is taken [-]
       real(wp) :: old_growth = 1.0_wp
       real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
-      real(wp) :: least = huge(1.0_wp)        !< residual so far [N, N.m]
-      integer :: least_at = 0                 !< the iteration that left it
-      integer :: rounds = 0                   !< times that gaps have moved near an equilibrium
-      integer :: round_start = 0              !< iteration at which they last did
-      integer :: held = 0                     !< node on which the turn of a string in a vertical hole is held
+      real(wp) :: least = huge(1.0_wp)        !< least residual so far [N, N.m]
+      integer :: least_at = 0                 !< iteration with that residual
+      integer :: rounds = 0                   !< number of times that gaps have moved near an equilibrium
+      integer :: round_start = 0              !< iteration at which they last moved
+      integer :: held = 0                     !< node that is held against turning in a vertical hole; 0: none
       real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (6,nodes)
-      real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis before the step (2,nodes) [m]
+      real(wp), allocatable :: offset(:, :)   !< offset of the nodes from the hole axis before the step (2,nodes) [m]
       real(wp), allocatable :: room(:)        !< smoothed clearance, of a damped string (nodes) [m]
-      real(wp), allocatable :: slide(:)       !< along the hole by the whole step (nodes) [m]
+      real(wp), allocatable :: slide(:)       !< slide along the hole by the whole step (nodes) [m]
       real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
       real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
       real(wp), allocatable :: old(:, :), old_force(:)
       type(gap_table_type) :: kept            !< gaps before the step
       type(holder_type) :: holder             !< of a string that drifts
-      real(wp), allocatable :: settled(:, :), settled_force(:), settled_held(:)   !< where the string was before gaps last moved
+      real(wp), allocatable :: settled(:, :), settled_force(:), settled_held(:)   !< string before gaps last moved
       type(gap_table_type) :: settled_gaps
    end type equilibrium_type
 
 contains
 
-   !> A run from where the string is.
+   !> Set up a run from the present state.
    pure subroutine new_equilibrium(solution, numerics, it)
       type(solution_type), intent(in) :: solution
       type(numerics_type), intent(in) :: numerics
       type(equilibrium_type), intent(out) :: it
-      real(wp), parameter :: least = 0.1_wp      ! where nothing presses [N/m2]
+      real(wp), parameter :: least = 0.1_wp      ! where no load presses [N/m2]
       associate (mesh => solution%mesh)
          it%numerics = numerics
          it%tolerance = tolerance_at(numerics, mesh, solution%gaps, solution%loads, solution%equations%force_scale)
@@ -99,7 +99,7 @@ contains
       end associate
    end subroutine new_equilibrium
 
-   !> Room for the energy's tangent and damping.
+   !> Allocate the energy's tangent and damping.
    pure subroutine make_room_to_damp(mesh, it)
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
@@ -109,8 +109,9 @@ contains
       allocate (it%lump(6, mesh%nodes), source=0.0_wp)
    end subroutine make_room_to_damp
 
-   !> Residual, tangent at given contact forces in equations%matrix, contact rows, and the largest residual with the pushes of gaps
-   !> that are too deep. The tangent of a damped string is that of its energy. Without damping walls get stiffer here after a step.
+   !> Compute residual, tangent at given contact forces in equations%matrix, and contact rows. Compute the largest residual
+   !> with the pushes of gaps that are too deep. The tangent of a damped string is that of its energy. Without damping walls
+   !> get stiffer here after a step.
    pure subroutine measure(it, trajectory, forces_only, stepped, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -140,7 +141,7 @@ contains
       end associate
    end subroutine measure
 
-   !> rho grows after a step in which few gaps changed and that leaves a small residual.
+   !> Let rho grow after a step in which few gaps changed, and with a small residual.
    pure subroutine stiffen_walls(it, left, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(in) :: solution
@@ -162,13 +163,13 @@ contains
       moment = maxval(largest(4:))
    end subroutine find_largest
 
-   !> Holds the turn of the whole string about the axis of a vertical hole, which nothing resists: by a spring, as stiff as the
-   !> string there, on one node across its offset. It is the node that was farthest off the axis when the string first touched, and
-   !> it stays the same: if the farthest node were chosen each time, two equally far nodes would alternate. The spring stands in the
-   !> tangent only. What would turn the string, some newtons of torque's work on the ends, is taken off the residual there.
+   !> Hold the turn of the whole string about the axis of a vertical hole, which no force resists. A spring, as stiff as the
+   !> string there, holds one node across its offset. It is the node farthest off the axis when the string first touched, and
+   !> it stays the same. Otherwise two equally far nodes would alternate. The spring is in the tangent only. The force that
+   !> would turn the string, some newtons from torque at the ends, is removed from the residual there.
    pure subroutine hold_turn(state, node, matrix, residual)
       real(wp), contiguous, intent(in) :: state(:, :)
-      integer, intent(inout) :: node           !< that is held; 0: none yet
+      integer, intent(inout) :: node           !< the node that is held; 0: none yet
       type(block_matrix_type), intent(inout) :: matrix
       real(wp), intent(inout) :: residual(:, :)
       real(wp) :: across(2), stiffness
@@ -194,8 +195,8 @@ contains
       margin = merge(stable_twisted, stable, any(solution%mesh%friction_around > 0.0_wp) .or. abs(solution%loads%tob) > 0.0_wp)
    end function margin_of
 
-   !> Slope of the energy along equations%step, `load` its gradient, in the lateral unknowns [J]: axial force and torque follow
-   !> from the contact forces by statics, with nothing to be held back.
+   !> Slope of the energy along equations%step in the lateral unknowns [J]. `load` is its gradient. Axial force and torque
+   !> follow from the contact forces by statics, and need no search.
    pure function energy_slope(equations, load) result(slope)
       type(equations_type), intent(in) :: equations
       real(wp), contiguous, intent(in) :: load(:, :)
@@ -210,7 +211,7 @@ contains
       end do
    end function energy_slope
 
-   !> Places the nodes and measures the gaps.
+   !> Place the nodes and measure the gaps.
    pure subroutine place_and_survey(trajectory, solution)
       type(trajectory_type), intent(in) :: trajectory
       type(solution_type), intent(inout) :: solution
@@ -218,8 +219,8 @@ contains
       call survey_gaps(trajectory, solution%mesh, solution%gaps, solution%work)
    end subroutine place_and_survey
 
-   !> Back to places, contact forces and gaps before the step. Hook load, axial forces and torque stay those of the trial until the
-   !> next measurement.
+   !> Restore places, contact forces and gaps before the step. Hook load, axial forces and torque stay those of the trial until
+   !> the next measurement.
    pure subroutine go_back(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
       type(trajectory_type), intent(in) :: trajectory
@@ -231,9 +232,9 @@ contains
       call place_and_survey(trajectory, solution)
    end subroutine go_back
 
-   !> Which gaps are closed where the string is; row%flips counts those that changed since the step began. A gap closes
-   !> when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho. Both by more than the
-   !> thresholds of Eqs. 7 and 8.
+   !> Judge which gaps are closed at the present state. The count of those that changed since the step began is row%flips. A
+   !> gap closes when it is in the wall. It opens when it would pull, R + rho (|f| - depth(R)) < 0 with the softest rho.
+   !> Both must exceed the thresholds of Eqs. 7 and 8.
    pure subroutine judge_gaps(it, trajectory, relocate, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory
@@ -263,7 +264,7 @@ contains
       end associate
    end subroutine judge_gaps
 
-   !> Moves gaps to where the string is deepest (Eq. 2), by a rule whose threshold is that of the deck.
+   !> Move gaps to where the string is deepest (Eq. 2), by a rule whose threshold is that of the deck.
    pure subroutine move_gaps(it, trajectory, rule, solution)
       type(equilibrium_type), intent(inout) :: it
       type(trajectory_type), intent(in) :: trajectory

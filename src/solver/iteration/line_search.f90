@@ -1,4 +1,4 @@
-!> Shortening and taking of a step of the iteration to equilibrium (dg_equilibrium).
+!> Line search: shortening and application of a step of the iteration to equilibrium (dg_equilibrium).
 module dg_line_search
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length, membrane_step
@@ -20,9 +20,8 @@ module dg_line_search
 
 contains
 
-   !> Takes the step. A damped string has its step shortened at first, until the slope along it is no longer uphill or
-   !> the residual is less than before it. Where it is not, steps are taken as they are: of 394 cases one needs more
-   !> iterations this way, 12 instead of 10.
+   !> Apply the step. The step of a damped string is first shortened until the slope of the energy along it is no longer
+   !> uphill. It is also short enough if the residual is less than before. The step of any other string is applied as it is.
    pure subroutine search_along(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -57,7 +56,7 @@ contains
       if (it%damped) call stiffen_walls(it, it%trial, solution)
    end subroutine search_along
 
-   !> The slope along a step, at its start, of the energy with friction's forces frozen; walls press with R + rho h where that is
+   !> Slope of the energy along a step, at its start, with frozen friction forces [J]. Walls press with R + rho h where that is
    !> positive.
    pure function slope_at_start(it, equations, force) result(slope)
       type(equilibrium_type), intent(in) :: it
@@ -73,8 +72,8 @@ contains
       end do
    end function slope_at_start
 
-   !> Moves the string by the step, and finds the slope of the energy and the residual there: walls press with what the linear
-   !> problem has there, and softly on what is off it.
+   !> Move the string by the step, and compute the slope of the energy and the residual there. Walls press with the force of
+   !> the linear problem, and softly on the depth beyond it.
    pure subroutine try_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -104,7 +103,7 @@ contains
       end associate
    end subroutine try_step
 
-   !> Moves the string by the step, gaps that follow with it, and measures gaps there.
+   !> Move the string by the step, with it the gaps that follow, and measure the gaps.
    pure subroutine move_and_survey(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
       type(solution_type), intent(inout) :: solution
@@ -114,9 +113,9 @@ contains
       call survey_gaps(trajectory, solution%mesh, solution%gaps, solution%work)
    end subroutine move_and_survey
 
-   !> state <- state + step, along the wall where the string is damped. A lateral step makes elements longer by its square, which
-   !> an axial stiffness turns into kilonewtons: nodes are slid along the hole until elements have the lengths of the linear
-   !> problem, and so its axial forces.
+   !> Add the step to the state; a damped string moves along the round wall. A lateral step lengthens elements by its square,
+   !> which the axial stiffness turns into kilonewtons. Nodes are therefore slid along the hole until elements have the lengths
+   !> of the linear problem, and so its axial forces.
    pure subroutine move_string(it, trajectory, solution)
       type(equilibrium_type), intent(in) :: it
       type(solution_type), intent(inout) :: solution
@@ -141,7 +140,7 @@ contains
       end associate
    end subroutine move_string
 
-   !> Lengths of the elements that axial forces go by, and their change by the step to first order [m].
+   !> Lengths of the elements for the axial force, and their change by the step to first order [m].
    pure subroutine find_lengths(solution, length, longer)
       type(solution_type), intent(in) :: solution
       real(wp), intent(out) :: length(:), longer(:)
@@ -162,7 +161,7 @@ contains
       end associate
    end subroutine find_lengths
 
-   !> Motion of a node by a step of its unknowns and, to first order, that of its director: (6), in space axes.
+   !> Motion of a node by a step of its unknowns, and of its director to first order (6), in space axes [m, -].
    pure subroutine move_in_space(frame, d, state, step, moved)
       real(wp), intent(in) :: frame(3, 3), d(3), state(6), step(6)
       real(wp), intent(out) :: moved(6)
@@ -176,7 +175,7 @@ contains
       end do
    end subroutine move_in_space
 
-   !> Gives a string that has been moved that share of the change of contact forces that the linear problem has.
+   !> Change contact forces of a moved string by the taken share of their change in the linear problem, and judge the gaps.
    pure subroutine take_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution

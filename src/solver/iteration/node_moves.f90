@@ -1,4 +1,4 @@
-!> Steps of a string that lies against a round wall, in a hole that bends.
+!> Steps of a string along a round wall, in a hole that bends.
 module dg_node_moves
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
@@ -9,13 +9,14 @@ module dg_node_moves
    private
    public :: split_step, move_across, slide_along, slide_on
 
-   !> Slides along the hole shorter than this are straight [m]: in a hole of 10 m radius a slope is off by 1e-6 then.
+   !> Slides along the hole shorter than this are straight [m]. In a hole of 10 m radius that makes an error of 1e-6 in the
+   !> slope.
    real(wp), parameter :: shortest_slide = 1.0e-5_wp
 
 contains
 
-   !> Takes a node's step (6) apart where the node is now: the way it slides along the hole, and what moves it across. A node that
-   !> has slid by metres has another tangent than the one that its unknowns go by.
+   !> Split a node's step (6) at its present place into a slide along the hole and a move across it. A node that has slid by
+   !> metres has another tangent of the hole than the frame of its unknowns.
    pure subroutine split_step(trajectory, mesh, work, node, step, offset, slide, across)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -33,7 +34,7 @@ contains
       call split(mesh%frame(:, :, node), gap, tangent, curvature, step, offset, slide, across)
    end subroutine split_step
 
-   !> The same where the gap to the hole axis is known, and that axis' tangent and curvature there.
+   !> Split a step where the gap to the hole axis, and the tangent and curvature of that axis, are known.
    pure subroutine split(frame, gap, tangent, curvature, step, offset, slide, across)
       real(wp), intent(in) :: frame(3, 3), gap(3), tangent(3), curvature(3), step(6)
       real(wp), intent(out) :: offset(2), slide, across(4)
@@ -51,12 +52,12 @@ contains
       across(3:4) = step(dof_slope_1:dof_slope_2) - slide*k
    end subroutine split
 
-   !> Moves the nodes across the hole, where that is wanted (`turning`) around it (dg_round_wall).
+   !> Move the nodes across the hole. If `turning`, they turn around it (dg_round_wall).
    pure subroutine move_across(turning, room, offset, share, across, state)
       logical, intent(in) :: turning
-      real(wp), intent(in) :: room(:)                    !< of smooth_room, by node; not read without turning [m]
-      real(wp), contiguous, intent(in) :: offset(:, :)   !< of the nodes at `state` (2,nodes) [m]
-      real(wp), intent(in) :: share                      !< of `across` that is taken [-]
+      real(wp), intent(in) :: room(:)                    !< smooth_room of each node [m]; only read if `turning`
+      real(wp), contiguous, intent(in) :: offset(:, :)   !< offset of the nodes at `state` (2,nodes) [m]
+      real(wp), intent(in) :: share                      !< share of `across` that is taken [-]
       real(wp), contiguous, intent(in) :: across(:, :)
       real(wp), contiguous, intent(inout) :: state(:, :)
       real(wp) :: moved(2)
@@ -73,15 +74,15 @@ contains
       end do
    end subroutine move_across
 
-   !> Slides a node along the hole by `distance` [m]: its place follows the hole's bend, its slope turns with the hole. Elastic
-   !> strings stretch by metres, on which a bend leaves its tangent by more than the clearance.
+   !> Slide a node along the hole by `distance` [m]. Its place follows the hole's bend, and its slope turns with the hole.
+   !> Elastic strings stretch by metres, over which a bend departs from its tangent by more than the clearance.
    pure subroutine slide_along(trajectory, mesh, node, distance, state, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: distance
       real(wp), intent(inout) :: state(6)        !< of the node
-      real(wp), intent(out) :: tangent(3), curvature(3)   !< of the hole axis where the node is then, but for shortest_slide
+      real(wp), intent(out) :: tangent(3), curvature(3)   !< of the hole axis at the new place, before a slide below shortest_slide
       real(wp) :: point(3), gap(3), path(3), before(3), foot
       integer :: arc
       arc = mesh%arc(node)
@@ -110,7 +111,7 @@ contains
       end associate
    end subroutine slide_along
 
-   !> Slides a node on from where slide_along left it: straight, where that is short enough.
+   !> Slide a node further, after slide_along. The path is straight if `distance` is short enough.
    pure subroutine slide_on(trajectory, mesh, node, distance, tangent, curvature, state)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -125,7 +126,7 @@ contains
       end if
    end subroutine slide_on
 
-   !> Moves a node by so much of a path, and turns it by so much of a turn, in the frame of its unknowns.
+   !> Move a node by `distance` times a path, and turn it by `distance` times a turn, in the frame of its unknowns.
    pure subroutine slide_straight(frame, distance, path, turn, state)
       real(wp), intent(in) :: frame(3, 3), distance, path(3), turn(3)
       real(wp), intent(inout) :: state(6)

@@ -1,4 +1,4 @@
-!> A load case on a mesh, and where its string is: what the iteration to equilibrium (dg_equilibrium) works on.
+!> A load case on a mesh with the state of its string: the data of the iteration to equilibrium (dg_equilibrium).
 module dg_solution
    use dg_kinds, only: wp
    use dg_case_result, only: scale_count
@@ -21,7 +21,7 @@ module dg_solution
       real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, -]
       real(wp) :: compressed = 0.0_wp            !< largest compression over the helical load [-]
       real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
-      integer :: shortened(scale_count) = 0      !< intervals cut finer, by the scale that asked
+      integer :: shortened(scale_count) = 0      !< intervals that were cut, by the scale that required it
       type(stop_type) :: stop
    end type solution_type
 end module dg_solution

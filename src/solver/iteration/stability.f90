@@ -1,5 +1,5 @@
-!> Stability of an equilibrium: how far it is from being lost. The tangent without friction and torque, the second derivative of an
-!> energy, is positive definite where a string is stable.
+!> Stability of an equilibrium, and its margin. The tangent without friction and torque, the second derivative of an energy, is
+!> positive definite where a string is stable.
 module dg_stability
    use dg_kinds, only: wp
    use dg_assembly, only: assemble
@@ -16,14 +16,14 @@ module dg_stability
    private
    public :: find_stability_margin
 
-   !> Halvings in the search of the stability margin: to 0.4 %.
+   !> Number of halvings in the search of the stability margin, which give it to 0.4 %.
    integer, parameter :: margin_halvings = 8
 
 contains
 
-   !> Part by which compression could still grow before the equilibrium is lost [-], no more than 1: the tangent stays positive
-   !> definite when so many times Ksigma of the compressed elements (Eq. 10) is added. Contact forces are left as they are. A coil
-   !> or a snake that may be shifted along the hole without work has 0. The room of the equations is used for it.
+   !> Part by which compression could still grow before stability is lost [-], at most 1. The tangent stays positive definite
+   !> when that multiple of Ksigma of the compressed elements (Eq. 10) is added. Contact forces are kept. A helix or sinusoid
+   !> that may be shifted along the hole without work has 0. The arrays of solution%equations are overwritten.
    pure subroutine find_stability_margin(trajectory, solution, margin)
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
@@ -39,7 +39,7 @@ contains
          work%separate = .true.
          work%normal = forces
          call assemble_compression(mesh, work, compression)
-         equations%step = 0.0_wp        ! nothing besides
+         equations%step = 0.0_wp        ! no damping
          low = 0.0_wp
          high = 1.0_wp
          margin = high
@@ -60,7 +60,7 @@ contains
       end associate
    end subroutine find_stability_margin
 
-   !> Ksigma of the elements in compression.
+   !> Assemble Ksigma of the elements in compression.
    pure subroutine assemble_compression(mesh, work, matrix)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed, with axial forces

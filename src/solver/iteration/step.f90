@@ -1,4 +1,4 @@
-!> One step of the iteration to equilibrium (dg_equilibrium): the linear problem, and the damping that holds it.
+!> One step of the iteration to equilibrium (dg_equilibrium): the linear problem, and its damping.
 module dg_step
    use dg_kinds, only: wp
    use dg_assembly, only: add_unsymmetric_part
@@ -21,10 +21,10 @@ module dg_step
 
 contains
 
-   !> The step and the forces at its end. A string without damping has the whole tangent ready in equations%matrix. It is damped
-   !> from the first step that is too long or leads up the energy's slope. Next to an equilibrium that slope says nothing: friction
-   !> and round-off decide its sign. A string that starts in equilibrium, as straight in a vertical hole, has no slope, and is
-   !> damped.
+   !> Find the step and the contact forces at its end. For a string without damping, equations%matrix holds the whole tangent
+   !> on entry. It is damped from the first step that is too long or leads up the energy's slope. Next to an equilibrium that
+   !> slope is ignored, as friction and round-off decide its sign. A string that starts in equilibrium, as straight in a
+   !> vertical hole, has no slope, and is damped.
    subroutine find_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -64,9 +64,9 @@ contains
       end associate
    end subroutine find_step
 
-   !> The step of a damped string. Damping is raised while a node moves too far. It is also raised while gaps with full
-   !> wall stiffness do not settle: in a linear problem that is nearly indefinite a gap may pull when closed and be in the wall when
-   !> open. Such a problem has no solution, and the string would stay where it is.
+   !> Find the step of a damped string. Damping is raised while a node moves too far. It is also raised while gaps with full
+   !> wall stiffness do not settle. In a linear problem that is nearly indefinite a gap may pull when closed and be in the wall
+   !> when open. Such a problem has no solution, and the string would not move.
    subroutine find_damped_step(it, trajectory, solution, reach)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -82,7 +82,7 @@ contains
          if (it%holder%holding) call find_holding(it%numerics%tuning%hold_stiffness, it%lump, solution, it%holder)
          it%problem%closed = gaps%state /= state_free
          associate (tuning => it%numerics%tuning)
-            margin = 0.0_wp         ! next to an equilibrium that counts as stable nothing needs to be held
+            margin = 0.0_wp         ! next to an equilibrium that counts as stable no more damping is needed
             if (it%before < tuning%near*equations%force_scale) margin = margin_of(solution)
             live = any(abs(mesh%friction_along) > 0.0_wp) .or. any(mesh%friction_around > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
             do hold = 0, tuning%most_raises
@@ -103,7 +103,7 @@ contains
                      return
                   end if
                   if (.not. live .or. energy_slope(equations, it%problem%load) < 0.0_wp) exit
-                  live = .false.          ! friction's tangent leads uphill: its forces are left as they are
+                  live = .false.          ! friction's tangent leads uphill: its forces are held constant
                   it%problem%closed = gaps%state /= state_free
                end do
                call find_reach(it, trajectory, solution, reach)
@@ -115,7 +115,7 @@ contains
       end associate
    end subroutine find_damped_step
 
-   !> Largest move of a node across the hole by the step, over its clearance [-]; the step is taken apart for it.
+   !> Largest move of a node across the hole by the step, over its clearance [-]. Splits the step into it%slide and it%across.
    pure subroutine find_reach(it, trajectory, solution, reach)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(in) :: solution

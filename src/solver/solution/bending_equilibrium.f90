@@ -1,4 +1,4 @@
-!> Equilibrium of the beam by which an analysis' string is bent again (dg_bending_profile), near where the string lies.
+!> Equilibrium of the beam that gives the moments (dg_bending_profile), near the string of the analysis.
 module dg_bending_equilibrium
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, length_of
@@ -12,20 +12,20 @@ module dg_bending_equilibrium
    private
    public :: solve_anchored, settle_firmly, is_near
 
-   !> Largest distance of the beam from the string of the analysis, over the clearance [-]. Next to an instability, as of a free
-   !> end under a large load, the beam may find another equilibrium; that is not taken.
+   !> Largest distance of the beam from the string of the analysis, over the clearance [-]. Next to an instability, as of a
+   !> free end under a large load, the beam may find another equilibrium. That one is rejected.
    real(wp), parameter :: farthest = 0.8_wp
-   !> Clearance that counts at least for that distance [m]: on short elements a bit or blade with less room may lie on its other
+   !> Smallest clearance used for that distance [m]. On short elements a bit or blade with less clearance may lie on the other
    !> side.
    real(wp), parameter :: least_room = 2.0e-3_wp
-   !> Change of moments by the last step, over the largest [-], where the string is to be as it is: next to a stiff wall 0.2 % of a
+   !> Change of moments by the last step, over the largest moment [-], for the final iteration. Next to a stiff wall 0.2 % of a
    !> moment is a tenth of the bit's side force.
    real(wp), parameter :: firmly = 1.0e-6_wp
 
 contains
 
-   !> Equilibrium by itself or, in a second attempt, held by springs where the analysis has the string. Walls are no stiffer than
-   !> Newton's steps bear.
+   !> Find the equilibrium of the beam. Where `solved%anchored`, springs hold it at the string of the analysis. Walls have the
+   !> limited stiffness of Newton's steps.
    subroutine solve_anchored(mesh, solved, beam, y, settled, found)
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved
@@ -40,7 +40,8 @@ contains
       end if
    end subroutine solve_anchored
 
-   !> Goes on from an equilibrium until nothing changes, against the true walls. Where that finds no end the shape stays.
+   !> Iterate from an equilibrium until nothing changes, against walls of true stiffness. If that does not converge, the shape
+   !> stays.
    subroutine settle_firmly(mesh, solved, beam, y)
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved
@@ -58,9 +59,10 @@ contains
       beam = firmer
    end subroutine settle_firmly
 
-   !> True if the beam is at the string of the analysis: at the nodes of the mesh where the string is compressed. In tension a
-   !> string has one equilibrium, unless friction or a large torque make another. Next to a free end in a vertical hole nothing says
-   !> on which side the string lies: there the beam may lie anywhere with the same moment.
+   !> True if the beam is near the string of the analysis, at those nodes of the mesh where the string is compressed.
+   !> - In tension a string has one equilibrium, unless friction or a large torque make another.
+   !> - Next to a free end in a vertical hole no load decides on which side the string lies. A beam anywhere in the hole with
+   !>   the same moment is accepted there.
    pure function is_near(mesh, solved, nodes, y, moments) result(is)
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved

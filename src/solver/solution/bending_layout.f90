@@ -1,4 +1,4 @@
-!> Where the string of an analysis lies, and the beam by which it is bent again (dg_bending_profile): its nodes, loads and walls.
+!> Position of the string of an analysis, and the beam that gives its moments (dg_bending_profile): nodes, loads and walls.
 module dg_bending_layout
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns, set_elements
@@ -16,42 +16,42 @@ module dg_bending_layout
 
    !> Length of elements at a place where the moment changes quickly, over the bending length there [-].
    real(wp), parameter :: layer_share = 0.6_wp
-   !> A change of EI k from bend to bend counts from this part of the largest EI k in the hole on [-].
+   !> Smallest jump of EI times hole curvature between two bends that counts, over the largest such moment in the hole [-].
    real(wp), parameter :: jump_share = 0.02_wp
-   !> Slope against the hole up to which a string is bent again [-]: the beam leaves squares of slopes out.
+   !> Largest slope against the hole for which the beam is valid [-]. The beam neglects squares of slopes.
    real(wp), parameter :: steepest = 0.1_wp
    !> Relative change of stiffness or clearance that counts [-].
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> A tool joint stands at the node that was made for it: so close [m].
+   !> Distance of a node from the tool joint that it was made for, at most [m].
    real(wp), parameter :: same_place = 1.0e-6_wp
-   !> Length of elements where clearance changes or a bend begins or ends, and how far above the bit they have it [m]. An element
-   !> feels the wall at a fifth of its length from its end. A blade slopes by 15 mm/m under a bend of 1.5 deg: with elements of up
-   !> to 0.1 m its edge stood 0.23 mm in a rigid wall unfelt, and the side force was 15 % too small.
+   !> Length of elements where clearance changes or a bend begins or ends [m]. It holds up to a distance `near_bit` above the
+   !> bit [m]. An element feels the wall at a fifth of its length from its end. With elements of 0.1 m the edge of a tilted
+   !> blade may enter a rigid wall unfelt.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
-   !> Clearance of an element whose contact is that of a point alone [m].
+   !> Clearance of an element whose only contact is a point, as of a tool joint [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
-   !> Distance from a free end at which more stiffness holds a compressed string, over sqrt(EI/P) [-].
+   !> Distance from a free end over which stiffer springs hold a compressed string, over sqrt(EI/P) [-].
    real(wp), parameter :: end_reach = 8.0_wp
-   !> Least force [N] and least load [N/m] by which a bending length goes.
+   !> Least force [N] and least load [N/m] in the formula of a bending length.
    real(wp), parameter :: least_force = 1.0_wp, least_load = 1.0e-6_wp
 
-   !> The string of the analysis as it lies: at the nodes of its mesh, in the frame of the hole where a node now is.
+   !> The string of the analysis at the nodes of its mesh, in the frame of the hole at the present place of each node.
    type :: solved_string_type
       real(wp), allocatable :: slide(:)      !< how far a node has moved down the hole (n) [m]
       real(wp), allocatable :: y(:, :)       !< offset and slope against the hole axis (4,n) [m, -]
       real(wp), allocatable :: axial(:)      !< tension positive (n) [N]
-      real(wp), allocatable :: bending(:)    !< moment (n) [N.m]
-      real(wp), allocatable :: load(:)       !< contact force per metre of an element and its neighbours (e) [N/m]
-      logical, allocatable :: bends(:)       !< whether an element is bent again (e)
+      real(wp), allocatable :: bending(:)    !< bending moment (n) [N.m]
+      real(wp), allocatable :: load(:)       !< contact force per metre, mean over an element and its neighbours (e) [N/m]
+      logical, allocatable :: bends(:)       !< true if the beam replaces an element; false where it is too steep (e)
       real(wp) :: firm = firm                !< stiffness of its walls at one place of contact during Newton's steps [N/m]
-      logical :: anchored = .false.          !< whether springs hold compressed parts where they lie
+      logical :: anchored = .false.          !< true if springs hold compressed parts at the string of the analysis
    end type solved_string_type
 
 contains
 
-   !> Reads off an analysis where its string lies, and which of its elements are bent again.
+   !> Read the position of the string from an analysis, and find the elements that the beam replaces.
    pure subroutine read_solved_string(model, mesh, work, profile, solved)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -74,7 +74,7 @@ contains
          slope = max(dot_product(work%d(:, n), t), steepest)
          solved%y(3:4, n) = [dot_product(work%d(:, n), n_1), dot_product(work%d(:, n), n_2)]/slope
       end do
-      ! the bit's support in the analysis gives way by micrometres; the beam has none
+      ! the bit's support in the analysis yields by micrometres, that of the beam does not
       if (model%boundary%bit_centred) solved%y(1:2, mesh%nodes) = 0.0_wp
       do e = 1, mesh%elements
          first = max(e - 1, 1)
@@ -85,17 +85,19 @@ contains
       end do
    end subroutine read_solved_string
 
-   !> Depths along the string where the beam must have nodes: at the nodes of the mesh, at tool joints that touch one by one, where
-   !> a bend begins or ends beside the string as it has slid, and where contacts stand alone. With the longest element that each of
-   !> them asks for.
+   !> Depths along the string where the beam must have nodes, and the longest element allowed at each of them. They are:
+   !> - the nodes of the mesh
+   !> - tool joints that touch one by one
+   !> - beginnings and ends of bends, as seen from the displaced string
+   !> - single contacts, if `alone`
    pure subroutine find_breaks(model, mesh, gaps, solved, alone, breaks, longest)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(solved_string_type), intent(in) :: solved
-      logical, intent(in) :: alone                       !< contacts that stand alone are among them
+      logical, intent(in) :: alone                       !< true if nodes are wanted at single contacts
       real(wp), allocatable, intent(out) :: breaks(:)    !< increasing [m]
-      real(wp), allocatable, intent(out) :: longest(:)   !< huge where a break asks for nothing [m]
+      real(wp), allocatable, intent(out) :: longest(:)   !< huge where a break has no limit (n) [m]
       real(wp) :: scale, largest, jump, place, share, bends(2, size(model%trajectory%arcs))
       integer :: e, n, arc, count, before, k
       associate (arcs => model%trajectory%arcs)
@@ -132,7 +134,7 @@ contains
                longest(count) = huge(1.0_wp)
                cycle
             end if
-            ! bends that begin beside this element as it lies
+            ! bends that begin beside this element of the displaced string
             before = count
             do while (arc < size(arcs))
                place = arcs(arc + 1)%md
@@ -148,7 +150,7 @@ contains
                   sqrt(mesh%clearance(n)*mesh%section(n)%ei/jump))
                if (place - breaks(count) < sliver) then
                   longest(count) = min(longest(count), scale)
-               else if (mesh%md(n + 1) - place < sliver) then      ! the next node stands for it
+               else if (mesh%md(n + 1) - place < sliver) then      ! the next node takes its place
                   longest(count) = min(longest(count), scale + mesh%length(n))
                else
                   count = count + 1
@@ -156,7 +158,7 @@ contains
                   longest(count) = scale
                end if
             end do
-            ! a contact that stands alone bends the string most where it stands
+            ! a single contact bends the string most at its own place
             if (alone .and. count == before .and. stands_alone(mesh, gaps, n)) then
                count = count + 1
                breaks(count) = mesh%md(n) + gaps%xi(n)*mesh%length(n)
@@ -168,7 +170,8 @@ contains
       end associate
    end subroutine find_breaks
 
-   !> True if clearance changes, as at a blade's end, or a bend begins or ends at a node next to the bit.
+   !> True if clearance changes at a node, as at a blade's end, or a bent housing begins or ends. Nodes further than `near_bit`
+   !> above the bit are no edges.
    pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
@@ -180,7 +183,7 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> True if the contact of an element is that of one tool joint, at one place between its ends.
+   !> True if the contact of an element is that of one tool joint, between the ends of the element.
    pure function is_point(mesh, gaps, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -189,7 +192,7 @@ contains
       is = mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
    end function is_point
 
-   !> True if the contact of an element stands by itself between its ends, at the extremum that its gap follows.
+   !> True if an element has a single contact between its ends, at the extremum that its gap follows.
    elemental function stands_alone(mesh, gaps, e) result(does)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -214,8 +217,8 @@ contains
       yes = abs(a - b) > change*max(abs(a), abs(b))
    end function differ
 
-   !> Length over which a moment fades [m]: sqrt(EI/|T|) by axial force, (EI c/q)**(1/4) where a string comes to its wall, or
-   !> leaves it, under a load q per metre. The shorter of both.
+   !> Length over which a moment fades [m], the shorter of two. Axial force gives sqrt(EI/|T|). Where a string meets or
+   !> leaves its wall, a load q per metre gives (EI*c/q)**(1/4).
    pure function bending_length(ei, axial, clearance, load) result(length)
       real(wp), intent(in) :: ei, axial, clearance, load   !< [N.m2, N, m, N/m]
       real(wp) :: length
@@ -232,7 +235,7 @@ contains
       end associate
    end function curvature_in_frame
 
-   !> The beam on given nodes. All breaks (find_breaks) between the first and the last of them must be among them.
+   !> The beam on given nodes. They must include all breaks (find_breaks) between the first and the last of them.
    pure subroutine new_beam(model, mesh, gaps, work, solved, nodes, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -281,7 +284,7 @@ contains
          if (allocated(mesh%blade)) &
             beam%element(e)%blade = [dot_product(mesh%blade(:, o), n_1), dot_product(mesh%blade(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
-         beam%element(e)%law%clearance = mesh%opening(o)         ! that of a fitted gap is its own
+         beam%element(e)%law%clearance = mesh%opening(o)         ! a fitted gap has a clearance of its own
          beam%element(e)%law%contact = hardened(gaps%law(o)%contact/mesh%length(o))
          beam%element(e)%law%maximum = hardened(gaps%law(o)%maximum/mesh%length(o))
          if (is_point(mesh, gaps, o)) then
@@ -312,9 +315,9 @@ contains
       if (nodes(n) >= mesh%md(mesh%nodes)) call hold_free_end(n, beam)
    end subroutine new_beam
 
-   !> Stiffness of a wall as the beam takes it [N/m2]: one that is meant to be rigid, as by default, is so. An edge that presses on
-   !> some centimetres of it would give way by a twentieth of the clearance of a tight blade, and the bit beside it with it. A wall
-   !> whose yielding is meant, of 1e10 N/m2 or less, changes by at most 1e-4. In between it goes over without a step.
+   !> Stiffness of a wall in the beam [N/m2]. A wall that is meant to be rigid, as by default, is rigid. Else an edge with a
+   !> contact of some centimetres would yield by a twentieth of a tight blade's clearance. A soft wall, of 1e10 N/m2 or less,
+   !> changes by at most 1e-4. The function is smooth in between.
    elemental function hardened(given) result(stiffness)
       real(wp), intent(in) :: given       !< [N/m2]
       real(wp) :: stiffness
@@ -322,9 +325,9 @@ contains
       stiffness = min(given*(1.0_wp + rigid/nearly_rigid*(given/nearly_rigid)**6), max(given, rigid))
    end function hardened
 
-   !> Raises the stiffness that holds a compressed string to what a free end asks for. On a bed of stiffness k per length a long
-   !> string buckles under 2 sqrt(k EI), at a free end under sqrt(k EI) (Hetenyi, Beams on Elastic Foundation, 1946). That mode
-   !> fades over 2 sqrt(EI/P).
+   !> Raise the stiffness of the springs near a free end that is compressed. On a bed of stiffness k per length a long string
+   !> buckles under 2*sqrt(k*EI). At a free end it buckles under sqrt(k*EI) (Hetenyi, Beams on Elastic Foundation, 1946). That
+   !> mode fades over 2*sqrt(EI/P).
    pure subroutine hold_free_end(n, beam)
       integer, intent(in) :: n            !< the first or the last node
       type(bending_beam_type), intent(inout) :: beam

@@ -1,15 +1,17 @@
-!> The bending moment along a string that an analysis has solved, on elements that are short enough for it.
+!> Bending moment along a string that an analysis has solved, on elements that are short enough for it.
 !>
 !> An element of the analysis touches the wall at one point. Where elements are longer than the bending length sqrt(EI/T), the
-!> string hangs like a bridge between these points. In a bend under tension the moment at the nodes is then too low: it is EI/R
-!> times x/sinh(x) with x = L/2 sqrt(T/EI). Peaks at the ends of bends fall between nodes. Hook load, torque and the sum of contact
-!> are right all the same. Here the string is bent again as a beam (dg_bending_beam), under the axial force and the torque that
-!> were found. Elements are short at its ends and where the curvature of the hole, the stiffness or the clearance changes, and grow
-!> from there. Then those are halved in which two ways to find the moment differ (`halve`). Bending, shear, side force, offset and
-!> clock of the profile are those of that beam. Where it has a peak between two nodes of the mesh, rows are added.
+!> string hangs like a bridge between these points. In a bend under tension the moment at the nodes is then too low. It is EI/R
+!> times x/sinh(x) with x = L/2 sqrt(T/EI). Peaks at the ends of bends fall between nodes. Hook load, torque and the sum of
+!> contact are right all the same. Here the string is solved again as a beam (dg_bending_beam), under the axial force and the
+!> torque that were found. Elements are short at its ends and where the curvature of the hole, the stiffness or the clearance
+!> changes. They grow from there. An element is halved if two ways to find its moment differ (`to_be_halved`). Bending, shear,
+!> side force, offset and clock of the profile are those of that beam. Where it has a peak between two nodes of the mesh, rows
+!> are added.
 !>
-!> Two things stay as the analysis has them: parts that slope against the hole by more than a tenth, for which the beam of small
-!> slopes is not valid, and moments in elements where both differ by less than half a per cent of the largest moment.
+!> Two things stay as in the analysis:
+!> - parts that slope against the hole by more than a tenth, for which the beam of small slopes is not valid
+!> - moments in elements where both differ by less than half a per cent of the largest moment
 module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
@@ -36,28 +38,27 @@ module dg_bending_profile
    private
    public :: bend_profile
 
-   !> Elements are halved where two recoveries of the moment differ by more than this part of the largest moment [-]. At most
-   !> `most_rounds` times, before the whole string is solved again. That may ask for more elements, `most_passes` - 1 times.
-   !> With 0.03 moments of 378 of 1,069 cases were off by more than 1 % of the largest anywhere, with this of 134; solutions of
-   !> 32 real wells then took 1.4 times the instructions of those without moments in the median, with this 1.7 times.
+   !> Elements are halved where two recoveries of the moment differ by more than this part of the largest moment [-]. A halving
+   !> is repeated at most `most_rounds` times before the whole string is solved again. The whole string is solved at most
+   !> `most_passes` times.
    real(wp), parameter :: rough = 6.0e-3_wp
    integer, parameter :: most_rounds = 6, most_passes = 3
-   !> The same where the moment is next to the largest one, which nobody wants told too low [-].
+   !> The same for moments near the largest one, which must not be underestimated [-].
    real(wp), parameter :: rough_peak = 3.0e-3_wp, near_largest = 0.06_wp
-   !> A mesh is proven when halving all its elements changes no moment by more than this part of the largest [-]. That is tried at
-   !> most `most_proofs` times.
+   !> A mesh is proven when halving all its elements changes no moment by more than this part of the largest [-]. At most
+   !> `most_proofs` halvings are tried.
    real(wp), parameter :: proven = 0.005_wp
    integer, parameter :: most_proofs = 3
-   !> No element is halved to less than half of this to prove a mesh [m]: with parts of a quarter of a millimetre
-   !> numbers ran away.
+   !> Elements of this length or less are not halved to prove a mesh [m]. With elements of a quarter of a millimetre the
+   !> solution diverged.
    real(wp), parameter :: finest = 4.0e-3_wp
-   !> Number of elements on each side of halved ones that are solved again with them.
+   !> Number of elements on each side of halved ones that are solved with them.
    integer, parameter :: margin = 8
-   !> An iteration may end with a step that changes moments by less than this part of the largest [-]: `roughly` on the first mesh,
-   !> `settled` on all later ones.
+   !> Change of moments by the last step of an iteration, over the largest [-]: `roughly` on the first mesh, `settled` on later
+   !> ones.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
-   !> Contact force of a part of the string that may differ from that of the analysis, over the whole [-]: beyond it the beam is
-   !> not the analysis' string.
+   !> Largest difference of the contact force of a part of the string from the analysis, over the whole [-]. With more, the
+   !> beam is rejected.
    real(wp), parameter :: most_unlike = 0.5_wp
    !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp
@@ -66,16 +67,18 @@ module dg_bending_profile
 
 contains
 
-   !> Replaces the profile of a result by that of the beam, lists its concentrated contacts, and tells how far its moments may still
-   !> be off. Where the beam finds no equilibrium near that of the analysis, only its rows are doubled, and that error is missing.
+   !> Replace the profile of a result by that of the beam, list its concentrated contacts, and estimate the error of its
+   !> moments. If the beam finds no equilibrium near the analysis, the profile only gets double rows, and that error is
+   !> missing.
    subroutine bend_profile(model, mesh, gaps, work, result, steep, fitted)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work          !< assembled at the solution
-      type(case_result_type), intent(inout) :: result   !< its profile on entry at the nodes of the mesh; on return with more rows
-      real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam; equal: none [m]
-      type(fitted_gaps_type), intent(out) :: fitted     !< gaps that have the contact of the beam, where they are worth it
+      type(case_result_type), intent(inout) :: result   !< profile: on entry at the nodes of the mesh, on return with more rows
+      real(wp), intent(out) :: steep(2)                 !< depths between which elements are too steep for the beam, equal if there
+                                                        !< are none [m]
+      type(fitted_gaps_type), intent(out) :: fitted     !< gaps with the contact of the beam, filled if a fit is worth its cost
       type(solved_string_type) :: solved
       type(bending_beam_type) :: beam
       type(bent_type) :: bent
@@ -101,7 +104,7 @@ contains
       do attempt = 1, merge(8, 4, allocated(other))
          solved%anchored = mod(attempt, 2) == 0
          solved%firm = merge(firm, less_firm, mod(attempt - 1, 4) < 2)
-         if (attempt == 5) call move_alloc(other, nodes)       ! without nodes at contacts that stand alone
+         if (attempt == 5) call move_alloc(other, nodes)       ! without nodes at single contacts
          call bend_again(model, mesh, gaps, work, solved, nodes, beam, bent, result%moment_error)
          if (is_missing(result%moment_error)) cycle
          call compare_contact(mesh, solved%bends, work%normal, beam, bent, result%unlike_contact)
@@ -112,7 +115,7 @@ contains
          call part_profile(model, result%case_index, mesh, gaps, work, result%profile)
          return
       end if
-      result%moment_error = result%moment_error + alike       ! rows may be so far from the beam
+      result%moment_error = result%moment_error + alike       ! the rows may differ from the beam by this
       result%beam_nodes = size(beam%md)
       if (are_worth_fitting(model%trajectory, mesh, result%coiled, result%unlike_contact%share)) &
          call fit_gaps(mesh, solved%bends, beam, bent, gaps, work%normal, fitted)
@@ -124,8 +127,8 @@ contains
       call merge_rows(model, mesh, gaps, work, beam, bent, scale, result)
    end subroutine bend_profile
 
-   !> Side force of the bit where it is held, and tilt of the bit: those of the beam. In the last of the analysis' elements the
-   !> place of contact is known only as far as there are gaps.
+   !> Set side force of the bit, if it is held, and tilt of the bit to those of the beam. In the last element of the analysis
+   !> the place of contact is only as exact as its gap.
    pure subroutine take_bit(trajectory, mesh, beam, bent, result)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -184,8 +187,8 @@ contains
       end associate
    end function sensor_depth
 
-   !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing where there is no equilibrium,
-   !> or one that is not the analysis' string.
+   !> Equilibrium of the beam on nodes that are added until its moments are good. `error` is missing if there is no equilibrium
+   !> near the string of the analysis.
    subroutine bend_again(model, mesh, gaps, work, solved, start, beam, bent, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -213,7 +216,7 @@ contains
             call halve(model, mesh, gaps, work, solved, marked, beam, y)
             call recover_moments(beam, y, bent, moments, differences)
          end do
-         if (pass > 1 .and. round == 1) exit      ! the whole string asks for no more
+         if (pass > 1 .and. round == 1) exit      ! the whole string needs no shorter elements
          call solve_anchored(mesh, solved, beam, y, settled, found)
          if (.not. found) return
          call recover_moments(beam, y, bent, moments, differences)
@@ -225,9 +228,9 @@ contains
       if (model%numerics%halve_moments) call prove(model, mesh, gaps, work, solved, beam, y, bent, moments, error)
    end subroutine bend_again
 
-   !> Halves all elements, but those at edges that are as short as bears halving, until that changes no moment by more than `proven`
-   !> of the largest, or `most_proofs` times. `error` is the last change. It is missing where no equilibrium was found, or one that
-   !> is not the analysis' string.
+   !> Halve all elements longer than `finest` until that changes no moment by more than `proven` of the largest, or
+   !> `most_proofs` times. `error` is the last change. It is missing if there is no equilibrium near the string of the
+   !> analysis.
    subroutine prove(model, mesh, gaps, work, solved, beam, y, bent, moments, error)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -266,8 +269,8 @@ contains
       end do
    end subroutine prove
 
-   !> Halves elements, and solves the beam again about them: each neighbourhood by itself, between nodes that are held. Where one
-   !> finds no equilibrium, the shape there stays that of the longer elements.
+   !> Halve elements, and solve the beam again around them. Each neighbourhood is solved by itself, between nodes that are
+   !> held. Where one finds no equilibrium, the shape of the longer elements stays.
    subroutine halve(model, mesh, gaps, work, solved, marked, beam, y)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -313,7 +316,7 @@ contains
       call new_beam(model, mesh, gaps, work, solved, finer, beam)
    end subroutine halve
 
-   !> The largest moment, or what counts as none where all are smaller [N.m]; never 0.
+   !> Largest moment [N.m], at least the moment that counts as zero, and never 0.
    pure function largest_of(beam, moments) result(largest)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: moments(:)
@@ -321,7 +324,7 @@ contains
       largest = max(maxval(moments), least_moment(beam), tiny(1.0_wp))
    end function largest_of
 
-   !> Marks elements that are too long: two recoveries of the moment differ at one of their ends.
+   !> Mark elements that are too long: two recoveries of the moment differ at one of their ends.
    pure function to_be_halved(nodes, moments, differences, largest) result(marked)
       real(wp), intent(in) :: nodes(:)                 !< [m]
       real(wp), intent(in) :: moments(:)               !< at the nodes [N.m]
@@ -336,8 +339,8 @@ contains
       end do
    end function to_be_halved
 
-   !> Moments at the nodes from the equilibrium of the elements, and how far the moments by the shape of the elements are from
-   !> them. The first are of higher order in the length of the elements. They are right where the difference is small.
+   !> Moments at the nodes from the equilibrium of the elements, and their distance from the moments by the shape of the
+   !> elements. The first are of higher order in the length of the elements. Where the distance is small they are right.
    pure subroutine recover_moments(beam, y, bent, moments, differences)
       type(bending_beam_type), intent(in) :: beam
       real(wp), contiguous, intent(in) :: y(:, :)
@@ -361,8 +364,8 @@ contains
       call add_peaks(beam, bent, moments, differences)
    end subroutine recover_moments
 
-   !> Raises the differences where the largest moment of the string lies between two nodes, by a cubic through moments and their
-   !> slopes at both: a node is wanted there.
+   !> Raise the differences where the largest moment of the string lies between two nodes, so that a node is added there. The
+   !> moment between two nodes is a cubic through moments and their slopes at both.
    pure subroutine add_peaks(beam, bent, moments, differences)
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent

@@ -1,4 +1,4 @@
-!> Rows of the profile of a string that has been bent again (dg_bending_profile).
+!> Rows of the profile of a string whose moments are those of the beam (dg_bending_profile).
 module dg_bending_rows
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
@@ -16,17 +16,17 @@ module dg_bending_rows
    private
    public :: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
 
-   !> The moments of the analysis stand where those of the beam differ from them by less than this part of the largest moment [-].
+   !> Moments of the analysis are kept where those of the beam differ by less than this part of the largest moment [-].
    real(wp), parameter :: alike = 0.005_wp
 
-   !> Contact force of a string that hardly touches [N].
+   !> Least contact force to which a difference is compared [N].
    real(wp), parameter :: least_contact = 1.0_wp
 
 contains
 
-   !> Makes the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
-   !> Straight lines between the rows are then within a quarter of a per cent of the largest moment. Where something changes two
-   !> rows stand at one depth, each with the contact of its own side.
+   !> Make the profile anew: a row at each node of the mesh, and between them as many nodes of the beam as the moment needs.
+   !> Straight lines between the rows are then within a quarter of a per cent of the largest moment. Where something changes
+   !> two rows stand at one depth, each with the contact of its own side.
    pure subroutine merge_rows(model, mesh, gaps, work, beam, bent, scale, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -35,7 +35,7 @@ contains
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       real(wp), intent(in) :: scale(:)                  !< see contact_scale
-      type(case_result_type), intent(inout) :: result   !< its profile on entry of the analysis, on return of the beam
+      type(case_result_type), intent(inout) :: result   !< profile: on entry of the analysis, on return of the beam
       type(profile_type) :: own, profile
       real(wp) :: moment(size(beam%md)), share, above(size(beam%md)), weight, across(2)
       logical :: kept(size(beam%md))
@@ -73,7 +73,7 @@ contains
       result%profile = profile
    end subroutine merge_rows
 
-   !> Doubles the rows where something changes, and puts side force and state of contact into all rows. The area under straight
+   !> Double the rows where something changes, and set side force and state of contact in all rows. The area under straight
    !> lines between the rows of a part of the string is the contact force of that part.
    pure subroutine put_contact(model, mesh, gaps, beam, rows, force, case_index, profile)
       type(model_type), intent(in) :: model
@@ -83,7 +83,7 @@ contains
       integer, intent(in) :: rows(:)                    !< nodes of the beam that are rows
       real(wp), intent(in) :: force(:, :)               !< at the rows, of contact_at_rows [N]
       integer, intent(in) :: case_index
-      type(profile_type), intent(inout) :: profile      !< with one row a node on entry
+      type(profile_type), intent(inout) :: profile      !< on entry with one row a node
       integer, allocatable :: from(:), side(:)
       real(wp) :: length(2), share(2)
       integer :: state(2), element(2), row, i, k, n
@@ -110,8 +110,8 @@ contains
       end do
    end subroutine put_contact
 
-   !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments are
-   !> alike, those of the analysis stand.
+   !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments
+   !> are alike, those of the analysis are kept.
    pure subroutine choose_moments(mesh, beam, forces, bending, moment, kept)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -153,8 +153,8 @@ contains
       call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
    end subroutine choose_moments
 
-   !> Contact force at each row, of the piece of string above it and of the piece below it (2,rows) [N]. A force between two rows is
-   !> shared by both, as by the ends of a lever.
+   !> Contact force at each row, of the piece of string above it and of the piece below it (2,rows) [N]. A force between two
+   !> rows is divided between them by the law of the lever.
    pure function contact_at_rows(mesh, work, beam, bent, scale, rows) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -178,8 +178,8 @@ contains
       end do
    end function contact_at_rows
 
-   !> Part of the contact of its element of the analysis above a node of the beam [-]. Friction has made that part of its torque and
-   !> axial force there. Of an element without contact it is the part of its length.
+   !> Part of an element's contact that lies above a node of the beam [-]. Friction has changed torque and axial force by that
+   !> part. In an element without contact it is the part of the length.
    pure function contact_above(mesh, beam, bent) result(above)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -208,9 +208,9 @@ contains
       above(size(above)) = 1.0_wp
    end function contact_above
 
-   !> Contact forces of the elements of the beam, at both of their ends (2,e) [N]. They are distributed as the beam has them, and
-   !> scaled to the sum of the analysis. The force of a tool joint is spread over its element of the analysis. Where the string is
-   !> not bent again they are those of the analysis.
+   !> Contact forces of the elements of the beam, at both of their ends (2,e) [N]. They are distributed as in the beam, and
+   !> scaled to the sum of the analysis. The force of a tool joint is spread over its element of the analysis. Elements that
+   !> the beam does not replace have the forces of the analysis.
    pure function contact_at_ends(mesh, work, beam, bent, scale) result(forces)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -240,10 +240,10 @@ contains
       end do
    end function contact_at_ends
 
-   !> By what the beam's contact forces in each element of the analysis are multiplied, so that each run of elements that is bent
-   !> again has the analysis' sum [-]; 0 where the analysis' own forces are taken.
+   !> Factors for the contact forces of the beam, by element of the analysis [-]. With them each run of elements that the beam
+   !> replaces has the contact of the analysis. The factor is 0 where the forces of the analysis are used.
    pure function contact_scale(bends, normal, beam, bent) result(scale)
-      logical, intent(in) :: bends(:)            !< elements that are bent again
+      logical, intent(in) :: bends(:)            !< elements that the beam replaces
       real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
@@ -251,7 +251,7 @@ contains
       scale = sum_over_sum(bends, max(normal, 0.0_wp), contact_by_element(size(bends), beam, bent))
    end function contact_scale
 
-   !> Contact forces of the beam, summed up by element of the analysis [N].
+   !> Contact forces of the beam, summed by element of the analysis [N].
    pure function contact_by_element(elements, beam, bent) result(found)
       integer, intent(in) :: elements            !< of the analysis
       type(bending_beam_type), intent(in) :: beam
@@ -267,11 +267,11 @@ contains
       end do
    end function contact_by_element
 
-   !> Compares the contact force of the analysis with that of the beam, part by part of the string: a part has one diameter and one
-   !> clearance. Tells of the part in which they differ most.
+   !> Compare the contact force of the analysis with that of the beam, part by part of the string. A part has one diameter and
+   !> one clearance. `unlike` holds the part with the largest difference.
    pure subroutine compare_contact(mesh, bends, normal, beam, bent, unlike)
       type(mesh_type), intent(in) :: mesh
-      logical, intent(in) :: bends(:)            !< elements that are bent again
+      logical, intent(in) :: bends(:)            !< elements that the beam replaces
       real(wp), intent(in) :: normal(:)          !< contact of the analysis, by element [N]
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
@@ -300,15 +300,15 @@ contains
       unlike%share = most/max(unlike%by_analysis, least_contact)
    end subroutine compare_contact
 
-   !> True if two lengths are the same but for round-off.
+   !> True if two lengths are equal within round-off.
    pure function is_same(a, b) result(same)
       real(wp), intent(in) :: a, b
       logical :: same
       same = abs(a - b) <= 1.0e-9_wp*max(abs(a), abs(b))
    end function is_same
 
-   !> Sum of `forces` over sum of `found`, for each run of neighbouring elements that are bent again [-]. 0 for elements that are
-   !> not, and where the second sum is 0.
+   !> Sum of `forces` over sum of `found`, for each run of neighbouring elements that the beam replaces [-]. It is 0 for other
+   !> elements, and where the second sum is 0.
    pure function sum_over_sum(bends, forces, found) result(scale)
       logical, intent(in) :: bends(:)
       real(wp), intent(in) :: forces(:), found(:)    !< by element: of the analysis, of the beam [N]
@@ -327,7 +327,7 @@ contains
       end do
    end function sum_over_sum
 
-   !> Position and direction of the hole axis at a row.
+   !> Set position and direction of the hole axis at a row.
    pure subroutine put_place(trajectory, near, row, profile)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(in) :: near, row

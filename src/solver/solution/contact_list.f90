@@ -1,5 +1,5 @@
-!> The concentrated contacts of a string that has been bent again (dg_bending_profile): tool joints that stand one by one,
-!> stabilizers, edges of contact, and what holds the ends.
+!> List of the concentrated contacts of a string (dg_bending_profile): single tool joints, stabilizers, edges of contact, and
+!> supports of the ends.
 module dg_contact_list
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
@@ -18,19 +18,19 @@ module dg_contact_list
    private
    public :: list_contacts
 
-   !> Contact forces of stretches of string, from the top down.
+   !> Contact forces of short lengths of string, from the top down.
    type :: stretches_type
       real(wp), allocatable :: md(:)          !< where the force acts [m]
       real(wp), allocatable :: length(:)      !< [m]
       real(wp), allocatable :: force(:)       !< [N]
-      real(wp), allocatable :: load(:)        !< per length, what weight and bends carry to the wall [N/m]
+      real(wp), allocatable :: load(:)        !< load per metre of weight and bends on the wall [N/m]
       integer, allocatable :: owner(:)        !< element of the analysis
-      logical, allocatable :: spread(:)       !< force of the beam on a wall that is felt all along
+      logical, allocatable :: spread(:)       !< true for a force of the beam on a wall that it feels all along
    end type stretches_type
 
 contains
 
-   !> Fills result%contacts, from the top down. Edges are looked for where the string was bent again.
+   !> Fill result%contacts, from the top down. Edges are only found where the beam replaces the string of the analysis.
    subroutine list_contacts(model, mesh, work, beam, bent, scale, result)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -69,8 +69,8 @@ contains
          result%contacts)
    end subroutine list_contacts
 
-   !> All contact forces of the string with the analysis' sum: two of each element of the beam, those of its points, and of elements
-   !> that were not bent again those of the analysis.
+   !> Collect all contact forces of the string, with the sum of the analysis. Each element of the beam has `contact_places` of
+   !> them, and its points one each. Elements that the beam does not replace have the force of the analysis.
    pure subroutine find_stretches(mesh, work, beam, bent, scale, stretches)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -107,7 +107,7 @@ contains
                   call add(beam%md(e) + xi*length, length/contact_places, &
                            max(work%normal(o), 0.0_wp)*length/(contact_places*mesh%length(o)), length_of(across), o, .false., n, &
                            stretches)
-                  if (any(beam%point_owner == o)) stretches%force(n) = 0.0_wp     ! it stands at its point
+                  if (any(beam%point_owner == o)) stretches%force(n) = 0.0_wp     ! the force of this element acts at its point
                end if
             end associate
          end do
@@ -154,7 +154,7 @@ contains
       end associate
    end function kinds_of
 
-   !> One contact for each run of elements of one kind that touch: a joint, or a stabilizer.
+   !> Add one contact for each run of touching elements of one kind: a joint, or a stabilizer.
    pure subroutine put_groups(kind, stretches, contacts)
       integer, intent(in) :: kind(:)        !< of elements of the analysis
       type(stretches_type), intent(in) :: stretches
@@ -178,7 +178,7 @@ contains
       end do
    end subroutine put_groups
 
-   !> Puts a contact where it belongs by depth.
+   !> Insert a contact by its depth.
    pure subroutine insert(point, contacts)
       type(contact_point_type), intent(in) :: point
       type(contact_point_type), allocatable, intent(inout) :: contacts(:)
@@ -187,7 +187,7 @@ contains
       contacts = [contacts(:n), point, contacts(n + 1:)]
    end subroutine insert
 
-   !> Clock angle of the beam at its node nearest to a depth.
+   !> Clock angle [rad] of the beam at its node nearest to a depth.
    pure function clock_near(model, mesh, beam, y, md) result(clock)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

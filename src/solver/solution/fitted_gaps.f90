@@ -1,9 +1,9 @@
-!> Gaps that stand for the wall along the whole of their elements.
+!> Gaps that represent the wall along the whole of their elements.
 !>
-!> An element of the analysis feels the wall at one place. Where it touches along a part of its length, as at the edge of a blade
-!> that tilts in its hole, neither force nor lever are those of the wall: the sum of contact of an assembly with tight blades was
-!> off by up to 1.3 % on elements of any length. The beam that gives the moments (dg_bending_profile) feels the wall everywhere. A
-!> fitted gap sits at the centre of its contact force, and has the clearance at which its own law has that force there.
+!> An element of the analysis feels the wall at one place. Where it touches along a part of its length, as at the edge of a
+!> tilted blade, neither force nor lever are right. In an assembly with tight blades the sum of contact is wrong by up to 1.3 %
+!> on elements of any length. The beam that gives the moments (dg_bending_profile) feels the wall everywhere. A fitted gap sits
+!> at the centre of the beam's contact force, and has the clearance at which its own law has that force there.
 module dg_fitted_gaps
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, length_of
@@ -17,9 +17,8 @@ module dg_fitted_gaps
    private
    public :: fitted_gaps_type, are_worth_fitting, fit_gaps
 
-   !> Difference of the contact force of a part of the string from that of the beam, over the whole, from which on gaps are fitted
-   !> [-]. From the second on the beam may be as far off as the analysis: a blade of 0.4 m at a bend has 7 % more contact on short
-   !> elements, 10 % on those of fidelity reference.
+   !> Difference of the contact force of a part of the string from the beam, over the whole [-]. Gaps are fitted if it is above
+   !> `worth_fitting`. Above `too_unlike` the beam may be as wrong as the analysis.
    real(wp), parameter :: worth_fitting = 1.0e-3_wp, too_unlike = 0.03_wp
 
    type :: fitted_gaps_type
@@ -29,9 +28,9 @@ module dg_fitted_gaps
 
 contains
 
-   !> True if the beam is nearer to the string than the analysis, by how much the contact of a part differs over the whole [-]. The
-   !> beam leaves out the offset of the string over the radius of the hole's bends, and may miss twice as much of the contact. In a
-   !> coiled string it is the beam that is off.
+   !> True if the beam is nearer to the true string than the analysis. `share` is the largest difference of contact of a part,
+   !> over the whole [-]. The beam neglects the offset of the string over the radius of the hole's bends. Its contact may be
+   !> wrong by twice that. In a helically buckled string the beam is less exact than the analysis.
    pure function are_worth_fitting(trajectory, mesh, coiled, share) result(are)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -43,18 +42,18 @@ contains
       are = .not. coiled .and. share > max(worth_fitting, left_out) .and. share <= too_unlike
    end function are_worth_fitting
 
-   !> Fits the gaps of all elements that touch by the analysis or by the beam, but for contacts of a point, which have one place.
-   !> They stay where they are from here on.
+   !> Fit the gaps of all elements that touch by the analysis or by the beam, except contacts at a point, which have one place.
+   !> Fitted gaps do not move along their element.
    pure subroutine fit_gaps(mesh, bends, beam, bent, gaps, normal, fitted)
       type(mesh_type), intent(in) :: mesh
-      logical, intent(in) :: bends(:)             !< elements that are bent again
+      logical, intent(in) :: bends(:)             !< elements that the beam replaces
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
       type(gap_table_type), intent(in) :: gaps    !< of the analysis
-      real(wp), intent(in) :: normal(:)           !< its contact forces, by element [N]
+      real(wp), intent(in) :: normal(:)           !< contact forces of the analysis, by element [N]
       type(fitted_gaps_type), intent(out) :: fitted
       real(wp) :: force(mesh%elements), place(mesh%elements), xi(mesh%elements), shape(4, mesh%elements), offset(2), pressed
-      integer :: of(mesh%elements)                ! an element of the beam in each of the analysis
+      integer :: of(mesh%elements)                ! an element of the beam in each element of the analysis, 0: none
       type(gap_law_type) :: law
       integer :: e, o, p
       force = 0.0_wp

@@ -1,8 +1,7 @@
 !> Element lengths from the local scale of the problem, known from the soft string before anything is solved.
 !>
-!> One element carries one gap: it sees the wall at one place. Between two gaps the string must therefore not be able to
-!> leave the hole, neither by its own sag nor by running straight where the hole bends, nor may it buckle. Lengths grow gradually
-!> from short elements to long ones.
+!> One element has one gap, and feels the wall at one place. Between two gaps the string must therefore stay in the hole. It
+!> must not sag through the wall, cut the corner of a bend, or buckle. Lengths grow gradually from short elements to long ones.
 module dg_mesh_for_case
    use dg_kinds, only: wp
    use dg_case_result, only: scale_bend, scale_compression, scale_count, scale_end, scale_joint, scale_load, &
@@ -18,62 +17,63 @@ module dg_mesh_for_case
    private
    public :: mesh_for_case, cut_elements, near_edges, shortest, shortest_cut
 
-   !> Longest element over a quarter of the wave pi/2 sqrt(2 EI/F) of a compressed string's buckling [-]: beyond it an
-   !> element buckles between its nodes, where no gap can hold it, and the iteration does not converge.
+   !> Longest element over a quarter wave pi/2*sqrt(2*EI/F) of a compressed string's buckling [-]. A longer element buckles
+   !> between its nodes, where no gap can hold it, and the iteration does not converge.
    real(wp), parameter :: quarter_wave_share = 0.9_wp
-   !> The same where the string is expected to coil: eight elements a turn.
+   !> The same where the string is expected to buckle helically: eight elements a turn.
    real(wp), parameter :: helical_share = 0.5_wp
-   !> Compression over the helical load from which it snakes [-]: 1/sqrt(2) (Dawson & Paslay 1984) and a little.
+   !> Compression over the helical load from which the string buckles sinusoidally [-]: 1/sqrt(2) (Dawson & Paslay 1984) and a
+   !> little.
    real(wp), parameter :: sinusoidal_share = 0.72_wp
-   !> Part of the clearance that an element may sag between fixed ends under its contact load, and by which a straight
-   !> element may miss the hole's bend [-]. At one half some wells are lost; at a quarter contact in a dogleg of 9 deg in 20 m is
-   !> 0.26 % too small, so 0.1 %.
+   !> Part of the clearance by which an element may sag between fixed ends under its contact load [-]. A straight element may
+   !> miss the hole's bend by the same part. At one half some wells do not converge. At a quarter contact in a dogleg of 9 deg
+   !> in 20 m is 0.26 % too small, at this value 0.1 %.
    real(wp), parameter :: clearance_share = 0.2_wp
    !> Sag of the overhang at a free end over the clearance [-].
    real(wp), parameter :: overhang_share = 0.01_wp
-   !> Longest element of a pipe body between tool joints over their spacing [-]; nor longer than sqrt(EI/|T|), over which its
-   !> bending moment fades.
+   !> Longest element of a pipe body between tool joints over their spacing [-]. It is also at most sqrt(EI/|T|), the length
+   !> over which its bending moment fades.
    real(wp), parameter :: body_share = 0.25_wp
-   !> No local scale asks for less than this [m]: a contact patch is not shorter than a tool joint.
+   !> Lower bound of all local scales [m]: a contact patch is not shorter than a tool joint.
    real(wp), parameter :: shortest = 0.5_wp
-   !> One plus the growth of element lengths over distance from intervals that had to be cut [-]. A string does not end to bend
-   !> where the hole does: it leaves its wall there and goes over to the other within lengths such as the bend's own elements have.
-   !> Long elements next to them made the torque behind a bend of 67 deg/30 m wrong by 5 %. With the string of
-   !> `input/short_radius_lateral.nml` turning at 14 bit depths torque is off by 0.36 % (rms, worst 0.9 %) from that on elements of
-   !> 0.25 m; with 1.5 by 0.52 %, on 3 % fewer elements.
+   !> Growth factor of element lengths next to intervals that had to be cut [-]. The string goes on bending below the end of a
+   !> bend. It leaves one wall there and reaches the other within lengths such as the bend's own elements have. Long elements
+   !> next to them made the torque behind a bend of 67 deg/30 m wrong by 5 %.
    real(wp), parameter :: growth = 1.4_wp
-   !> Longest element beside a bent housing [m], and how far that reaches [m]. The bend presses collars into the hole. On elements
-   !> of 1 m contact of a motor was 0.3 % too large.
+   !> Longest element beside a bent housing [m], and the distance over which that holds [m]. The bend presses collars against
+   !> the hole. On elements of 1 m the contact of a motor is 0.3 % too large.
    real(wp), parameter :: longest_beside_bend = 0.3_wp, reach_of_bend = 40.0_wp
-   !> Length of the parts of an element that stands outside the hole over its own [-], and the shortest of them [m]: a bit or blade
-   !> that tilts in its hole touches with both ends, and an element has one gap. With parts of 0.5 m or 0.05 m 26 and 20 of 220
-   !> motors with a bent housing and a free bit or a centred one found no equilibrium, with these 5.
+   !> Length of the parts into which an element outside the hole is cut, over its own [-], and the shortest of them [m]. A bit
+   !> or blade that tilts in its hole touches with both ends, and an element has one gap. With longer parts more motors with a
+   !> bent housing do not converge.
    real(wp), parameter :: cut_share = 0.25_wp, shortest_cut = 0.02_wp
 
-   !> Length of elements beside an edge of the string [m]: contact there is that short.
+   !> Length of elements beside an edge of the string [m]. Contact at an edge is that short.
    real(wp), parameter :: edge_length = 0.05_wp
-   !> The same within a distance of a bend [m]. The bend tilts the edge, so that its contact is shorter still.
+   !> The same within a distance of a bend [m]. The bend tilts the edge, which makes its contact shorter still.
    real(wp), parameter :: tilted_edge = 0.005_wp, tilted_within = 10.0_wp
-   !> The same close to the bend [m], and of pieces of the string not longer than this [m]: shorter ones find no equilibrium there.
+   !> The same close to the bend [m], and beside pieces of the string not longer than `short_piece` [m]. Shorter elements do
+   !> not converge there.
    real(wp), parameter :: bent_edge = 0.02_wp, bent_within = 0.5_wp, short_piece = 0.2_wp
    !> Length of an element over that of a shorter neighbour beside an edge [-].
    real(wp), parameter :: edge_growth = 1.3_wp
-   !> Change of radius over clearance from which an end of a component is an edge [-].
+   !> Least change of radius over clearance that makes an end of a component an edge [-].
    real(wp), parameter :: edge_height = 0.3_wp
 
 contains
 
-   !> Mesh of a load case with elements no longer than asked for, nor than the local scale.
+   !> Mesh of a load case. Elements are not longer than `element_length`, nor than the local scale. If the soft string is
+   !> locked up (totals%runaway), only `totals` and a first mesh are set.
    pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, strained, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: element_length   !< [m]
       type(mesh_type), intent(out) :: mesh
-      type(soft_totals_type), intent(out) :: totals  !< of the coiled soft string: whether it is locked up
+      type(soft_totals_type), intent(out) :: totals  !< of the helically buckled soft string
       real(wp), intent(out) :: compressed      !< largest compression of the soft string over its helical load [-]
       real(wp), intent(out) :: strained        !< largest axial strain of the soft string [-]
       real(wp), intent(out) :: pressing        !< largest expected contact load over its clearance [N/m2]
-      integer, intent(out) :: shortened(:)     !< intervals cut finer, by the scale that asked (scale_count)
+      integer, intent(out) :: shortened(:)     !< intervals that were cut, by the scale that required it (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:), bends(:)
       logical :: vertical, beside_bend
       real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
@@ -94,7 +94,7 @@ contains
                                                       near=mesh%arc(e)))%curvature
             compression = -min(axial(e), axial(e + 1))
             side_load = max(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-            across = merge(0.0_wp, mesh%weight(e), vertical)      ! where weight presses against nothing
+            across = merge(0.0_wp, mesh%weight(e), vertical)      ! where weight presses the string to no wall
             pressing = max(pressing, max(across, side_load, helical_contact(mesh%section(e)%ei, compression, mesh%clearance(e))) &
                                      *mesh%load_factor(e)/mesh%clearance(e))
             scales = local_scales(mesh%section(e)%ei, mesh%weight(e), mesh%clearance(e), curvature, compression, side_load)
@@ -117,7 +117,7 @@ contains
             compressed = max(compressed, share)
          end do
          depths = subdivided(mesh%md, longest)
-         ! where joints touch their spacing rules, and nothing else bends the string as shortly
+         ! single tool joints set element lengths by their spacing, so that no gradual growth is needed
          if (.not. (model%numerics%discrete_joints .or. any(mesh%centralizer))) then
             e = size(depths)
             depths = graded(mesh%md, longest, growth)
@@ -128,7 +128,7 @@ contains
       end associate
    end subroutine mesh_for_case
 
-   !> Puts short elements on both sides of every edge of the string, with lengths that grow from there.
+   !> Put short elements on both sides of every edge of the string, with lengths that grow from there.
    pure subroutine cut_edges(model, load_case, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -156,7 +156,7 @@ contains
 
    !> Lengths of the elements on both sides of an edge [m].
    pure function length_at_edge(pieces, md, bends) result(lengths)
-      real(wp), intent(in) :: pieces(2)     !< elements that are to be cut [m]
+      real(wp), intent(in) :: pieces(2)     !< elements to be cut, above and below the edge [m]
       real(wp), intent(in) :: md, bends(:)  !< depths of the edge and of bends [m]
       real(wp) :: lengths(2)
       lengths = edge_length
@@ -167,11 +167,11 @@ contains
       end if
    end function length_at_edge
 
-   !> Depths [m] with one more in the middle of every whole piece between two edges that has less clearance than both its
-   !> neighbours: a short blade, or a ring. Such a piece rests on both its ends, and an element has one gap.
+   !> Depths [m] with one more in the middle of each uncut piece between two edges, if it has less clearance than both its
+   !> neighbours. Such a piece, a short blade or a ring, rests on both its ends, and an element has one gap.
    pure function halved_pieces(mesh, depths) result(finer)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: depths(:)    !< those of the mesh, and others between them [m]
+      real(wp), intent(in) :: depths(:)    !< depths of the mesh, and others between them [m]
       real(wp), allocatable :: finer(:)
       real(wp) :: longest(size(depths) - 1)
       integer :: e, i
@@ -187,8 +187,8 @@ contains
       finer = subdivided(depths, longest)
    end function halved_pieces
 
-   !> True if the contact diameter changes at a node, as at a blade's end, or the string is bent on one side of it alone. Tool
-   !> joints and centralizers that touch one by one have their contact in the middle of their element.
+   !> True if the contact diameter changes at a node, as at a blade's end, or a bent housing begins or ends. Tool joints and
+   !> centralizers that touch one by one have their contact in the middle of their element.
    pure function is_edge(mesh, n) result(is)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
@@ -198,7 +198,8 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> Elements within reach of a bend or an edge, as of the blade of a stabilizer: the assembly's, which contact bends.
+   !> True for elements within `reach_of_bend` of a bend or an edge, as of a stabilizer's blade. They are those of the stiff
+   !> assembly.
    pure function near_edges(mesh) result(near)
       type(mesh_type), intent(in) :: mesh
       logical :: near(mesh%elements)
@@ -221,14 +222,14 @@ contains
       end do
    end function near_edges
 
-   !> Depths at which a housing is bent, or pads press [m]; none in most strings.
+   !> Depths at which a housing is bent, or pads press [m]. Most strings have none.
    pure function bend_depths(mesh) result(depths)
       type(mesh_type), intent(in) :: mesh
       real(wp), allocatable :: depths(:)
       allocate (depths, source=pack(mesh%md(:mesh%elements), bends_at(mesh)))
    end function bend_depths
 
-   !> Elements at whose upper node a housing is bent, or pads press.
+   !> True for elements at whose upper node a housing is bent, or pads press.
    pure function bends_at(mesh) result(there)
       type(mesh_type), intent(in) :: mesh
       logical :: there(mesh%elements)
@@ -237,8 +238,8 @@ contains
       if (allocated(mesh%push)) there = there .or. any(abs(mesh%push) > 0.0_wp, dim=1)
    end function bends_at
 
-   !> Depths of the nodes with the elements that are marked, and those next to them, cut in four, but not below the shortest, and
-   !> their neighbours so that lengths grow gradually [m].
+   !> Depths of the nodes [m] after marked elements, and those next to them, are cut in four. Parts are not shorter than
+   !> `shortest_cut`. Neighbours are cut so that lengths grow gradually.
    pure function cut_elements(model, mesh, marked) result(depths)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -258,7 +259,7 @@ contains
       end if
    end function cut_elements
 
-   !> Longest element at a free end [m]: half of it hangs over the last gap, and must not sag through the wall.
+   !> Longest element at a free end [m]. Half of it hangs over the last gap, and must not sag through the wall.
    elemental function free_end(ei, weight, clearance) result(length)
       real(wp), intent(in) :: ei, weight, clearance   !< [N.m2, N/m, m]
       real(wp) :: length
@@ -266,13 +267,13 @@ contains
       if (weight > 0.0_wp) length = max((8.0_wp*ei*overhang_share*clearance/weight)**0.25_wp, shortest)
    end function free_end
 
-   !> Longest elements [m] that the local scales bear, by scale; huge where one says nothing.
+   !> Longest elements [m] that the local scales allow, by scale; huge where one has no limit.
    pure function local_scales(ei, weight, clearance, curvature, compression, side_load) result(lengths)
       real(wp), intent(in) :: ei           !< [N.m2]
       real(wp), intent(in) :: weight       !< [N/m]
       real(wp), intent(in) :: clearance    !< [m]
       real(wp), intent(in) :: curvature    !< of the hole [1/m]
-      real(wp), intent(in) :: compression  !< [N]; <= 0 where in tension
+      real(wp), intent(in) :: compression  !< [N], negative in tension
       real(wp), intent(in) :: side_load    !< contact force [N/m]
       real(wp) :: lengths(scale_count)
       real(wp) :: share, sag, rope
@@ -283,7 +284,7 @@ contains
          lengths(scale_compression) = share*0.5_wp*pi*sqrt(2.0_wp*ei/compression)
       end if
       if (curvature > 0.0_wp) lengths(scale_bend) = sqrt(8.0_wp*clearance_share*clearance/curvature)
-      ! fixed ends under tension T sag by q/(384 EI/l^4 + 8 T/l^2): a beam's and a rope's stiffness side by side
+      ! between fixed ends the stiffness of a beam and of a rope add up: sag = q/(384 EI/l^4 + 8 T/l^2)
       sag = clearance_share*clearance
       rope = 4.0_wp*max(-compression, 0.0_wp)*sag
       if (side_load > 0.0_wp) lengths(scale_load) = sqrt((rope + sqrt(rope**2 + 384.0_wp*ei*sag*side_load))/side_load)

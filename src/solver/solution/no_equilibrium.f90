@@ -67,11 +67,11 @@ contains
       if (size(attempts) > 0) text = text//')'
    end subroutine list_tried
 
-   !> Adds to the message of a case without equilibrium what was tried, and what ended the search.
+   !> Add to the message of a case without equilibrium what was tried, and why the search ended.
    pure subroutine add_tried(model, tried, worked_out, result)
       type(model_type), intent(in) :: model
       character(*), intent(in) :: tried                 !< on all meshes
-      logical, intent(in) :: worked_out                 !< a mesh had the work that it may have
+      logical, intent(in) :: worked_out                 !< true if a mesh has used its allowed work
       type(case_result_type), intent(inout) :: result
       type(numerics_type) :: usual
       if (result%status /= result_not_converged) return

@@ -1,4 +1,4 @@
-!> From unknowns to what an engineer reads: forces along the string, sums, and the check of global equilibrium.
+!> Results from unknowns: forces along the string, sums, and the check of global equilibrium.
 module dg_recovery
    use dg_kinds, only: wp
    use dg_beam_bend, only: bend_moment, holding_moment
@@ -19,9 +19,10 @@ module dg_recovery
 
 contains
 
-   !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial and shear force
-   !> and bending moment are those of the cross-section at the node: end forces with the element's own loads taken off, the
-   !> mean of both sides. Torque is the same on both. Side force is the gaps' contact force over their length, shared by both ends.
+   !> Profile at the nodes, surface to bit, from a workspace assembled at the solution. Axial force (tension positive), shear
+   !> force and bending moment belong to the cross-section at the node. They are end forces less the element's own loads, as
+   !> the mean of both sides. Torque is equal on both sides. Side force is the contact force of the gaps over their length,
+   !> shared by both ends.
    pure subroutine recover_profile(trajectory, mesh, gaps, work, profile)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -43,7 +44,7 @@ contains
          call node_offset(trajectory, mesh, work, n, gap, foot_tangent)
          profile%displacement(n) = norm2(gap)
          profile%clock(n) = clock_angle(foot_tangent, gap)
-         ! of the elements above and below on this node, which together are its force
+         ! forces of the elements above and below on this node, whose sum is the node's force
          lower = 0.0_wp
          if (n < mesh%nodes) lower = work%end_force(:, n)
          upper = 0.0_wp
@@ -76,14 +77,14 @@ contains
       end do
    end subroutine recover_profile
 
-   !> Doubles the rows of recover_profile where something changes: each side has side force and state of its own element.
+   !> Double the rows of recover_profile where something changes. Each side has side force and state of its own element.
    pure subroutine part_profile(model, case_index, mesh, gaps, work, profile)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      type(profile_type), intent(inout) :: profile      !< at the nodes of the mesh on entry
+      type(profile_type), intent(inout) :: profile      !< on entry at the nodes of the mesh
       integer, allocatable :: from(:), side(:)
       integer :: i, e
       call lay_rows(model, case_index, profile%md, from, side)
@@ -97,7 +98,7 @@ contains
       end do
    end subroutine part_profile
 
-   !> The state table at the end, one row per element from the top down.
+   !> States of the gaps at the end, one row per element from the top down.
    pure subroutine recover_gaps(mesh, gaps, work, rows)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -111,8 +112,8 @@ contains
       rows%moves = gaps%moves
    end subroutine recover_gaps
 
-   !> The bit against the hole axis where it now is: what it presses with across the hole, and where it points. A string that is
-   !> free at the bit presses with nothing there.
+   !> Side force and tilt of the bit, against the hole axis at its present place. A string that is free at the bit has no side
+   !> force there.
    pure subroutine recover_bit(trajectory, mesh, work, side_force, side_clock, tilt, tilt_clock)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -120,7 +121,7 @@ contains
       real(wp), intent(out) :: side_force    !< on the formation [N]
       real(wp), intent(out) :: side_clock    !< its direction [rad]
       real(wp), intent(out) :: tilt          !< angle between bit and hole axis [rad]
-      real(wp), intent(out) :: tilt_clock    !< to which the bit points [rad]
+      real(wp), intent(out) :: tilt_clock    !< direction in which the bit points [rad]
       real(wp) :: gap(3), tangent(3), across(3)
       call node_offset(trajectory, mesh, work, mesh%nodes, gap, tangent)
       side_force = norm2(work%bit_reaction)
@@ -130,8 +131,9 @@ contains
       tilt_clock = clock_angle(tangent, across)
    end subroutine recover_bit
 
-   !> Sum of all external forces [N] and moments about the top [N.m] on the displaced string: weight, contact,
-   !> friction and its moments, pads, bit loads, reactions, what holds a bend. Zero but for round-off and the residual's tolerance.
+   !> Sum of all external forces [N] and of their moments about the top [N.m] on the displaced string. They are weight,
+   !> contact, friction and its moments, pads, bit loads, reactions, and the moments that hold a bend. Both are zero but for
+   !> round-off and the residual's tolerance.
    pure subroutine check_equilibrium(mesh, gaps, work, force, moment)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps

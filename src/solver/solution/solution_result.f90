@@ -1,5 +1,5 @@
-!> The result of a solution: totals, profile and moments. Where the contact of the beam that gives the moments differs, the solution
-!> is found once more, with gaps that have that contact.
+!> Result of a solution: totals, profile and moments. Where the contact of the beam for the moments differs, the case is solved
+!> once more, with gaps that have that contact.
 module dg_solution_result
    use dg_kinds, only: wp
    use dg_bending_profile, only: bend_profile
@@ -21,10 +21,10 @@ module dg_solution_result
    private
    public :: make_result, solve_fitted, coiled
 
-   !> Compression over the helical load from which a string is taken for coiled [-].
+   !> Compression over the helical load above which a string counts as helically buckled [-].
    real(wp), parameter :: coiled = 1.0_wp
-   !> What is left of the difference in contact after a fit that is worth its while [-]; the most fits, and the most iterations for
-   !> one: it takes 2 to 10.
+   !> A fit is kept if it leaves at most this part of the difference in contact [-]. Then the most fits, and the most
+   !> iterations for one. A fit takes 2 to 10 iterations.
    real(wp), parameter :: better = 0.9_wp
    integer, parameter :: most_fits = 3, most_to_fit = 50
    !> Digits of a length in a message.
@@ -32,13 +32,13 @@ module dg_solution_result
 
 contains
 
-   !> The result of a solution, with its profile and moments where they are wanted.
+   !> Make the result of a solution, with its profile and moments if they are wanted.
    subroutine make_result(model, case_index, numerics, outcome, wanted, solution, fitted, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics  !< of the last attempt
       integer, intent(in) :: outcome
-      logical, intent(in) :: wanted(2)             !< as of solve_on_mesh
+      logical, intent(in) :: wanted(2)             !< moments, profile; as in solve_on_mesh
       type(solution_type), intent(inout) :: solution
       type(fitted_gaps_type), intent(out) :: fitted
       type(case_result_type), intent(out) :: result
@@ -60,8 +60,8 @@ contains
       end associate
    end subroutine make_result
 
-   !> Where the contact of a part of the string is not that of the beam for the moments, solves again with gaps that have that
-   !> contact, as long as that brings both nearer to each other.
+   !> Solve again with fitted gaps where the contact of a part of the string differs from the beam for the moments. Repeat as
+   !> long as that brings both nearer to each other.
    subroutine solve_fitted(model, case_index, numerics, growth, fitted, solution, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -102,7 +102,8 @@ contains
       end do
    end subroutine solve_fitted
 
-   !> Moments along the string on elements short enough for them. A message says where no equilibrium was found on such elements.
+   !> Find moments along the string on elements short enough for them. A message says so if no equilibrium is found on such
+   !> elements.
    subroutine find_moments(model, solution, fitted, result)
       type(model_type), intent(in) :: model
       type(solution_type), intent(in) :: solution

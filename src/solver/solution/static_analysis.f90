@@ -1,14 +1,16 @@
-!> The model of the paper for one load case: from deck data to a result. The only public procedure of this room.
+!> The model of the paper for one load case: from deck data to a result.
 !>
-!> The strategy, in its order:
-!>   1. A mesh whose elements know the local scale (dg_mesh_for_case), from the soft string with the friction of a stiff assembly
-!>      (dg_stiff_drag); a soft string that locks up is the answer.
-!>   2. A start: the soft string bent into the hole (dg_predictor), against walls that its load presses in visibly.
-!>   3. One iteration (dg_equilibrium) with the nodes' places and the contact forces as unknowns. Its merit is the energy with
-!>      friction's forces frozen, or the largest residual.
-!>   4. An equilibrium must be stable, and within the hole.
-!>   5. Its contact is that of a beam on shorter elements (dg_bending_profile), or gaps are fitted to that (dg_solution_result).
-!>   6. Without an equilibrium: the attempts of dg_tuning, on the first mesh and on those with shorter elements.
+!> Steps:
+!> 1. Make a mesh by the local scale (dg_mesh_for_case). Its loads are those of the soft string with the friction of a stiff
+!> assembly (dg_stiff_drag). If that soft string locks up, the case is locked up.
+!> 2. Start from the soft string bent into the hole (dg_predictor). Its walls are softened so that the expected load presses
+!> visibly into them.
+!> 3. Iterate (dg_equilibrium) with the places of the nodes and the contact forces as unknowns. The merit of a step is the
+!> energy with frozen friction forces, or the largest residual.
+!> 4. Accept an equilibrium only if it is stable, and within the hole.
+!> 5. Compare its contact with a beam on shorter elements (dg_bending_profile). Where they differ, fit the gaps and solve again
+!> (dg_solution_result).
+!> 6. If no equilibrium is found, make the attempts of dg_tuning, on the first mesh and on meshes with shorter elements.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -48,33 +50,33 @@ module dg_static_analysis
    private
    public :: solve_static_analysis
 
-   !> Part of the helical load from which a string may buckle: the margin of stability is told [-].
+   !> Least compression over the helical load at which the margin of stability is computed [-].
    real(wp), parameter :: buckling_share = 0.4_wp
-   !> Largest distance of a node outside the hole, over the clearance [-]: rock yields and elements sag by a tenth or two.
+   !> Largest distance of a node outside the hole, over the clearance [-]. Rock yields and elements sag by a tenth or two.
    real(wp), parameter :: largest_excess = 0.5_wp
-   !> Axial strain of the soft string, and its contact force over its weight, beyond which friction counts as holding the string
-   !> [-]: steel yields at a tenth of the strain, and forces that contact makes grow by factors from bend to bend.
+   !> Axial strain of the soft string, and its contact force over its weight, above which the case is locked up [-]. Steel
+   !> yields at a tenth of that strain. Contact forces that friction makes grow by factors from bend to bend.
    real(wp), parameter :: most_strain = 0.05_wp, held_by = 10.0_wp
-   !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Random wells that converge take
-   !> no more than a tenth of it, most a hundredth; a case of half a million elements still has twenty iterations.
+   !> Most iterations times elements on one mesh [-]: about a minute, at 3 to 7 microseconds each. Wells that converge take
+   !> less than a tenth of it. A case of half a million elements still has twenty iterations.
    real(wp), parameter :: most_work = 1.0e7_wp
-   !> The result says how far moments may be off when that is more than this part of the largest moment [-].
+   !> The result has a warning if the error of the moments is above this part of the largest moment [-].
    real(wp), parameter :: doubtful = 0.05_wp
-   !> Difference of hook loads by which two equilibria are one [-].
+   !> Difference of hook loads, relative, up to which two equilibria are the same [-].
    real(wp), parameter :: same = 1.0e-9_wp
    !> Digits of a length in a message.
    integer, parameter :: shown = 2
 
 contains
 
-   !> Solves one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result
-   !> with its reason. An `error` prevents any result. Where the mesh asked for finds no equilibrium, those of tuning%mesh follow.
+   !> Solve one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result with
+   !> its reason. An `error` prevents any result. If the first mesh finds no equilibrium, those of tuning%mesh follow.
    subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< .true.: no profile, nor moments on shorter elements, which cost time
+      logical, intent(in), optional :: totals_only   !< true: neither profile nor moments, which take time
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
@@ -125,10 +127,10 @@ contains
       result%seconds = seconds_between(start, finish)
    end subroutine solve_static_analysis
 
-   !> Says how far moments may be off, if by more than `doubtful`, and what makes them better where long elements are the reason.
+   !> Warn of an error of the moments above `doubtful`, and advise shorter elements if their length is the reason.
    pure subroutine warn_of_moments(numerics, by_elements, result)
       type(numerics_type), intent(in) :: numerics
-      real(wp), intent(in) :: by_elements     !< error of moments by the length of elements, over the largest [-]
+      real(wp), intent(in) :: by_elements     !< error of moments from the length of elements, over the largest [-]
       type(case_result_type), intent(inout) :: result
       if (.not. result%moment_error > doubtful) return
       call add_message(result, 'Bending moments may be off by '//to_text(100.0_wp*result%moment_error, shown)//' % of the largest')
@@ -136,10 +138,10 @@ contains
          call add_message(result, "Set fidelity = 'reference' to halve elements")
    end subroutine warn_of_moments
 
-   !> Solves a coiled string once more, from other starts: there are neighbours, and where friction acts along the hole it holds the
-   !> coils where they formed, and so what of a push reaches the bit. The result has the helix that is predicted; a message gives
-   !> the range, and the error of the moments covers it. The first neighbour starts on the low side of the hole. Where that finds
-   !> nothing, or the same equilibrium, the second has coils that turn the other way.
+   !> Solve a helically buckled string once more, from other starts. Friction along the hole holds the coils where they formed,
+   !> so that there are several equilibria. The result keeps the equilibrium of the predicted helix. A message gives the range,
+   !> and the error of the moments covers it. The first other start is on the low side of the hole. If that finds no other
+   !> equilibrium, the second has coils that turn the other way.
    subroutine find_range(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -166,7 +168,7 @@ contains
       call warn_of_range(model%units, found, mirrored, result)
    end subroutine find_range
 
-   !> True if a mesh has used its allowed work, but for its last iteration.
+   !> True if a mesh has used its allowed work, except for its last iteration.
    pure function work_is_done(numerics, result) result(done)
       type(numerics_type), intent(in) :: numerics
       type(case_result_type), intent(in) :: result
@@ -174,7 +176,7 @@ contains
       done = real(result%iterations + 1, wp)*result%elements > patience(numerics)*most_work
    end function work_is_done
 
-   !> Solves the case with elements no longer than asked for, going on after the iterations in `history`.
+   !> Solve the case with elements no longer than `element_length`. Iterations are counted on from those in `history`.
    subroutine solve_on_mesh(model, case_index, element_length, attempts, wanted, history, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -214,7 +216,7 @@ contains
                               solution, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
-         if (is_stopped(stop)) outcome = outcome_stopped       ! what an attempt that was cut short led to does not count
+         if (is_stopped(stop)) outcome = outcome_stopped       ! an attempt that was interrupted does not count
          margin = missing
          if (outcome == outcome_converged .and. solution%compressed > buckling_share) &
             call find_stability_margin(model%trajectory, solution, margin)
@@ -227,8 +229,8 @@ contains
       end associate
    end subroutine solve_on_mesh
 
-   !> One attempt: from the start, increment by increment, to the end or to where it fails. Where the string then stands outside its
-   !> hole between its contact points the mesh is cut finer, and the iteration goes on from there.
+   !> Make one attempt: from the start, increment by increment, until it converges or fails. If the string then is outside its
+   !> hole between its contact points, cut the mesh finer and go on iterating.
    subroutine make_attempt(model, case_index, numerics, attempt, number, solution, outcome)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -272,7 +274,7 @@ contains
       if (worst > largest_excess) outcome = outcome_outside
    end subroutine make_attempt
 
-   !> Cuts the elements that are marked, and lays the string on the finer mesh as it is.
+   !> Cut the marked elements, and put the string on the finer mesh in its present position.
    subroutine refine(model, case_index, numerics, marked, solution)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -293,7 +295,7 @@ contains
       call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
    end subroutine refine
 
-   !> Room for the start, and the iteration's scales.
+   !> Allocate the arrays of the start, and set the scales of the iteration.
    subroutine prepare(model, case_index, solution)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

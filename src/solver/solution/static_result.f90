@@ -1,4 +1,4 @@
-!> The result of an analysis by beams with contact gap elements.
+!> Result of an analysis by beams with contact gap elements.
 module dg_static_result
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
@@ -29,35 +29,36 @@ module dg_static_result
    public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, warn_of_range, &
              warn_of_slope, warn_of_contact
 
-   !> Results affected when gaps are not at the place asked for. The figure: GP1's side forces with gaps at x0 and at nodes of 5 m
-   !> elements lie by up to 12 % off those of 0.5 m.
+   !> Results affected when gaps are not at the place asked for. The figure is from GP1. Its side forces with gaps at x0 or at
+   !> nodes of 5 m elements differ by up to 12 % from those of 0.5 m.
    character(*), parameter :: touched = 'allow 10 % on side force and tilt of the bit, and on bending moments between contacts'
-   !> Length of the elements that are advised over that of the longest [-], and the shortest that are [m].
+   !> Length of the elements that are advised over the longest present one [-], and the shortest that are advised [m].
    real(wp), parameter :: advised = 0.1_wp, shortest_advised = 0.5_wp
-   !> Forces out of balance over the weight from which on a result is none [-]. Sound results have 1e-12 to 1e-6, at any wall.
+   !> A result is rejected if the unbalanced force over the weight exceeds this [-]. Sound results have 1e-12 to 1e-6, at any
+   !> stiffness of the wall.
    real(wp), parameter :: most_out_of_balance = 1.0e-4_wp
-   !> Largest total pull of walls over the weight [-]: the usual r_n0 in 10 000 gaps.
+   !> Largest sum of forces with which walls pull the string, over the weight [-]: the default of r_n0 in 10 000 gaps.
    real(wp), parameter :: most_pulled = 1.0e-5_wp
-   !> Largest force out of balance over the weight of a string in equilibrium, stable or not [-].
+   !> Largest unbalanced force over the weight of a string in equilibrium, stable or not [-].
    real(wp), parameter :: in_balance = 1.0e-8_wp
-   !> A message tells of contact forces that differ by more than this part of the whole [-].
+   !> Least difference of contact forces, over the whole, that a message reports [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
-   !> A part of the string that is longer than this part of it is not named [-].
+   !> A message names a part of the string only if it is shorter than this part of it [-].
    real(wp), parameter :: nearly_all = 0.9_wp
-   !> A message tells of another hook load that differs by more than this part of the largest axial force, and of another largest
-   !> moment that differs by more than this part of it [-].
+   !> A message reports another hook load that differs by more than `worth_telling` of the largest axial force [-]. It reports
+   !> another largest moment that differs by more than `moments_worth_telling` of it [-].
    real(wp), parameter :: worth_telling = 5.0e-3_wp, moments_worth_telling = 0.02_wp
-   !> Part of the difference to another equilibrium of a coil by which moments may be off [-]: two seldom are both ends of their
-   !> range. Of 43 coiled wells one was 1.7 times as far off, the others were less than once.
+   !> Error of the moments over their difference to another equilibrium of a coil [-]. Two equilibria are seldom both ends of
+   !> the range.
    real(wp), parameter :: beyond_both = 2.0_wp
-   !> Contact force and moment that are not compared: nothing touches, nothing is bent [N, N.m].
+   !> Contact force and moment too small to be compared [N, N.m].
    real(wp), parameter :: least_contact = 10.0_wp, least_moment = 1.0e-3_wp
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_range = 3, shown_depth = 6, shown_residual = 3, shown_clearances = 2
 
 contains
 
-   !> The result of the last state, converged or not; its profile is recover_profile's.
+   !> Fill the result of the last state, converged or not, without its profile (recover_profile).
    subroutine fill_result(model, case_index, solution, outcome, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -103,7 +104,7 @@ contains
          call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
          result%inclination = inclination_of(tangent)
          result%hookload = work%hookload - surface_push(model, case_index)
-         ! a part of a string may be pushed by what is above it
+         ! the top of a part of a string may be pushed by the string above it
          if (outcome == outcome_converged .and. is_pushed(result%hookload, work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
          if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
@@ -139,9 +140,10 @@ contains
       end associate
    end subroutine fill_result
 
-   !> Says of a string that whirls how much of it does, and what that leaves open, where it changes torque at surface or the
-   !> sum of contact forces (over weight and bit load) by a part that is worth telling. On a side that is held, friction m R across
-   !> bears a part of the load w, and the contact force is R = w/sqrt(1 + m^2). Without that friction it is w.
+   !> Warn of a rotating string that does not stay on one side of the hole, with its length and the resulting error. The
+   !> warning is only given if torque at surface or the sum of contact forces (over weight and bit load) changes noticeably. On
+   !> a side that is held, friction m*R sideways carries a part of the load w. The contact force is then R = w/sqrt(1 + m^2).
+   !> Without that friction it is w.
    pure subroutine warn_of_whirling(units, mesh, work, force_scale, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
@@ -162,12 +164,12 @@ contains
                        to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' % too high')
    end subroutine warn_of_whirling
 
-   !> Takes back that a result has converged where its forces are out of balance, or walls pull. A string that whirls is let
-   !> be: what is left out there is told.
+   !> Reject a converged result if its forces are out of balance, or if walls pull. For a rotating string that does not stay on
+   !> one side of the hole, balance is not checked: see warn_of_whirling.
    pure subroutine judge_balance(units, force_scale, normal, whirls, result)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: force_scale       !< weight and bit load [N]
-      real(wp), intent(in) :: normal(:)         !< contact forces; below 0: the wall pulls [N]
+      real(wp), intent(in) :: normal(:)         !< contact forces, negative where the wall pulls [N]
       logical, intent(in) :: whirls
       type(case_result_type), intent(inout) :: result
       type(numerics_type) :: usual
@@ -194,11 +196,11 @@ contains
       call add_sentence(result%message, text)
    end subroutine add_message
 
-   !> Says how another equilibrium of a coiled string differs, and lets the error of the moments cover it.
+   !> Report another equilibrium of a helically buckled string, and let the error of the moments cover it.
    pure subroutine warn_of_range(units, other, mirrored, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(in) :: other
-      logical, intent(in) :: mirrored                   !< its start was the mirror image; else it lay on the low side of the hole
+      logical, intent(in) :: mirrored                   !< true: started from the mirror image; false: from the low side of the hole
       type(case_result_type), intent(inout) :: result
       character(:), allocatable :: text
       real(wp) :: largest, moment, other_moment
@@ -226,10 +228,10 @@ contains
                                               mirrored)//text)
    end subroutine warn_of_range
 
-   !> Says where a string slopes too much against its hole for the beam that gives the moments.
+   !> Warn of parts of the string that slope too much against the hole for the beam that gives the moments.
    pure subroutine warn_of_slope(units, md, longest, result)
       type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: md(2)                     !< where such elements begin and end [m]
+      real(wp), intent(in) :: md(2)                     !< beginning and end of such elements [m]
       real(wp), intent(in) :: longest                   !< longest element of the analysis [m]
       type(case_result_type), intent(inout) :: result
       call add_message(result, 'Bending moments and stresses may be off by tens of per cent between '// &
@@ -239,8 +241,9 @@ contains
                        in_units(units, unit_length, longest, shown)//'. A smaller element_length makes them better')
    end subroutine warn_of_slope
 
-   !> Says where the beam that gives the moments has another contact force than the analysis. Of a helically buckled string it is
-   !> that beam which is off: hook loads keep within 1e-3 on elements of any length where it differs by 30 %. Else both may be.
+   !> Warn if the contact force of the beam that gives the moments differs from the analysis. In a helically buckled string the
+   !> beam is wrong. Hook loads then agree within 1e-3 on elements of any length even where it differs by 30 %. Otherwise both
+   !> may be wrong.
    pure subroutine warn_of_contact(units, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
@@ -265,7 +268,7 @@ contains
       end associate
    end subroutine warn_of_contact
 
-   !> Add remarks on the course of the solution. Shorter elements are advised but for helically buckled strings, which most often
+   !> Add remarks on the course of the solution. Shorter elements are not advised for helically buckled strings, which often
    !> keep such contact points on them.
    subroutine add_remarks(units, mesh, asked, numerics, result)
       type(unit_system_type), intent(in) :: units
@@ -281,7 +284,7 @@ contains
          ' gives most strings contact points where they lie deepest')
    end subroutine add_remarks
 
-   !> Adds what is said of a string that stands outside its hole.
+   !> Warn of a string that is outside its hole.
    pure subroutine add_outside(units, outside, result)
       type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside
@@ -292,8 +295,8 @@ contains
       call add_message(result, text)
    end subroutine add_outside
 
-   !> The result of a case that nothing at the top can bring about: friction of the coiled string outgrows all bounds, or no pipe
-   !> bears the pull against it. It has a message and no numbers.
+   !> Make the result of a case that is locked up: a message without numbers. Either friction of the helically buckled string
+   !> grows without bound, or no pipe carries the pull against it.
    subroutine result_of_lock_up(model, case_index, totals, strained, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -331,9 +334,9 @@ contains
       end if
    end subroutine result_of_lock_up
 
-   !> Largest distance of a node outside the hole, over the clearance [-], and the node. A string between two gaps is not seen by
-   !> the wall: where a node is outside by a good part of the clearance the equilibrium is one of another hole, and no result. Where
-   !> a gap beside the node presses the wall in, the hole is as wide as that: a wall that gives way is no other hole.
+   !> Largest distance of a node outside the hole, over the clearance [-], and that node. Between two gaps the string does not
+   !> feel the wall. If a node is outside by a good part of the clearance, the solution is not valid. Where a gap beside the
+   !> node presses into the wall, the hole counts as wider by that.
    pure subroutine look_outside(model, mesh, work, worst, place)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh

@@ -1,9 +1,10 @@
-!> Friction along the hole of a stiff assembly, which the soft string does not know.
+!> Friction along the hole of a stiff assembly, which the soft string neglects.
 !>
-!> A bent housing, or stabilizers that fill a bending hole, press on the wall by what it takes to bend them: up to hundreds of
-!> kilonewtons, where the soft string has weight and tension alone. A string that slides or is run in has to push them. Without that
-!> push its pipe is expected in less compression than it has, elements are too long for it, and the pipe buckles out of the hole
-!> between their gaps. The beam of the start has the contact of the assembly: friction goes by it here.
+!> A bent housing, or stabilizers that fill a bending hole, are pressed to the wall by their own stiffness, with up to hundreds
+!> of kilonewtons. The soft string has contact by weight and tension alone. A string that slides or is run in has to push such
+!> an assembly. Without that push the expected compression is too small, and elements are too long. The pipe then buckles out
+!> of the hole between its gaps. The beam of the start (dg_bent_start) has the contact of the assembly, from which friction is
+!> taken here.
 module dg_stiff_drag
    use dg_kinds, only: wp
    use dg_case_result, only: scale_count
@@ -21,15 +22,16 @@ module dg_stiff_drag
    private
    public :: find_stiff_drag
 
-   !> Part of that load by which it is eased [-]: at the load itself the soft string may run away by round-off.
+   !> Part of the largest load at the bit by which that load is reduced [-]. At the load itself the soft string may run away by
+   !> round-off.
    real(wp), parameter :: eased_by = 0.01_wp
-   !> Times that it is found of a string that locks up: the load that comes to its bit goes by it.
+   !> Number of times that the friction of a locked-up string is computed. The load at its bit depends on that friction.
    integer, parameter :: passes = 2
 
 contains
 
-   !> That friction less what the soft string has there, > 0 down the hole [N]; 0 where no equilibrium feels it. Of a string that
-   !> locks up it is the one under the greatest load that comes to its bit.
+   !> Friction of the stiff assembly less the friction of the soft string there, positive down the hole [N]. It is 0 where it
+   !> has no effect. For a string that locks up it is found under the greatest load that reaches its bit.
    pure subroutine find_stiff_drag(model, case_index, drag)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -50,12 +52,12 @@ contains
       end do
    end subroutine find_stiff_drag
 
-   !> The same of a string under the loads of its case.
+   !> Find that friction for a string under the loads of its case.
    pure subroutine find_drag(model, case_index, drag, locked_up)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(out) :: drag
-      logical, intent(out) :: locked_up         !< nothing is found then
+      logical, intent(out) :: locked_up         !< true if the soft string locks up; `drag` is 0 then
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
       type(soft_totals_type) :: totals

@@ -1,11 +1,12 @@
-!> The start bent: a line of the soft string becomes the line of a beam under the soft string's axial force and torque.
+!> The start as a bent beam. The line of the soft string becomes the line of a beam under the soft string's axial force and
+!> torque.
 !>
-!> The soft string lies against the wall of every section of the hole, whatever it would take to bend it there. Next to stabilizers,
-!> at changes of clearance, and where a survey is noisy, its line taken as a beam's starts with up to meganewtons out of balance,
-!> and says nothing of which gaps are open. The beam of dg_bending_beam on the nodes of the mesh finds that at a tenth of the cost
-!> of the whole equations: axial force and torque are known, so that what is left is contact alone, without friction and compression
-!> the minimum of a convex energy. Compressed parts are held near where they were laid by springs as stiff as the compression makes
-!> them unstable: a start need not settle how they buckle.
+!> The soft string touches the wall in every section of the hole, whatever force would bend it there. As a beam its line may
+!> start with meganewtons out of balance, and does not show which gaps are open. That happens next to stabilizers, at changes
+!> of clearance, and where a survey is noisy. The beam of dg_bending_beam on the nodes of the mesh finds a better line at a
+!> tenth of the cost of the whole equations. Axial force and torque are known, so that only contact is unknown. Without
+!> friction and compression the solution is the minimum of a convex energy. Springs hold compressed parts near their first
+!> position. They are as stiff as the compression makes these parts unstable, as a start need not settle how they buckle.
 module dg_bent_start
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, set_elements
@@ -20,21 +21,22 @@ module dg_bent_start
    private
    public :: bend_start, new_start_beam, pressing_of_bend
 
-   !> Change of moments over the largest one at which a start is good enough [-]. The same at which it is settled, so that the
-   !> places of its gaps do not depend on the way there. A compressed string is held near where it was laid, and is not settled.
+   !> Change of moments over the largest one at which a start is good enough [-], and at which it is settled. The places of the
+   !> gaps of a settled start do not depend on the way there. A compressed string, which springs hold near its first position,
+   !> is not settled.
    real(wp), parameter :: near = 1.0e-3_wp, settled = 1.0e-5_wp
 
-   !> A string with a bent housing, pads or eccentric blades that hangs free in a vertical hole is held this stiffly, over EI/L^3 of
-   !> its whole length [-]: else it might stand anywhere in the hole.
+   !> Stiffness that holds a string hanging free in a vertical hole, over EI/L^3 of its whole length [-]. Only strings with a
+   !> bent housing, pads or eccentric blades have it. Without it such a string might be anywhere in the hole.
    real(wp), parameter :: loose = 1.0e-3_wp
 
 contains
 
-   !> The beam on the nodes of the mesh under the soft string's forces, but for its walls.
+   !> Make the beam on the nodes of the mesh under the soft string's forces, without its walls.
    pure subroutine new_start_beam(model, mesh, axial, torque, along, around, beam)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
+      real(wp), intent(in) :: axial(:), torque(:)   !< by node, axial > 0 in tension [N, N.m]
       real(wp), intent(in) :: along(:), around(:)   !< coefficients of friction along and around the hole, by element [-]
       type(bending_beam_type), intent(out) :: beam
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
@@ -86,14 +88,14 @@ contains
       call set_elements(beam)
    end subroutine new_start_beam
 
-   !> Bends offsets and slopes y(4,nodes) [m, -] in the frames of the hole where the nodes are, against walls of a stiffness, and
-   !> finds what each element then presses with. `found` is false where the beam finds no equilibrium: y is then what it was.
-   !> A string in tension has one equilibrium: walls are hardened from soft to their own. A compressed one may lie buckled, and
-   !> would leave its coils on soft walls: it is bent against its own walls first.
+   !> Bend offsets and slopes y(4,nodes) [m, -] against walls of a given stiffness, and compute the contact forces. y is in the
+   !> frames of the hole at the nodes. If the beam finds no equilibrium, `found` is false and y stays. A string in tension has
+   !> one equilibrium: walls are hardened from soft to their own stiffness. A compressed string may be buckled, and would lose
+   !> its coils on soft walls. It is bent against its own walls first.
    pure subroutine bend_start(mesh, wall, begin, beam, y, pressed, found)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
-      real(wp), intent(in) :: begin                 !< stiffness of walls that y has been bent against; 0: none [N/m2]
+      real(wp), intent(in) :: begin                 !< stiffness of walls that y has been bent against, 0: none [N/m2]
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
@@ -120,9 +122,8 @@ contains
       pressed = settling
    end subroutine bend_start
 
-   !> Largest contact load over its clearance that a bent housing, pads or eccentric blades are expected to have in a vertical hole
-   !> [N/m2], where nothing else that the soft string knows of presses; else 0. From the contact forces of the start, by element
-   !> [N].
+   !> Largest contact load over its clearance by a bent housing, pads or eccentric blades in a vertical hole [N/m2], else 0.
+   !> The soft string knows no other contact there. `force` are the contact forces of the start, by element [N].
    pure function pressing_of_bend(mesh, force) result(pressing)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: force(:)

@@ -1,9 +1,9 @@
-!> The start of a compressed string: sinusoids and helices as they will be, phase included.
+!> The start of a compressed string: sinusoids and helices of buckling theory, phase included.
 !>
-!> From the straight state the iteration would have to grow every turn out of nothing, left- and right-handed by chance, and then
-!> work the reversals out of the string. Amplitude and pitch are known from theory; so is where along the hole the waves lie,
-!> which depends on what ends them: to shift a whole sinusoid by a quarter wave takes Newton ten to twenty iterations, since the way
-!> there is curved.
+!> From the straight state the iteration would have to grow every turn from zero, left- and right-handed by chance. It would
+!> then have to work the reversals out of the string. Amplitude and pitch are known from theory. So is the place of the waves
+!> along the hole, which depends on the ends of the buckled part. To shift a whole sinusoid by a quarter wave takes Newton's
+!> method ten to twenty iterations, as the path is curved.
 module dg_buckled_start
    use dg_buckling_limits, only: sinusoidal_limit
    use dg_helical_load, only: helical_contact, helical_load
@@ -17,36 +17,37 @@ module dg_buckled_start
    private
    public :: lay_buckled
 
-   !> State of a place of the string.
+   !> State of the string at a node.
    integer, parameter :: stretched = 0, on_low_side = 1, sinusoidal = 2, helical = 3
-   !> End of a sinusoid: none, its load fades; an end in the middle of the hole; a stiffer part that does not buckle; a helix.
+   !> End of a sinusoid: its load fades; an end in the middle of the hole; a stiffer part that does not buckle; a helix.
    integer, parameter :: fades = 0, centred_end = 1, stiff_part = 2, coil_beyond = 3
-   !> Distance of the first zero of the sine from the end of the buckled part [half waves], and extra phase of its envelope there
-   !> [rad]. For an end in the middle of the hole they follow from linear theory at the load of onset: the sinusoidal shape
-   !> a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall. That string is 1.745 l long
-   !> and presses with 2.019 n l where it touches, n the side load and l = (EI c/n)^(1/4).
-   !> At a part r times as stiff they are 1 - 1/(2 r) and 0. A rigid part is a clamp. The beams' own solutions have 0.73 at
-   !> heavy-weight pipe (r = 1.9) and 0.87 to 0.93 at collars (r = 5).
+   !> Distance of the first zero of the sine from the end of the buckled part [half waves], and extra phase of its envelope
+   !> there [rad]. For an end in the middle of the hole they follow from linear theory at the load of onset. The sinusoidal
+   !> shape a (x + x_0) cos(x + phi) is joined to a string that hangs free between the axis and the wall. With the side load n,
+   !> l = (EI c/n)^(1/4). That string is 1.745 l long and presses with 2.019 n l where it touches. At a part r times as stiff
+   !> the values are 1 - 1/(2 r) and 0. A rigid part is a clamp. Solutions by beams have 0.73 at heavy-weight pipe (r = 1.9)
+   !> and 0.87 to 0.93 at collars (r = 5).
    real(wp), parameter :: zero_at_end = 0.730_wp, lead_at_end = 2.926_wp
    real(wp), parameter :: zero_at_clamp = 1.0_wp, zero_by_stiffness = 0.5_wp
-   !> Phase from a centred end at which a coil turns at its full rate [rad]: as the beams' own solutions do, a quarter turn late.
+   !> Phase from a centred end at which a helix turns at its full rate [rad]. In solutions by beams it turns a quarter turn
+   !> late.
    real(wp), parameter :: coil_turns = pi
-   !> The angle to the low side, before it, at which a coil comes from the middle of the hole [rad]: its weight is lowest so, the
-   !> end turning slowly as `held_back` has it, at the height of a beam between axis and wall.
+   !> Angle to the low side, before it, at which a helix leaves the middle of the hole [rad]. At this angle its weight is
+   !> lowest. Its end turns slowly as in `held_back`, at the height of a beam between axis and wall.
    real(wp), parameter :: lag_at_end = 0.92_wp
-   !> Waves are stretched or pressed together by no more than this to suit both ends of a zone [-].
+   !> Largest change of length of the waves, over it, that fits them to both ends of a zone [-].
    real(wp), parameter :: largest_stretch = 0.25_wp
-   !> Change of bending stiffness that ends a sinusoid [-].
+   !> Ratio of bending stiffnesses that ends a sinusoid [-].
    real(wp), parameter :: much_stiffer = 1.5_wp
 
    !> End of a zone.
    type :: end_type
       integer :: kind = fades
-      real(wp) :: zero = 0.0_wp   !< way of a sinusoid's first zero from there [half waves]
-      real(wp) :: lead = 0.0_wp   !< of a sinusoid's envelope [rad]
+      real(wp) :: zero = 0.0_wp   !< distance of a sinusoid's first zero from there [half waves]
+      real(wp) :: lead = 0.0_wp   !< extra phase of a sinusoid's envelope [rad]
    end type end_type
 
-   !> A run of nodes that do the same.
+   !> A run of nodes in the same state.
    type :: zone_type
       integer :: first, last
       type(end_type) :: above, below
@@ -54,11 +55,10 @@ module dg_buckled_start
 
 contains
 
-   !> Lays a string that the soft string finds compressed by F as it will buckle.
-   !>   beyond the helical load    a helix against the wall, pitch 2 pi sqrt(2 EI/F), contact force c F^2/(4 EI) per metre
-   !>   beyond Dawson & Paslay's   a sinusoid about the side that it lies on (dg_sinusoidal_shape)
-   !>   else                       a helix of the size of the imperfection is laid over it: a string standing exactly straight
-   !>                              could not leave that state
+   !> Give a string that the soft string finds compressed by F its buckled shape:
+   !> - above the helical load a helix against the wall, of pitch 2 pi sqrt(2 EI/F) and contact force c F^2/(4 EI) per metre
+   !> - above the load of Dawson & Paslay a sinusoid about the side on which the string lies (dg_sinusoidal_shape)
+   !> - else a helix of the size of the imperfection, as an exactly straight string could not leave that state
    pure subroutine lay_buckled(model, mesh, axial, wall, load, offset, slope)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -91,15 +91,15 @@ contains
                e = min(i, mesh%elements)
                offset(:, i) = offset(:, i) + model%numerics%imperfection*mesh%clearance(e)*[cos(phase(i)), sin(phase(i))]
             end do
-         case default      ! in tension: nothing
+         case default      ! in tension: unchanged
          end select
          zone%first = zone%last + 1
       end do
       if (model%numerics%tuning%start_mirrored) call mirror(mesh, offset, slope)
    end subroutine lay_buckled
 
-   !> Turns a line into its image in a mirror that stands in the vertical plane along the hole; in a vertical hole, in the plane
-   !> through north.
+   !> Replace a line by its image in a mirror in the vertical plane along the hole. In a vertical hole the mirror is in the
+   !> plane through north.
    pure subroutine mirror(mesh, offset, slope)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
@@ -115,11 +115,11 @@ contains
       end do
    end subroutine mirror
 
-   !> State of the string at each node, and its wave number [rad/m].
+   !> Find the state of the string at each node, and its wave number [rad/m].
    pure subroutine classify_nodes(mesh, axial, load, regime, rate)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: axial(:)
-      real(wp), intent(inout) :: load(:)      !< between two parts that of the weaker, which decides there
+      real(wp), intent(inout) :: load(:)      !< by node [N/m]; between two parts, on return, the load of the weaker part
       integer, intent(out) :: regime(:)
       real(wp), intent(out) :: rate(:)
       real(wp) :: swing
@@ -152,8 +152,8 @@ contains
       call join_zones(mesh%md, rate, regime)
    end subroutine classify_nodes
 
-   !> Joins a sinusoid or helix that is shorter than half a wave to the other beside it. Where the load changes from station to
-   !> station they would else take turns.
+   !> Join a sinusoid or helix that is shorter than half a wave to the other one beside it. Otherwise they would alternate
+   !> where the load changes from station to station.
    pure subroutine join_zones(md, rate, regime)
       real(wp), intent(in) :: md(:), rate(:)
       integer, intent(inout) :: regime(:)
@@ -172,7 +172,7 @@ contains
       end do
    end subroutine join_zones
 
-   !> Last of the nodes from `first` on that do the same.
+   !> Last of the nodes from `first` on that are in the same state.
    pure function last_like(regime, first) result(last)
       integer, intent(in) :: regime(:), first
       integer :: last
@@ -183,7 +183,7 @@ contains
       end do
    end function last_like
 
-   !> Compression over the sinusoidal limit of what presses the string on there, 0 where nothing does [-].
+   !> Compression over the sinusoidal limit under the side load, 0 without side load [-].
    pure function ratio_to_onset(mesh, e, compression, load) result(ratio)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -193,7 +193,7 @@ contains
       if (load > 0.0_wp) ratio = compression/sinusoidal_limit(mesh%section(e)%ei, load, mesh%clearance(e))
    end function ratio_to_onset
 
-   !> The element next to a node that bends more easily.
+   !> Element next to a node that has the smaller bending stiffness.
    pure function weaker(mesh, node) result(e)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
@@ -218,7 +218,7 @@ contains
       end if
    end subroutine radius_of
 
-   !> End of the zone at one of its nodes: beyond its lower end where `side` is 1, beyond its upper end where it is -1.
+   !> Kind of end of the zone at one of its nodes: its lower end where `side` is 1, its upper end where it is -1.
    pure function what_ends(mesh, regime, node, side, centred) result(ends)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: regime(:)
@@ -240,7 +240,8 @@ contains
       end if
    end function what_ends
 
-   !> Lays a helix from where the string lies above it on; where it lies below it, too, its turns are stretched to end there.
+   !> Set a helix from the position of the string above it on. If the string below it has a position too, the turns are
+   !> stretched to end there.
    pure subroutine set_helix(mesh, zone, axial, rate, wall, phase, start, load, offset, slope)
       type(mesh_type), intent(in) :: mesh
       type(zone_type), intent(in) :: zone
@@ -270,16 +271,16 @@ contains
       end do
    end subroutine set_helix
 
-   !> Angle by which a coil's end lags behind the side that it lies on [rad].
+   !> Angle by which the end of a helix lags behind the side on which it lies [rad].
    pure function lag(ends) result(angle)
       type(end_type), intent(in) :: ends
       real(wp) :: angle
       angle = merge(lag_at_end, 0.0_wp, ends%kind == centred_end)
    end function lag
 
-   !> Angle that a coil has not turned at some phase x from its end [rad]. Between the axis and the wall it does not at all: its
-   !> rate grows as (1 - cos x)/2 from a centred end. Where it begins to lie, the rate is u = beta tanh(beta s): the beam's equation
-   !> along the wall without torque, EI (u'' - 2 u^3) + F u = 0 with beta^2 = F/(2 EI) (Mitchell 1988), has this solution.
+   !> Angle that a helix has not turned at a phase x from its end [rad]. Between the axis and the wall it does not turn: from a
+   !> centred end its rate grows as (1 - cos x)/2. Where it reaches the wall, the rate is u = beta tanh(beta s) with beta^2 =
+   !> F/(2 EI). This solves the beam's equation along the wall without torque, EI (u'' - 2 u^3) + F u = 0 (Mitchell 1988).
    pure function held_back(ends, away) result(angle)
       type(end_type), intent(in) :: ends
       real(wp), intent(in) :: away    !< [rad]
@@ -289,7 +290,7 @@ contains
       if (ends%kind == fades .or. ends%kind == stiff_part) angle = log(2.0_wp) - log(1.0_wp + exp(-2.0_wp*away))
    end function held_back
 
-   !> Its rate there over that of the coil [-].
+   !> Rate of turning there over that of the whole helix [-].
    pure function turning(ends, away) result(part)
       type(end_type), intent(in) :: ends
       real(wp), intent(in) :: away    !< [rad]
@@ -299,7 +300,7 @@ contains
       if (ends%kind == fades .or. ends%kind == stiff_part) part = tanh(away)
    end function turning
 
-   !> Sets a sinusoid on both sides of where the string lies, its waves where what ends them wants them.
+   !> Set a sinusoid about the side on which the string lies, with its waves fitted to its ends.
    pure subroutine set_sinusoid(mesh, zone, axial, load, rate, phase, offset, slope)
       type(mesh_type), intent(in) :: mesh
       type(zone_type), intent(in) :: zone
@@ -332,7 +333,7 @@ contains
       end do
    end subroutine set_sinusoid
 
-   !> Factor on a phase so that it comes to `wanted` but for a whole number of `unit`, or 1 where that asks too much.
+   !> Factor on a phase that makes it `wanted` plus a whole number of `unit`, or 1 if that changes it too much.
    pure function stretched_by(phase, wanted, unit) result(factor)
       real(wp), intent(in) :: phase, wanted, unit   !< [rad]
       real(wp) :: factor
@@ -342,8 +343,8 @@ contains
       if (abs(factor - 1.0_wp) > largest_stretch) factor = 1.0_wp
    end function stretched_by
 
-   !> Part of its full swing that a sinusoid has at some phase from its end: of the envelope A(x) of w = A exp(i x) by the onset,
-   !> 2 A'' + (b - 1) A = const A^3, which an end holds to nothing at -x_0.
+   !> Part of its full swing that a sinusoid has at a phase from its end [-]. It is the envelope A(x) of w = A exp(i x) near
+   !> the onset: 2 A'' + (b - 1) A = const A^3, with A = 0 at -x_0.
    pure function envelope(ends, rise, away) result(part)
       type(end_type), intent(in) :: ends
       real(wp), intent(in) :: rise    !< sqrt(b - 1), b compression over the load of onset [-]

@@ -1,9 +1,12 @@
-!> Start of the iteration: the soft string laid into the hole as beams.
+!> Start of the iteration: the soft string as beams in the hole.
 !>
-!> The soft string gives axial force, torque and the side on which each place touches. Nodes are laid against that
-!> side, pressed into the wall by the contact force, turned up the wall when the string rotates, bent as a beam (dg_bent_start), and
-!> slid along the hole until every element carries the soft string's axial force; twist follows from the torque. From the hole
-!> axis with the full load the iteration takes many times as long, and may be lost.
+!> The soft string gives axial force, torque and the side on which each place touches. Steps:
+!> - nodes are put on that side, and pressed into the wall by the contact force
+!> - they are turned up the wall if the string rotates
+!> - the line is bent as a beam (dg_bent_start)
+!> - nodes are slid along the hole until every element carries the soft string's axial force
+!> - twist follows from the torque
+!> From the hole axis with the full load the iteration takes many times as long, and may diverge.
 module dg_predictor
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
@@ -29,32 +32,34 @@ module dg_predictor
 
    !> Settings of a start.
    type :: start_type
-      real(wp) :: scale = 1.0_wp       !< of friction and bit loads [-]
-      real(wp) :: softness = 1.0_wp    !< stiffness of the walls that it is laid against over their own [-]
-      !> Contact forces are spread as the soft wall does. The wall itself gathers them where the string touches, and with that the
+      real(wp) :: scale = 1.0_wp       !< factor on friction and bit loads [-]
+      real(wp) :: softness = 1.0_wp    !< stiffness of the walls at the start over their own [-]
+      !> Contact forces are spread as against a soft wall. Against the wall itself they concentrate where the string touches,
+      !> and only then are the places of the gaps right.
       !> places of the gaps are right.
       logical :: spread = .false.
    end type start_type
 
-   !> Corrections of an element's slide by what its length differs: the first leaves newtons of axial force, the second thousandths.
+   !> Corrections of an element's slide for its length. The first leaves newtons of axial force, the second thousandths.
    integer, parameter :: slide_steps = 2
-   !> A last one shorter than this leaves the node's slope as it is [m]: in a hole of 10 m radius that is off by 1e-9 then.
+   !> A last correction shorter than this leaves the node's slope unchanged [m]. In a hole of 10 m radius that makes an error
+   !> of 1e-9.
    real(wp), parameter :: straight_slide = 1.0e-8_wp
-   !> A lying side that turns by less than this does not turn [rad]: that is round-off.
+   !> A contact side that turns by less than this does not turn [rad]: it is round-off.
    real(wp), parameter :: least_turn = 1.0e-6_wp
 
 contains
 
-   !> Fills state(6,nodes), what each gap is expected to press with, and the gaps' states from the soft string of the load case,
-   !> with friction and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is laid against
-   !> the soft wall, or against the wall itself where it would lie outside the hole; contact forces are those against the wall
-   !> itself, where they are not left spread. A string under right-hand torque coils to the left.
+   !> Set state(6,nodes), the expected contact forces and the gaps' states from the soft string of the load case, with friction
+   !> and bit loads scaled. A gap whose load is off the middle of its element is put there. The string is bent against the soft
+   !> wall. If it were outside the hole there, it is bent against the wall itself. Contact forces are those against the wall
+   !> itself, unless start%spread. A string under right-hand torque buckles into a left-handed helix.
    pure subroutine predict(model, case_index, mesh, start, sideways, state, gaps, pressed)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       type(start_type), intent(in) :: start
-      real(wp), intent(in) :: sideways(:) !< share of circumferential friction's force, by element [-]
+      real(wp), intent(in) :: sideways(:) !< factor on the force of circumferential friction, by element [-]
       real(wp), intent(out) :: state(:, :)
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
@@ -128,11 +133,12 @@ contains
       end do
    end subroutine predict
 
-   !> True if a compressed string buckles into a left-handed helix. The helix is against its torque or, without torque, as the side
-   !> that the string lies on turns along the hole. A mirrored hole then has the mirrored helix. In a plane both are alike.
+   !> True if a compressed string buckles into a left-handed helix. The helix is against its torque. Without torque, it turns
+   !> as the contact side of the string turns along the hole. A mirrored hole then has the mirrored helix. In a plane both are
+   !> alike.
    pure function coils_left(axial, torque, offset) result(left)
       real(wp), intent(in) :: axial(:), torque(:)   !< by node [N, N.m]
-      real(wp), intent(in) :: offset(:, :)          !< where it lies (2,nodes) [m]
+      real(wp), intent(in) :: offset(:, :)          !< before buckling (2,nodes) [m]
       logical :: left
       real(wp) :: turn, wound, size_of_both
       integer :: i
@@ -148,7 +154,7 @@ contains
       if (.not. abs(wound) > 0.0_wp) left = turn < -least_turn
    end function coils_left
 
-   !> The line seen in a mirror along the hole: what is laid there coils to the right, and to the left in the hole.
+   !> Mirror the line in a plane along the hole. A right-handed helix that is set on the image is left-handed in the hole.
    pure subroutine mirror(offset, slope)
       real(wp), intent(inout) :: offset(:, :), slope(:, :)   !< (2,nodes) [m, -]
       offset(2, :) = -offset(2, :)
@@ -169,9 +175,10 @@ contains
       end do
    end function lies_outside
 
-   !> Nodes through which a start is laid. Others lie on the cubic between them: nodes beside an edge of the string, and nodes close
-   !> to one above next to an element many times as long, as where a component ends beside a station. The offset may jump there with
-   !> the clearance, and a sliver between two such nodes would start with up to millions of times the force that it can carry.
+   !> Find the nodes through which a start is laid. Others follow a cubic between them. These are nodes beside an edge of the
+   !> string, and nodes close to one above but next to a much longer element. The latter occur where a component ends beside a
+   !> station. The offset may jump there with the clearance. A very short element between two such nodes would start with up to
+   !> millions of times the force that it can carry.
    pure subroutine find_knots(tuning, mesh, knot, knots)
       type(tuning_type), intent(in) :: tuning
       type(mesh_type), intent(in) :: mesh
@@ -194,7 +201,7 @@ contains
       end do
    end subroutine find_knots
 
-   !> Slopes of lateral offsets (2,nodes) at the knots, by differences between them.
+   !> Set slopes of lateral offsets (2,nodes) at the knots, by differences between them [-].
    pure subroutine slopes_of(mesh, knot, offset, slope)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: knot(:)
@@ -208,7 +215,7 @@ contains
       end do
    end subroutine slopes_of
 
-   !> Lays the nodes between knots on the cubic through these.
+   !> Put the nodes between knots on the cubic through the knots.
    pure subroutine lay_between(mesh, knot, offset, slope)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: knot(:)
@@ -230,8 +237,8 @@ contains
       end do
    end subroutine lay_between
 
-   !> Slides node after node along the hole until each element carries its axial force: by the element's stretch, and then by what
-   !> its length differs there.
+   !> Slide node after node along the hole until each element carries its axial force. The first slide is the element's
+   !> stretch, the next ones correct its length.
    pure subroutine slide_into_place(trajectory, mesh, axial, offset, slope, state)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -265,7 +272,8 @@ contains
       end do
    end subroutine slide_into_place
 
-   !> Puts a node off the hole axis at its depth plus `slide`; returns the axis' tangent there, displacement and director.
+   !> Put a node off the hole axis at its depth plus `slide` [m]. Returns the axis' tangent there, displacement [m] and
+   !> director.
    pure subroutine place(trajectory, mesh, node, slide, offset, slope, tangent, shift, d)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -287,8 +295,8 @@ contains
       d = (tangent + slope(1)*lateral_1 + slope(2)*lateral_2)*(1.0_wp/sqrt(1.0_wp + slope(1)**2 + slope(2)**2))
    end subroutine place
 
-   !> Unknowns of a node from its displacement and director. Written out: matmul of the run-time library costs more here than all
-   !> the rest.
+   !> Compute the unknowns of a node from its displacement and director. Written out, as matmul of the run-time library would
+   !> cost more than all the rest.
    pure subroutine find_unknowns(frame, shift, d, unknowns)
       real(wp), intent(in) :: frame(3, 3), shift(3), d(3)
       real(wp), intent(inout) :: unknowns(:)

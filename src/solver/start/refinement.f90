@@ -1,4 +1,4 @@
-!> A solution on a mesh as the start on one that is finer somewhere.
+!> A solution on a mesh as the start on a finer mesh.
 module dg_refinement
    use dg_kinds, only: wp
    use dg_hermite, only: hermite_slope, hermite_value
@@ -9,17 +9,17 @@ module dg_refinement
    private
    public :: take_over
 
-   !> An element that is as long as before but for round-off keeps its gap where it is [-].
+   !> Length of an element over that before from which on it keeps the place of its gap [-]: the same but for round-off.
    real(wp), parameter :: whole = 0.999_wp
 
 contains
 
-   !> Lays the string of a solution on a finer mesh: the state gives it the same shape, slide and twist, gaps keep their states, and
-   !> each element gets its share of the contact forces.
+   !> Transfer a solution to a finer mesh. The state gives the string the same shape, slide and twist. Gaps keep their states,
+   !> and each element gets its share of the contact forces.
    pure subroutine take_over(trajectory, solution, finer)
       type(trajectory_type), intent(in) :: trajectory
       type(solution_type), intent(in) :: solution
-      type(solution_type), intent(inout) :: finer    !< with room for all of it
+      type(solution_type), intent(inout) :: finer    !< with all its arrays allocated
       real(wp) :: xi, shape(4), slope(4), place(3), direction(3), axis(3), shift(3), d(3)
       integer :: n, e, a
       associate (coarse => solution%mesh, work => solution%work, fine => finer%mesh, state => finer%state)
@@ -35,7 +35,7 @@ contains
                     + shape(3)*(coarse%chord(:, e) + work%shift(:, e + 1)) + shape(4)*work%d(:, e + 1)
             direction = slope(1)*work%shift(:, e) + slope(2)*work%d(:, e) &
                         + slope(3)*(coarse%chord(:, e) + work%shift(:, e + 1)) + slope(4)*work%d(:, e + 1)
-            axis = fine%base(:, n) - coarse%base(:, e)           ! of the hole at the fine node, off the coarse node
+            axis = fine%base(:, n) - coarse%base(:, e)           ! of the hole at the fine node, from the coarse node
             do a = coarse%arc(e), fine%arc(n) - 1
                axis = axis + trajectory%arcs(a)%chord
             end do
