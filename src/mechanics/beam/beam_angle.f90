@@ -5,14 +5,14 @@ module dg_beam_angle
    private
    public :: angle_ratios, angle_ratio_alone, angle_ratio_once
 
-   !> Below this u = 1 - cos(alpha) the series is used: eight terms leave (u/2)**8 = 1e-16; the closed forms,
-   !> which lose digits as u goes to zero, are good to 1e-11 in the second derivative above it.
+   !> The series is used below this u = 1 - cos(alpha). Its eight terms leave an error of (u/2)**8 = 1e-16. The closed forms
+   !> lose digits as u goes to zero. Above this limit their second derivative is good to 1e-11.
    real(wp), parameter :: series_limit = 0.02_wp
    integer, parameter :: series_terms = 8
-   !> Below this u a few terms leave (u/2)**5 < 1e-20: an angle of 1 deg.
+   !> Below this u, an angle of 1 deg, a few terms leave an error (u/2)**5 < 1e-20.
    real(wp), parameter :: small = 2.0e-4_wp
-   !> Least square of the sine, of an element that a wild step has folded back on itself: such a state is never kept, but its
-   !> numbers must stay in range. What depends on it grows by no more than its fifth power of the root.
+   !> Least square of the sine, for an element that an extreme step has folded back on itself. Such a state is never kept, but
+   !> its numbers must stay in range. Quantities that depend on it grow at most as the fifth power of its root.
    real(wp), parameter :: folded = 1.0e-20_wp
    !> n!/(2n+1)!!: alpha/sin(alpha) = sum c_n u**n.
    real(wp), parameter :: c(0:series_terms) = [1.0_wp, 1.0_wp/3.0_wp, 2.0_wp/15.0_wp, 2.0_wp/35.0_wp, 8.0_wp/315.0_wp, &
@@ -20,8 +20,8 @@ module dg_beam_angle
 
 contains
 
-   !> g = alpha/sin(alpha) with its first and second derivative by cosine = cos(alpha), of n angles below 180 deg.
-   !> Regular at alpha = 0, also where round-off puts the cosine a little above one.
+   !> g = alpha/sin(alpha) with its first and second derivative by cosine = cos(alpha), of n angles below 180 deg. Regular at
+   !> alpha = 0, also where round-off puts the cosine a little above one.
    pure subroutine angle_ratios(n, cosine, g, dg, ddg)
       integer, intent(in) :: n
       real(wp), intent(in) :: cosine(n)
@@ -39,7 +39,7 @@ contains
       end do
    end subroutine angle_ratios
 
-   !> The same of one angle that is not small.
+   !> g and both derivatives of one angle that is not small.
    pure subroutine angle_ratio(cosine, g, dg, ddg)
       real(wp), intent(in) :: cosine
       real(wp), intent(out) :: g, dg, ddg

@@ -1,7 +1,16 @@
 !> The 12-dof beam element: internal forces and the stiffness K0 + KN + Ksigma of Eqs. 9, 10 and 12.
 !>
-!> Everything follows from one energy, written in measures that no rigid motion changes, so that forces and
-!> moments of every element balance to round-off whatever the displacement:
+!> Force and tangent are derivatives of one energy, in measures that no rigid motion changes. Forces and moments of every
+!> element therefore balance to round-off at any displacement:
+!> - e = (x_j - x_i)/l: chord direction, with l the length of the chord
+!> - c_i = d_i.e, c_j = d_j.e: cosines of the angles alpha_i, alpha_j between nodal tangents and chord
+!> - p = d_i.d_j
+!> - theta_i: rotation vector that turns e into d_i, of length alpha_i
+!> - A = alpha_i**2 + alpha_j**2, B = theta_i.theta_j
+!> - b = (2 A - B)/30: arc length of the cubic over its chord, less one. The axial strain is the mean over the element. Point
+!>   by point it would resist pure bending (locking).
+!> - epsilon = l (1 + b)/L_m - 1: axial strain
+!> - U = EA L_m/2 epsilon**2 + (2 EI/L)(A + B): energy [J]
 !>
 !>   e = (x_j - x_i)/l              chord direction, l its length
 !>   c_i = d_i.e, c_j = d_j.e       cosines of the angles alpha_i, alpha_j between nodal tangents and chord
@@ -13,16 +22,15 @@
 !>   epsilon = l (1 + b)/L_m - 1    axial strain
 !>   U = EA L_m/2 epsilon**2 + (2 EI/L)(A + B)
 !>
-!> L is the element's length along the hole. L_m, its unstressed length, is l (1 + b) with nodes and tangents on the
-!> hole axis. So a string on the axis of an arc carries no axial force, and by A and B exactly M = EI/R.
-!> In the tangent, U'' at zero displacement is K0; terms proportional to the axial force N are Ksigma; the rest is KN.
-!> There is no shear deformation.
+!> L is the element's length along the hole. L_m, its unstressed length, is l (1 + b) with nodes and tangents on the hole axis.
+!> A string on the axis of an arc thus carries no axial force, and by A and B exactly M = EI/R. In the tangent, U'' at zero
+!> displacement is K0. Terms proportional to the axial force N are Ksigma, and the rest is KN. There is no shear deformation.
 !>
-!> Twist phi is a scalar along the string (turned about its own tangent, against a frame that does not spin). The torque
-!> M_t enters as an end-moment vector M_t (d_i + d_j)/(1 + p): it is the one vector that balances at both ends and does
-!> the work M_t (phi_j - phi_i).
+!> Twist phi is a scalar along the string (turned about its own tangent, against a frame that does not spin). The torque M_t
+!> enters as an end-moment vector M_t (d_i + d_j)/(1 + p). It is the one vector that balances at both ends and does the work
+!> M_t (phi_j - phi_i).
 !>
-!> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes; dg_assembly turns them into the element's 12 dofs.
+!> Vectors of 12 are ordered (x_i, d_i, x_j, d_j) in space axes. dg_assembly turns them into the element's 12 dofs.
 module dg_beam_element
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratio_alone, angle_ratio_once
@@ -61,8 +69,8 @@ contains
       s = a(1, 1)*a(1, 2) + a(2, 1)*a(2, 2) + a(3, 1)*a(3, 2)
    end subroutine measure_chord
 
-   !> The length that axial forces go by (membrane_length), and its change to first order by a move [m]. Its terms are written out:
-   !> each step of the iteration asks every element.
+   !> Length that determines the axial force (membrane_length), and its change to first order by a move [m]. The terms are
+   !> written out, as each step of the iteration needs them for every element.
    pure subroutine membrane_step(chord, d_i, d_j, move, turn_i, turn_j, length, longer)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
@@ -111,8 +119,8 @@ contains
       call tangent_of(m, section, axial, d_i, d_j, force, stiffness)
    end subroutine beam_tangent
 
-   !> The tangent in the paper's three parts, for study and test (the solution uses their sum, beam_tangent):
-   !> k0 at the reference configuration, ksigma all that carries the current axial force, kn the rest.
+   !> The tangent in the paper's three parts, for study and test; the solution uses their sum (beam_tangent). k0 is at the
+   !> reference configuration, ksigma are all terms with the current axial force, and kn is the rest.
    pure subroutine beam_tangent_parts(section, chord, d_i, d_j, reference_chord, reference_i, reference_j, k0, kn, ksigma)
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
@@ -126,9 +134,9 @@ contains
       call beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
    end subroutine beam_tangent_parts
 
-   !> Internal force that belongs to an axial force alone, and Ksigma of Eq. 10. Both are proportional to it.
+   !> Internal force by an axial force alone, and Ksigma of Eq. 10. Both are proportional to the axial force.
    pure subroutine beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as of beam_force
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as in beam_force
       real(wp), intent(in) :: axial                      !< tension > 0 [N]
       real(wp), intent(out) :: force(12), ksigma(12, 12)
       type(measure_type) :: m
@@ -136,7 +144,7 @@ contains
       call tangent_of(m, beam_section_type(length=1.0_wp, membrane_length=1.0_wp), axial, d_i, d_j, force, ksigma)
    end subroutine beam_stress_tangent
 
-   !> The tangent without what the axial force carries.
+   !> Tangent without the terms of the axial force.
    pure subroutine beam_material_tangent(section, chord, d_i, d_j, stiffness)
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
@@ -147,7 +155,7 @@ contains
       call tangent_of(m, section, 0.0_wp, d_i, d_j, ignored, stiffness)
    end subroutine beam_material_tangent
 
-   !> Force and tangent of a section under an axial force that is given.
+   !> Force and tangent of a section under a given axial force.
    pure subroutine tangent_of(m, section, axial, d_i, d_j, force, stiffness)
       type(measure_type), intent(in) :: m
       type(beam_section_type), intent(in) :: section
@@ -159,7 +167,7 @@ contains
       call space_hessian(m, d_i, d_j, energy_hessian(m, section, axial), first, stiffness)
    end subroutine tangent_of
 
-   !> From scalar measures to space: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
+   !> Second derivatives in space from those of scalar measures: sum C_ab grad z_a grad z_b + sum first_a grad grad z_a.
    pure subroutine space_hessian(m, d_i, d_j, c, first, k)
       type(measure_type), intent(in) :: m
       real(wp), intent(in) :: d_i(3), d_j(3)

@@ -1,4 +1,4 @@
-!> The beam element's energy (dg_beam_element): its measures, its derivatives by them, and the forces on nodes and directors.
+!> Energy of the beam element (dg_beam_element): its measures, its derivatives by them, and the forces on nodes and directors.
 module dg_beam_energy
    use dg_kinds, only: wp
    use dg_beam_angle, only: angle_ratios
@@ -9,7 +9,7 @@ module dg_beam_energy
 
    real(wp), parameter :: thirtieth = 1.0_wp/30.0_wp
 
-   !> The measures of a configuration and the derivatives of A, B and U by them. In arrays of two the upper node comes first.
+   !> Measures of a configuration and the derivatives of A, B and U by them. In arrays of two the upper node comes first.
    type :: measure_type
       real(wp) :: e(3)                        ! chord direction
       real(wp) :: a(3, 2)                     ! tangents less their part along it
@@ -22,7 +22,7 @@ module dg_beam_energy
 
 contains
 
-   !> Measures an element whose nodes have directors d_i and d_j.
+   !> Compute the measures of an element whose nodes have directors d_i and d_j.
    pure subroutine measure(chord, d_i, d_j, m)
       real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
       type(measure_type), intent(out) :: m
@@ -68,7 +68,7 @@ contains
       weights = [0.5_wp*ends(1) + 2.0_wp*carried, ends(2) - carried]
    end function weights_of
 
-   !> First derivatives of U by (l, c_i, c_j, p) [N, N.m]. That of A by c_i is -2 g_i.
+   !> First derivatives of U by (l, c_i, c_j, p) [N, N.m]. The derivative of A by c_i is -2 g_i.
    pure function energy_slopes(m, section, axial) result(first)
       type(measure_type), intent(in) :: m
       type(beam_section_type), intent(in) :: section
@@ -92,8 +92,8 @@ contains
       force(10:12) = first(3)*m%e + first(4)*d_i
    end function gradients
 
-   !> Second derivatives c(4,4) of U by (l, c_i, c_j, p). Those without the axial force come of axial = 0, those that the axial
-   !> force alone makes of a section without stiffness.
+   !> Second derivatives c(4,4) of U by (l, c_i, c_j, p). With axial = 0 they are the terms without axial force. For a section
+   !> without stiffness they are the terms of the axial force alone.
    pure function energy_hessian(m, section, axial) result(c)
       type(measure_type), intent(in) :: m
       type(beam_section_type), intent(in) :: section

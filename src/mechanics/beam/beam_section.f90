@@ -8,7 +8,7 @@ module dg_beam_section
 
    type :: beam_section_type
       real(wp) :: length = 0.0_wp              !< L, along the hole [m]
-      real(wp) :: membrane_length = 0.0_wp     !< L_m, which axial force goes by [m]
+      real(wp) :: membrane_length = 0.0_wp     !< L_m, unstressed length for the axial force [m]
       real(wp) :: ea = 0.0_wp                  !< EA, axial stiffness [N]
       real(wp) :: ei = 0.0_wp                  !< EI, bending stiffness [N.m2]
       real(wp) :: gj = 0.0_wp                  !< GJ, torsional stiffness [N.m2]
@@ -28,7 +28,7 @@ contains
       section%gj = torsional_stiffness(component)
    end function section_of
 
-   !> Moments at the ends of an element by a turn of one of them: there, and at the other end [N.m].
+   !> Moments at the ends of an element by a turn of one end: at that end, and at the other end [N.m per rad].
    pure function end_stiffness(section) result(moments)
       type(beam_section_type), intent(in) :: section
       real(wp) :: moments(2)

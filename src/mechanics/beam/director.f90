@@ -1,9 +1,9 @@
 !> Unit tangent of the string at a node (its director d) from two slopes measured in the hole's frame.
 !>
-!> The slopes are plain additive unknowns: d = y/|y| with y = t + beta_1 n_1 + beta_2 n_2, where t, n_1, n_2 is
-!> the rotation-minimising frame of the hole axis at the node. No finite rotation is ever composed, so a state
-!> of the string is an array that may be scaled, interpolated and differenced. Valid below 90 deg from the axis.
-!> Twist is no part of this: it stays a scalar (conventions 6 and 7 of src/README.md).
+!> The slopes are plain additive unknowns: d = y/|y| with y = t + beta_1 n_1 + beta_2 n_2. Here t, n_1, n_2 is the
+!> rotation-minimising frame of the hole axis at the node. No finite rotations are composed. A state of the string is therefore
+!> an array that may be scaled, interpolated and differenced. Valid below 90 deg from the axis. Twist is not included: it stays
+!> a scalar (conventions 6 and 7 of src/README.md).
 module dg_director
    use dg_kinds, only: wp
    implicit none
@@ -20,7 +20,8 @@ contains
       d = (frame(:, 1) + slopes(1)*frame(:, 2) + slopes(2)*frame(:, 3))/sqrt(1.0_wp + slopes(1)**2 + slopes(2)**2)
    end function director
 
-   !> dd/dbeta(3,2), s (n_k - d d.n_k) with s = d.t: columns span the plane across d.
+   !> Derivative dd/dbeta(3,2) of a director d [-] by its slopes: s (n_k - d d.n_k) with s = d.t. The columns span the plane
+   !> across d.
    pure function director_gradient(frame, d) result(gradient)
       real(wp), intent(in) :: frame(3, 3), d(3)
       real(wp) :: gradient(3, 2)
@@ -36,8 +37,8 @@ contains
       gradient(3, 2) = s*(frame(3, 3) - d(3)*d3)
    end function director_gradient
 
-   !> Second derivative of d contracted with a director force g(3): h(k,l) = g . d2d/dbeta_k dbeta_l.
-   !> It belongs to the consistent tangent wherever a force does work on a director.
+   !> Second derivative of d contracted with a director force g(3): h(k,l) = g.d2d/dbeta_k dbeta_l, in the unit of g. It is
+   !> part of the consistent tangent wherever a force does work on a director.
    pure function director_curvature(frame, d, g) result(h)
       real(wp), intent(in) :: frame(3, 3), d(3), g(3)
       real(wp) :: h(2, 2)

@@ -1,8 +1,10 @@
 !> Global equilibrium of Eq. 12: residual r(d) = internal - external forces and its consistent tangent.
 !>
-!> Unknowns d(6,nodes): u along the hole axis, v and w across it (frame n_1, n_2 of the node) [m], phi twist [rad],
-!> beta_1, beta_2 slopes of the string against the hole axis [-]. Row and column order of every 6 x 6 block.
-!> Work-conjugate residuals: three forces [N], a torque [N.m], two moments [N.m].
+!> Unknowns are d(6,nodes), which is also the order of rows and columns of every 6 x 6 block:
+!> - u along the hole axis, v and w across it (frame n_1, n_2 of the node) [m]
+!> - phi twist [rad]
+!> - beta_1, beta_2 slopes of the string against the hole axis [-]
+!> Work-conjugate residuals are three forces [N], a torque [N.m] and two moments [N.m].
 module dg_assembly
    use dg_kinds, only: wp
    use dg_beam_bend, only: add_bend, bend_moment
@@ -25,12 +27,12 @@ module dg_assembly
 
 contains
 
-   !> Residual(6,nodes) and tangent at `state`, whose nodes have been placed and whose gaps have been surveyed in `work`.
-   !> Top unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and
-   !> what is not symmetric of torque out of the tangent: it is then the second derivative of an energy, whose inertia tells
-   !> stability.
-   !> `work` returns element forces and reactions; those of make_room_for_recovery where it has room for them.
-   !> `forces_only`: the tangent is not wanted; `matrix` is left as it was, and the rest, the same to the digit, costs a third.
+   !> Residual(6,nodes) and tangent at `state`, whose nodes have been placed and whose gaps have been surveyed in `work`. Top
+   !> unknowns that are held (u, phi) have zero residual and a unit diagonal. `conservative` leaves friction and the
+   !> unsymmetric part of torque out of the tangent. It is then the second derivative of an energy, whose inertia decides on
+   !> stability. `work` returns element forces and reactions, and those of make_room_for_recovery if allocated. With
+   !> `forces_only` no tangent is made and `matrix` is unchanged. The rest is the same to the last digit, at a third of the
+   !> cost.
    pure subroutine assemble(trajectory, mesh, loads, gaps, state, conservative, work, residual, matrix, forces_only)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -41,9 +43,9 @@ contains
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
-      logical, intent(in), optional :: forces_only   !< absent: no
+      logical, intent(in), optional :: forces_only   !< absent: false
       type(element_type) :: element
-      real(wp) :: above(6)                             ! what the element before leaves at the common node
+      real(wp) :: above(6)                             ! force of the element above on the common node
       real(wp) :: ends(6, 2), top_force(3)             ! forces on the first and the last node
       integer :: n, e, i
       element%part = merge(part_energy, part_all, conservative)
@@ -85,7 +87,7 @@ contains
       end do
       work%hookload = -residual(dof_axial, 1)
       work%top_torque = residual(dof_twist, 1)
-      ! Reaction = what the string asks for: along the axis the held unknown's, across it the support's.
+      ! The reaction is the force that holds the string: along the axis at the held unknown, across it at the support.
       work%reaction = top_force - ends(1:3, 1) + mesh%frame(:, 1, 1)*residual(dof_axial, 1)
       residual(dof_twist, 1) = 0.0_wp
       work%weight_on_bit = loads%wob
@@ -98,12 +100,13 @@ contains
       if (element%tangent) call hold_ends(mesh%held, matrix)
    end subroutine assemble
 
-   !> A node's residual but for its twist, from the forces on its place and director in space axes; what these do to the tangent.
+   !> Compute a node's residual, except for its twist, from the forces on its place and director in space axes, and their part
+   !> of the tangent.
    pure subroutine finish_node(mesh, n, force, wanted, work, residual, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: n
       real(wp), intent(in) :: force(6)
-      logical, intent(in) :: wanted        !< the tangent is
+      logical, intent(in) :: wanted        !< true if the tangent is wanted
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: residual(:, :)
       type(block_matrix_type), intent(inout) :: matrix
@@ -115,7 +118,7 @@ contains
       if (allocated(work%node_force)) work%node_force(:, n) = force
    end subroutine finish_node
 
-   !> An element: beam, torque, weight, drag, bend, pads, gap.
+   !> Compute an element: beam, torque, weight, drag, bend, pads, gap.
    pure subroutine find_element(mesh, loads, gaps, e, state, work, element)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -177,7 +180,8 @@ contains
       torque = mesh%section(e)%gj/mesh%length(e)*(state(dof_twist, e + 1) - state(dof_twist, e))
    end function torque_of
 
-   !> Adds the torque of an element: on both nodes, and its end moments on both directors. Its tangent leaves twist by twist out.
+   !> Add the torque of an element: on both nodes, and its end moments on both directors. The derivative of twisting by twist
+   !> is not added here.
    pure subroutine add_torque(mesh, e, work, element)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -210,8 +214,8 @@ contains
       end associate
    end subroutine add_torque
 
-   !> Adds to the symmetric tangent of the energy at `state` the unsymmetric part, which friction and torque make: the sum is the
-   !> whole tangent. Elements without either are left out.
+   !> Add to the symmetric tangent of the energy at `state` the unsymmetric part of friction and torque. The sum is the whole
+   !> tangent. Elements without either are skipped.
    pure subroutine add_unsymmetric_part(mesh, loads, gaps, state, work, matrix)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -243,13 +247,13 @@ contains
       call hold_ends(mesh%held, matrix)
    end subroutine add_unsymmetric_part
 
-   !> The torques at bit and top: semi-tangential where the string is compressed near buckling, else about the string's own axis,
-   !> which bends nothing.
+   !> Add the torques at bit and top. If the string is compressed near buckling, they are semi-tangential. Otherwise they act
+   !> about the string's own axis, which does not bend it.
    pure subroutine add_end_torques(mesh, at_bit, at_top, part, wanted, work, ends, matrix)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and what holds the top [N.m]
+      real(wp), intent(in) :: at_bit, at_top     !< torque on bit, and torque that holds the top [N.m]
       integer, intent(in) :: part                !< of the tangent
-      logical, intent(in) :: wanted              !< the tangent is
+      logical, intent(in) :: wanted              !< true if the tangent is wanted
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: ends(6, 2)      !< forces on the first and the last node
       type(block_matrix_type), intent(inout) :: matrix
@@ -273,12 +277,12 @@ contains
       work%bit_moment = end_moment(-at_bit, work%d(:, mesh%nodes), mesh%frame(:, 1, mesh%nodes))
    end subroutine add_end_torques
 
-   !> Lateral supports of the ends, and weight on bit.
+   !> Add lateral supports of the ends, and weight on bit.
    pure subroutine add_supports(trajectory, mesh, loads, wanted, work, ends, matrix)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
-      logical, intent(in) :: wanted        !< the tangent is
+      logical, intent(in) :: wanted        !< true if the tangent is wanted
       type(workspace_type), intent(inout) :: work
       real(wp), intent(inout) :: ends(6, 2)
       type(block_matrix_type), intent(inout) :: matrix

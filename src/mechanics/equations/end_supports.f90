@@ -1,5 +1,5 @@
-!> Forces and moments on the ends of the string across the hole, and the formation's push on the bit. A load increment sets both,
-!> and friction with them.
+!> Forces on the ends of the string across the hole, and the formation's push on the bit. A load increment sets both, and
+!> friction with them.
 module dg_end_supports
    use dg_kinds, only: wp
    use dg_gap_action, only: load_type
@@ -14,16 +14,17 @@ module dg_end_supports
    private
    public :: end_action, set_loads, force_scale
 
-   !> Stiffness of the support of a centred end [N/m]. A support is a constraint, not a wall: 100 kN move it by 0.003 mm, little
-   !> beside a clearance of 0.4 mm at a blade next to the bit. At 1e11 round-off keeps elements of 0.1 m from converging.
+   !> Stiffness of the support of a centred end [N/m]. A support is a constraint, not a wall. A force of 100 kN moves it by
+   !> 0.003 mm, little beside a clearance of 0.4 mm at a blade next to the bit. At 1e11 round-off prevents convergence of
+   !> elements of 0.1 m.
    real(wp), parameter :: end_stiffness = 3.0e10_wp
-   !> Of a string without weight and load, which has no scale of its own [N].
+   !> Force scale of a string without weight and load [N].
    real(wp), parameter :: least_scale = 1.0_wp
 
 contains
 
-   !> Force [N] on the top or the bottom node and its derivative by the node's place (3,3) [N/m], by the stiffness of its lateral
-   !> support [N/m] and, at the bit, its load [N]. `work` keeps the parts of what acts on the bit.
+   !> Force [N] on the top or the bottom node, and its derivative by the node's place (3,3) [N/m]. `support` is the stiffness
+   !> of its lateral support [N/m] and `wob` the load at the bit [N]. `work` returns the two parts of the force on the bit.
    pure subroutine end_action(trajectory, mesh, node, support, wob, work, force, by_point)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -47,7 +48,8 @@ contains
       end do
    end subroutine end_action
 
-   !> Bit loads and friction of a load increment, and the ends' supports.
+   !> Set bit loads and friction of a load increment, and the supports of the ends. `fraction` is the part of the whole load
+   !> [-].
    pure subroutine set_loads(model, load_case, fraction, loads)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -61,7 +63,7 @@ contains
       if (model%boundary%bit_centred) loads%bit_support = end_stiffness
    end subroutine set_loads
 
-   !> Force with which forces out of balance are compared [N]: weight of the string and load of its lower end.
+   !> Scale to which unbalanced forces are compared [N]: weight of the string, load of its lower end, and forces of pads.
    pure function force_scale(model, load_case, mesh) result(scale)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -22,16 +22,16 @@ module dg_equations
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver
       real(wp), allocatable :: step(:, :)         !< (6,nodes) [m, -]
-      real(wp) :: force_scale = 1.0_wp            !< residuals are compared with this [N]
+      real(wp) :: force_scale = 1.0_wp            !< scale to which residuals are compared [N]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< of all attempts so far
-      real(wp) :: unbalanced_md = 0.0_wp          !< where most force is out of balance at the end of an attempt [m]
-      logical :: gaps_taken_back = .false.        !< moved gaps found no better equilibrium: they are where they were
+      real(wp) :: unbalanced_md = 0.0_wp          !< depth of the largest unbalanced force at the end of an attempt [m]
+      logical :: gaps_taken_back = .false.        !< moved gaps found no better equilibrium: their places were restored
    end type equations_type
 
 contains
 
-   !> Gives back the room made before. The start of an iteration has no use for it, and needs half as much for itself.
+   !> Release the arrays of earlier equations. The start of an iteration does not use them, and needs half as much memory.
    pure subroutine release_room(equations)
       type(equations_type), intent(inout) :: equations
       equations%matrix = block_matrix_type()
@@ -39,10 +39,10 @@ contains
       if (allocated(equations%step)) deallocate (equations%step)
    end subroutine release_room
 
-   !> Room for the equations of a mesh.
+   !> Allocate the equations of a mesh.
    pure subroutine make_room(equations, kind, nodes)
       type(equations_type), intent(inout) :: equations
-      integer, intent(in) :: kind          !< of linear solver
+      integer, intent(in) :: kind          !< linear solver
       integer, intent(in) :: nodes
       call make_matrix_room(nodes, equations%matrix)
       call new_linear_solver(kind, nodes, equations%solver)
@@ -65,9 +65,9 @@ contains
                     wanted == forces_alone)
    end subroutine find_tangent
 
-   !> Gives back what only iterations need, half of a solution's memory, and in the room fills in what the result tells beside.
-   !> Contact forces are the iteration's own: those of Eq. 4 at the depths in the wall, found from places, would bring in the
-   !> round-off of places times the wall's stiffness.
+   !> Release what only iterations need, half of a solution's memory. Fill the other quantities of the result. Contact forces
+   !> stay those of the iteration. Those of Eq. 4 at the depths in the wall would have the round-off of places times the wall's
+   !> stiffness.
    pure subroutine end_iterations(equations, trajectory, mesh, loads, gaps, state, work)
       type(equations_type), intent(inout) :: equations
       type(trajectory_type), intent(in) :: trajectory
@@ -85,7 +85,7 @@ contains
       call assemble(trajectory, mesh, loads, gaps, state, .false., work, residual, equations%matrix, forces_only=.true.)
    end subroutine end_iterations
 
-   !> Adds the rigidity gk_min of the gaps [N/m2] to the lateral unknowns.
+   !> Add the rigidity gk_min of the gaps [N/m2] to the lateral unknowns.
    pure subroutine add_gap_rigidity(mesh, gk_min, matrix)
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: gk_min

@@ -1,4 +1,5 @@
-!> Action of a gap on its beam element: the contact, its forces, and the rows of a linear problem with contact forces as unknowns.
+!> Action of a gap on its beam element: the contact, its forces, and the rows of a linear problem with contact forces as
+!> unknowns.
 module dg_gap_action
    use dg_kinds, only: wp
    use dg_gap_contact, only: contact_action, couple_action, couple_tangents, moment_tangents, touch_tangent_type, touch_tangents, &
@@ -17,43 +18,44 @@ module dg_gap_action
    public :: load_type, contact_type, find_contact, add_gap_force, add_gap_tangent, add_whirl, find_contact_rows
    public :: find_side_row, near
 
-   !> Gaps so far from the wall, |f| over the clearance, have no rows [-]: they stay open in the linear problem. After
-   !> the step `judge_gaps` may close them.
+   !> Gaps whose |f| over the clearance is below this have no rows [-]: they stay open in the linear problem. After the step
+   !> `judge_gaps` may close them.
    real(wp), parameter :: near = 0.3_wp
 
    !> Loads and supports of a load case at its present increment.
    type :: load_type
-      real(wp) :: wob = 0.0_wp              !< > 0 pushes the bit [N]
-      real(wp) :: hookload = 0.0_wp         !< where the bit is held: `wob` then lacks the reaction there [N]
+      real(wp) :: wob = 0.0_wp              !< weight on bit, > 0 pushes the bit [N]
+      real(wp) :: hookload = 0.0_wp         !< given hook load if the bit is held: `wob` is then without the reaction at the bit [N]
       real(wp) :: tob = 0.0_wp              !< torque on bit [N.m]
-      real(wp) :: friction_scale = 1.0_wp   !< of all friction coefficients [-]
+      real(wp) :: friction_scale = 1.0_wp   !< factor on all friction coefficients [-]
       real(wp) :: top_support = 0.0_wp      !< lateral stiffness of the top's support, 0: free [N/m]
-      real(wp) :: bit_support = 0.0_wp      !< of the bit's [N/m]
+      real(wp) :: bit_support = 0.0_wp      !< lateral stiffness of the bit's support, 0: free [N/m]
    end type load_type
 
    !> Contact at a gap.
    type :: contact_type
       real(wp) :: shape(4), slope(4)        !< N and dN/dx there
-      real(wp) :: share(2)                  !< of both nodes in friction's torque; zero where the string does not rotate [-]
+      real(wp) :: share(2)                  !< part of each node in the torque of friction; zero if the string does not rotate [-]
       real(wp) :: direction(3)              !< r' of the string
-      real(wp) :: axial, rotary             !< friction coefficients
-      real(wp) :: sideways                  !< what stands for the rotary one in the force
-      real(wp) :: radius                    !< of friction's plain moment: none where it is a couple that bends the string [m]
-      logical :: sliding                    !< it is such a couple: the string slides without turning, and is near a helix
-      type(turning_type) :: turning         !< friction's torque where the string whirls
+      real(wp) :: axial, rotary             !< friction coefficients [-]
+      real(wp) :: sideways                  !< rotary friction coefficient in the force [-]
+      real(wp) :: radius                    !< radius in the plain moment of friction, 0 if friction is a couple that bends the
+                                            !< string [m]
+      logical :: sliding                    !< friction is such a couple: the string slides without turning, and is near a helix
+      type(turning_type) :: turning         !< torque of friction where the string whirls
       real(wp) :: normal                    !< R [N]
       real(wp) :: stiffness                 !< its derivative by |f| [N/m]
    end type contact_type
 
 contains
 
-   !> Contact at a closed gap: what string and friction there are like.
+   !> Find friction and geometry of the contact at a closed gap.
    pure subroutine find_contact(mesh, loads, gaps, e, work, contact)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
-      type(workspace_type), intent(inout) :: work   !< the normal force is entered, but where it is an unknown
+      type(workspace_type), intent(inout) :: work   !< on return with the normal force, unless that is an unknown
       type(contact_type), intent(out) :: contact
       if (work%separate) then
          contact%stiffness = 0.0_wp
@@ -67,7 +69,7 @@ contains
       contact%direction = contact%slope(3)*(mesh%chord(:, e) + (work%shift(:, e + 1) - work%shift(:, e))) &
                           + contact%slope(2)*work%d(:, e) + contact%slope(4)*work%d(:, e + 1)
       contact%sideways = work%sideways(e)*contact%rotary
-      if (abs(work%held(e)) > 0.0_wp) then      ! Coulomb's law: the sum of both parts stays as it is
+      if (abs(work%held(e)) > 0.0_wp) then      ! Coulomb's law: the size of both parts together is unchanged
          contact%sideways = contact%sideways + abs(contact%axial)*work%held(e)
          contact%axial = contact%axial*sqrt(1.0_wp - work%held(e)**2)
       end if
@@ -76,10 +78,10 @@ contains
          contact%turning%lever = contact%rotary*mesh%radius(e)
          contact%rotary = 0.0_wp
       end if
-      ! Axial friction bends a string that does not rotate, and leaves its torque as it is: that of the bit.
+      ! Axial friction bends a string that does not rotate. Its torque, that of the bit, does not change.
       contact%share = 0.0_wp
       if (contact%rotary > 0.0_wp) contact%share = [1.0_wp - gaps%xi(e), gaps%xi(e)]
-      ! Axial friction's moment as a couple, where a helix is near: as a plain moment it winds sliding helices up.
+      ! Axial friction's moment acts as a couple near a helix. A plain moment would wind sliding helices up.
       contact%sliding = work%sideways(e) < 1.0_wp .and. .not. contact%rotary > 0.0_wp .and. abs(contact%axial) > 0.0_wp
       contact%radius = merge(0.0_wp, mesh%radius(e), contact%sliding)
       contact%normal = work%normal(e)
@@ -89,7 +91,7 @@ contains
          work%axis_curvature(:, e)/(1.0_wp - dot_product(work%axis_curvature(:, e), work%gap(:, e))))
    end subroutine find_contact
 
-   !> A closed gap's MCGE: takes its force off its element's (Eqs. 4 and 6).
+   !> Subtract the force of a closed gap's MCGE from its element (Eqs. 4 and 6).
    pure subroutine add_gap_force(mesh, e, contact, work, element)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -133,7 +135,7 @@ contains
       moment = moment + cross(contact%direction, bend)
    end subroutine find_contact_action
 
-   !> Takes the part that the element asks for of the derivatives of that force off its tangent (Eq. 11).
+   !> Subtract the derivatives of that force (Eq. 11) from the element's tangent, as far as element%part includes them.
    pure subroutine add_gap_tangent(mesh, e, contact, work, element)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -168,7 +170,7 @@ contains
       end do
    end subroutine add_gap_tangent
 
-   !> The contact of element e: what a part of the tangent takes of it.
+   !> Contact of element e, with those forces that a part of the tangent includes.
    pure function touch_of(mesh, e, work, contact, part) result(touch)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -201,7 +203,7 @@ contains
       end if
    end function touch_of
 
-   !> Adds friction's torque where the string whirls.
+   !> Add the torque of friction where the string whirls.
    pure subroutine add_whirl(e, contact, work, element)
       integer, intent(in) :: e
       type(contact_type), intent(in) :: contact
@@ -210,10 +212,10 @@ contains
       if (contact%turning%lever > 0.0_wp) call add_turning(contact%turning, work%d(:, e:e + 1), element)
    end subroutine add_whirl
 
-   !> Of every gap near the wall, elements first to last: `by`(12,e), the change of |f| by the unknowns of its two nodes [-, m],
-   !> and `on`(12,e), what a newton of contact force adds to their residuals, friction included [-, m]. With R unknown the change
-   !> dR adds on*dR to the residual (forces are linear in R), and dR = rho (h + by.d), h what
-   !> the gap is too deep for its force. The held unknowns of the top have none.
+   !> Rows of every gap near the wall, for elements first to last. `by`(12,e) is the change of |f| by the unknowns of its two
+   !> nodes [-, m]. `on`(12,e) is the effect of a contact force of 1 N on their residuals, with friction [-, m]. With R unknown
+   !> the change dR adds on*dR to the residual, as forces are linear in R. dR = rho (h + by.d), where h is the excess of the
+   !> gap's depth for its force. Held unknowns have no rows.
    pure subroutine find_contact_rows(mesh, loads, gaps, first, last, work, by, on)
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
@@ -269,12 +271,12 @@ contains
       if (e + 1 == mesh%held) row(6 + dof_axial) = 0.0_wp
    end subroutine find_side_row
 
-   !> Those of one node but for the twist, on which `by` is nothing.
+   !> Rows of one node except for the twist, which has no effect on `by`.
    pure subroutine rows_of_node(frame, d, force, outward, shape, on, by)
       real(wp), intent(in) :: frame(3, 3), d(3)   !< of the node
       real(wp), intent(in) :: force(6)       !< on place and director, in space axes
       real(wp), intent(in) :: outward(3)     !< f/|f|
-      real(wp), intent(in) :: shape(2)       !< what r has of the node's place and director
+      real(wp), intent(in) :: shape(2)       !< derivatives of r by the node's place and director
       real(wp), intent(inout) :: on(6), by(6)     !< by slopes: dd/dbeta_k = s (n_k - d d.n_k), s = d.t
       real(wp) :: push(3), pull(2:3), along(2:3), s, pulled, pushed
       integer :: a
@@ -295,7 +297,7 @@ contains
       end do
    end subroutine rows_of_node
 
-   !> Forces on (x_i, d_i, x_j, d_j) and torques at both nodes from a contact force of 1 N, internal less external.
+   !> Forces on (x_i, d_i, x_j, d_j) and torques at both nodes from a contact force of 1 N, as internal less external forces.
    pure subroutine unit_force(mesh, e, work, contact, nodal, twisting)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e

@@ -1,6 +1,6 @@
-!> Where the string lies in the hole: offsets at the nodes and at the gaps, and the gaps re-placed.
-!> Gap and normal are measured where the point now is, not where it started: a long string slides by many clearances,
-!> and a slide must not look like a gap.
+!> Position of the string in the hole: offsets at the nodes and at the gaps, and new places of the gaps. Gap and normal are
+!> measured at the present place of a point, not at its first place. A long string slides by many clearances, and a slide must
+!> not count as a gap.
 module dg_gap_survey
    use dg_kinds, only: wp
    use dg_gap_location, only: bend_of_displacement, extremum_of_displacement
@@ -14,23 +14,23 @@ module dg_gap_survey
    public :: at_blade, node_lie, node_offset, out_of_reach, point_on_string, survey_gaps, survey_between, &
              move_rule_type, relocate_gaps
 
-   !> Least gain in depth, over the clearance [-], for which a gap moves where tool joints touch. Without it a joint would be held
-   !> now at one end and now at the other, whichever is a micrometre deeper, and bend the bodies between by some percent. Elsewhere
-   !> gaps of short elements need their places as they are: three times the iterations with elements of 1 m.
+   !> Least gain in depth, over the clearance [-], for which a gap moves where tool joints touch. Otherwise a joint would be
+   !> held alternately at its ends, whichever is a micrometre deeper, and bend the bodies between by some per cent. Elsewhere
+   !> gaps have no such limit: with one, elements of 1 m need three times the iterations.
    real(wp), parameter :: least_gain = 0.0025_wp
 
    !> Which gaps may move, and how far.
    type :: move_rule_type
-      real(wp) :: threshold = 0.0_wp       !< of move_gap, relative to the clearance [-]
-      real(wp) :: most = huge(1.0_wp)      !< no gap moves to where the string is farther outside, over the clearance [-]
-      real(wp) :: least = 0.0_wp           !< no gap moves that is less deeper there than this [m]
-      logical :: closed = .false.          !< closed ones, too
-      logical :: closely = .false.         !< contacts that stand by themselves by a part of their penetration, not of the clearance
+      real(wp) :: threshold = 0.0_wp       !< threshold of move_gap, relative to the clearance [-]
+      real(wp) :: most = huge(1.0_wp)      !< largest distance outside the hole at the new place, over the clearance [-]
+      real(wp) :: least = 0.0_wp           !< least gain in depth of a move [m]
+      logical :: closed = .false.          !< closed gaps move too
+      logical :: closely = .false.         !< threshold of single contacts is relative to their penetration, not to the clearance
    end type move_rule_type
 
 contains
 
-   !> Offset f(3) of a node off the hole axis [m] and the axis' tangent where the node now is.
+   !> Offset f(3) of a node from the hole axis [m] and the axis' tangent at the present place of the node.
    pure subroutine node_offset(trajectory, mesh, work, node, gap, tangent)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -44,7 +44,7 @@ contains
       call gap_to_axis(trajectory, arc, point, gap, tangent, curvature)
    end subroutine node_offset
 
-   !> Offset of a node off the hole axis, and slope of the string against the axis there.
+   !> Offset of a node from the hole axis, and slope of the string against the axis there.
    pure subroutine node_lie(trajectory, mesh, work, node, gap, slope)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -56,7 +56,7 @@ contains
       slope = work%d(:, node) - tangent
    end subroutine node_lie
 
-   !> A point of an element's axis at xi = x/L, off the hole axis at its upper node [m].
+   !> Point of an element's axis at xi = x/L, relative to the hole axis at its upper node [m].
    pure function point_on_string(mesh, work, e, xi) result(point)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
@@ -83,7 +83,7 @@ contains
       end do
    end function point_between
 
-   !> Measures all gaps at their places x0, at the nodes' present places (place_nodes first).
+   !> Measure all gaps at their places x0 and the present places of the nodes (call place_nodes first).
    pure subroutine survey_gaps(trajectory, mesh, gaps, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -92,7 +92,7 @@ contains
       call survey_between(trajectory, mesh, gaps, 1, mesh%elements, work)
    end subroutine survey_gaps
 
-   !> Measures those of elements first to last.
+   !> Measure the gaps of elements first to last.
    pure subroutine survey_between(trajectory, mesh, gaps, first, last, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -105,7 +105,7 @@ contains
       end do
    end subroutine survey_between
 
-   !> Measures the gap of element e at xi.
+   !> Measure the gap of element e at xi.
    pure subroutine survey_gap(trajectory, mesh, xi, e, work)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -125,7 +125,7 @@ contains
       work%displacement(e) = sqrt(work%gap(1, e)**2 + work%gap(2, e)**2 + work%gap(3, e)**2)
    end subroutine survey_gap
 
-   !> Offset off the hole axis of the place of an element where the wall is felt [m]: the centre of its blades.
+   !> Offset from the hole axis of the part of an element that touches the wall [m]: the centre of its blades.
    pure function at_blade(mesh, e, gap) result(offset)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -135,11 +135,11 @@ contains
       if (allocated(mesh%blade)) offset = gap + mesh%blade(:, e)
    end function at_blade
 
-   !> Places the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
-   !> move_gap, and measures them there; `moved` counts. Closed gaps are looked at only when asked for (`closed`): they
-   !> stay where they first touched unless the string is far deeper elsewhere, which looks near the equilibrium find. Contacts that
-   !> stand by themselves are then looked at more closely (`closely`): see `lone_contacts`. The gap of one of them is not moved at
-   !> first, where the string is round: it follows the extremum within the iteration from then on (dg_followed_gaps).
+   !> Put the gaps at the extremum x0 of their element where the string reaches beyond the wall (Eq. 2), by the rule of
+   !> move_gap. Measure them there, and count them (`moved`). Closed gaps are only examined if rule%closed. They stay where
+   !> they first touched unless the string is far deeper elsewhere, which is found near the equilibrium. Single contacts are
+   !> then examined more closely if rule%closely (see `lone_contacts`). If the string is round there, the gap of such a contact
+   !> does not move at first. From then on it follows the extremum within the iteration (dg_followed_gaps).
    pure subroutine relocate_gaps(trajectory, mesh, rule, gaps, work, moved)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
@@ -154,7 +154,7 @@ contains
       moved = 0
       lone = .false.
       if (rule%closely) lone = lone_contacts(gaps%state) .and. .not. mesh%spacing > 0.0_wp
-      known = 0                    ! node whose offset stands in gap_j
+      known = 0                    ! node whose offset is in gap_j
       do e = 1, mesh%elements
          if (.not. (rule%closed .or. gaps%state(e) == state_free) .or. mesh%centralizer(e)) cycle
          if (known == e) then
@@ -190,7 +190,7 @@ contains
       end do
    end subroutine relocate_gaps
 
-   !> Deepest penetration of a gap and its neighbours [m], none where all are open.
+   !> Deepest penetration of a gap and its neighbours [m], 0 if all are open.
    pure function deepest(gaps, work, e) result(depth)
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
@@ -203,11 +203,12 @@ contains
       end do
    end function deepest
 
-   !> True if no point of an element can be as far off the axis as `reach` [m]: N_1 + N_3 = 1, |N_2| and |N_4| are at most 4/27 of
-   !> the length, and two slopes add up to at most the root of twice the sum of their squares. Of the squares a of the farther
-   !> node's offset and b of the slopes' part, sqrt(a) + sqrt(b) < r where 2 sqrt(a b) < r^2 - a - b.
+   !> True if no point of an element can be as far from the axis as `reach` [m]. This follows from N_1 + N_3 = 1, and from
+   !> |N_2| and |N_4| of at most 4/27 of the length. The sum of two slopes is at most the root of twice the sum of their
+   !> squares. Let a and b be the squares of the farther node's offset and of the slopes' part. Then sqrt(a) + sqrt(b) < r
+   !> where 2 sqrt(a b) < r^2 - a - b.
    pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, reach) result(out)
-      real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie
+      real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie [m], [-]
       real(wp), intent(in) :: length, reach
       logical :: out
       real(wp), parameter :: slope_shape = 2.0_wp*(4.0_wp/27.0_wp)**2

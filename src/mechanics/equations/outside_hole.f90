@@ -1,5 +1,6 @@
-!> Distance of a solved string outside its hole. An element's gap sees the wall at one place: where it wants to touch at two, at the
-!> step of a casing shoe and farther down, or at both ends of a buckling wave, the string leaves the hole at the other.
+!> Distance of a solved string outside its hole. An element's gap feels the wall at one place. If the string touches at two
+!> places, it leaves the hole at the other one. That happens at the step of a casing shoe and farther down, or at both ends of
+!> a buckling wave.
 module dg_outside_hole
    use dg_kinds, only: wp
    use dg_gap_location, only: extremum_of_displacement
@@ -18,42 +19,42 @@ module dg_outside_hole
 
    !> Distance outside the hole, over the clearance [-], above which a message reports it: rock yields and elements sag.
    real(wp), parameter :: tell_outside = 0.2_wp
-   !> Where no point of an element can stand outside by this part of that [-] none does: most are looked at no closer. A cubic
-   !> and an arc differ by far less.
+   !> If no point of an element can be outside by this part of that limit [-], the element is not examined closer. A cubic and
+   !> an arc differ by far less.
    real(wp), parameter :: sure = 0.75_wp
-   !> Length of the elements that are advised over that of the one that stands outside [-]: it brought 42 of 53 strings inside, a
-   !> quarter 45. Elements shorter than `short` are pieces of blades, which no shorter ones help [m].
+   !> Length of the elements that are advised over the one outside [-]. It brings four of five strings inside, and a quarter
+   !> hardly more. Elements shorter than `short` [m] are pieces of blades, for which shorter ones do not help.
    real(wp), parameter :: advised = 0.5_wp, short = 0.5_wp
-   !> The wall gives way where it does at the gap by this part of the largest excess [-].
+   !> The wall is said to yield if the gap is outside by more than this part of the largest excess [-].
    real(wp), parameter :: of_the_wall = 0.5_wp
    !> Digits of lengths in the message.
    integer, parameter :: shown = 2, shown_depth = 6
-   !> Words by which every such message is known.
+   !> Words that mark every such message.
    character(*), parameter :: outside_place = ' outside its hole at '
 
-   !> Where a string stands farthest outside, counted in clearances of the hole section and component there.
+   !> Place where a string is farthest outside, in clearances of the hole section and component there.
    type :: outside_type
-      integer :: elements = 0          !< that stand outside by more than is told
-      real(wp) :: excess = 0.0_wp      !< of the farthest of these: offset over clearance, less one [-]
-      real(wp) :: clearance = 0.0_wp   !< there [m]
-      real(wp) :: md = 0.0_wp          !< of that point of the string before loading [m]
-      real(wp) :: length = 0.0_wp      !< of its element [m]
+      integer :: elements = 0          !< number of elements outside by more than is reported
+      real(wp) :: excess = 0.0_wp      !< largest excess: offset over clearance, less one [-]
+      real(wp) :: clearance = 0.0_wp   !< clearance there [m]
+      real(wp) :: md = 0.0_wp          !< depth of that point of the string before loading [m]
+      real(wp) :: length = 0.0_wp      !< length of its element [m]
       real(wp) :: wall = 0.0_wp        !< stiffness of its wall in elastic contact [N/m2]
-      logical :: gives_way = .false.   !< the wall itself is pressed in
+      logical :: gives_way = .false.   !< true if the wall itself is pressed in
    end type outside_type
 
 contains
 
-   !> Measures every element of a solution at the largest offset of its cubic shape, ends included. In a mud sheath the string may
-   !> stand as deep as that is thick. `work` has the nodes placed and the gaps surveyed.
+   !> Measure every element of a solution at the largest offset of its cubic shape, ends included. In a mud sheath the string
+   !> may be as deep as that is thick. `work` has the nodes placed and the gaps surveyed.
    pure subroutine measure_outside(trajectory, mesh, work, outside, cut)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       type(outside_type), intent(out) :: outside
-      !> Elements to be cut. They stand outside by more than is told where their gap does not: it is not the wall that gives way.
-      !> Or their gap presses the wall in by as much while one end does not touch it, as where a blade tilts or contact ends: the
-      !> wall of the whole element would stand against one edge.
+      !> True for elements to be cut. Most are outside by more than is reported while their gap is not: the wall does not
+      !> yield. In others the gap presses the wall in by as much while one end does not touch it. That happens where a blade
+      !> tilts or contact ends. The wall of the whole element would then act against one edge.
       logical, intent(out), optional :: cut(:)
       real(wp) :: gap_i(3), gap_j(3), slope_i(3), slope_j(3), blade_i(3), blade_j(3)
       real(wp) :: gap(3), tangent(3), curvature(3), point(3), xi, largest, excess, pressed_in
@@ -89,8 +90,8 @@ contains
       end do
    end subroutine measure_outside
 
-   !> The same at the rows of a profile, which the string that was bent again has more of than the mesh nodes; a row between two
-   !> elements is measured by the narrower. An eccentric blade may stand on either side.
+   !> Measure the rows of a profile, of which there are more than nodes of the mesh. A row between two elements is measured in
+   !> the narrower one. An eccentric blade may be on either side.
    pure subroutine measure_rows(mesh, profile, outside)
       type(mesh_type), intent(in) :: mesh
       type(profile_type), intent(in) :: profile
@@ -128,7 +129,7 @@ contains
       told = excess > told_from(mesh, e)
    end function is_told
 
-   !> Excess over the clearance [-] from which it is told.
+   !> Least excess over the clearance that is reported [-].
    pure function told_from(mesh, e) result(least)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -136,7 +137,7 @@ contains
       least = max(tell_outside, mesh%eps_nmax(e))
    end function told_from
 
-   !> Message on a string outside its hole: where, how far, what to do.
+   !> Message on a string outside its hole: place, distance, advice.
    pure subroutine outside_message(units, outside, text)
       type(unit_system_type), intent(in) :: units
       type(outside_type), intent(in) :: outside

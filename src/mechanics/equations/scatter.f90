@@ -1,4 +1,4 @@
-!> An element in space axes, and the way of its tangent to the matrix of the chain's unknowns.
+!> An element in space axes, and the transfer of its tangent to the matrix of the chain's unknowns.
 module dg_scatter
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type
@@ -10,24 +10,24 @@ module dg_scatter
    public :: element_type, clear_element, scatter_element, part_of, hold_ends, clear_held
    public :: part_all, part_energy, part_rest
 
-   !> Parts of a tangent: all of it, what derives from an energy, and the rest, by friction and torque.
+   !> Parts of a tangent: all of it, the part that derives from an energy, and the rest, by friction and torque.
    integer, parameter :: part_all = 0, part_energy = 1, part_rest = 2
 
-   !> Internal less external forces of an element with its gap and loads, and the part of its tangent that is wanted.
+   !> Internal less external forces of an element with its gap and loads, and the wanted part of its tangent.
    type :: element_type
       integer :: part = part_all
-      logical :: tangent = .true.     !< is wanted
+      logical :: tangent = .true.     !< true if the tangent is wanted
       real(wp) :: force(12)           !< on (x_i, d_i, x_j, d_j) [N, N.m]
       real(wp) :: twisting(2)         !< torque on both nodes [N.m]
-      real(wp) :: k(12, 12)           !< force by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_row(2, 12)    !< twisting by (x_i, d_i, x_j, d_j)
-      real(wp) :: twist_column(12)    !< force by phi_j; by phi_i the opposite
-      real(wp) :: twist_stiffness     !< GJ/L
+      real(wp) :: k(12, 12)           !< derivative of force by (x_i, d_i, x_j, d_j)
+      real(wp) :: twist_row(2, 12)    !< derivative of twisting by (x_i, d_i, x_j, d_j)
+      real(wp) :: twist_column(12)    !< derivative of force by phi_j; by phi_i the opposite
+      real(wp) :: twist_stiffness     !< GJ/L [N.m]
    end type element_type
 
 contains
 
-   !> Sets forces, and where it is wanted the tangent, to zero.
+   !> Set forces, and the tangent if it is wanted, to zero.
    pure subroutine clear_element(element)
       type(element_type), intent(inout) :: element
       element%force = 0.0_wp
@@ -39,7 +39,7 @@ contains
       element%twist_stiffness = 0.0_wp
    end subroutine clear_element
 
-   !> A part of a square matrix: all, what is symmetric, or the rest.
+   !> Part of a square matrix: all, the symmetric part, or the rest.
    pure function part_of(matrix, part) result(taken)
       real(wp), intent(in) :: matrix(:, :)
       integer, intent(in) :: part
@@ -49,7 +49,7 @@ contains
       if (part == part_rest) taken = 0.5_wp*(matrix - transpose(matrix))
    end function part_of
 
-   !> Adds an element's matrix to a chain.
+   !> Add an element's matrix to a chain.
    pure subroutine scatter_element(mesh, e, d, element, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -71,7 +71,7 @@ contains
       end associate
    end subroutine scatter_element
 
-   !> One 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
+   !> Project one 6 x 6 block: rows (x, d) of end p by columns (x, d) of end q become unknowns of those nodes.
    pure subroutine project(element, p, q, frame_p, gradient_p, frame_q, gradient_q, block)
       type(element_type), intent(in) :: element
       integer, intent(in) :: p, q
@@ -107,7 +107,7 @@ contains
       end do
    end subroutine project
 
-   !> Holds phi of the top, and u of the node that is held along the hole.
+   !> Hold phi of the top, and u of the node that is held along the hole.
    pure subroutine hold_ends(held, matrix)
       integer, intent(in) :: held          !< node: the top or the bit
       type(block_matrix_type), intent(inout) :: matrix
@@ -116,7 +116,7 @@ contains
       matrix%diagonal(dof_axial, dof_axial, held) = 1.0_wp
    end subroutine hold_ends
 
-   !> Takes these unknowns out of a matrix.
+   !> Remove these unknowns from a matrix: zero rows and columns.
    pure subroutine clear_held(held, matrix)
       integer, intent(in) :: held          !< node: the top or the bit
       type(block_matrix_type), intent(inout) :: matrix
@@ -124,7 +124,7 @@ contains
       call clear_unknown(held, dof_axial, matrix)
    end subroutine clear_held
 
-   !> Takes one unknown of the first or the last node out of a matrix.
+   !> Remove one unknown of the first or the last node from a matrix.
    pure subroutine clear_unknown(node, dof, matrix)
       integer, intent(in) :: node, dof
       type(block_matrix_type), intent(inout) :: matrix

@@ -1,4 +1,4 @@
-!> The wall of the hole as the gap elements have it: how soft a start takes it, and the gaps' laws.
+!> The wall of the hole in the gap elements: its softened stiffness for a start, and the gaps' laws.
 module dg_walls
    use dg_kinds, only: wp
    use dg_gap_action, only: load_type
@@ -10,28 +10,28 @@ module dg_walls
    private
    public :: softness, lay_out_gaps, tolerance_at
 
-   !> Places are known to the last digit of some metres [m]; times the wall's stiffness that is the least residual force that there
-   !> can be. It rules above the tolerance from walls of 1e9 N/m2 on, and where stations are kilometres apart: places count from
-   !> the station above.
+   !> Round-off of places of some metres [m]. Times the wall's stiffness it is the least possible residual force. It exceeds
+   !> the tolerance for walls of 1e9 N/m2 or more, and where stations are kilometres apart: places count from the station
+   !> above.
    real(wp), parameter :: far = 100.0_wp
    real(wp), parameter :: round_off_of_places = far*epsilon(1.0_wp)
-   !> The same of offsets from the hole axis [m].
+   !> Round-off of offsets from the hole axis [m].
    real(wp), parameter :: round_off_of_offsets = epsilon(1.0_wp)
-   !> The same of an element's shape, times 12 EI/L^3, for each metre that the string slides, at least one: collars in an element of
-   !> 4 mm, between a station and the end of a component, have 0.1 N of it [-].
+   !> Round-off of an element's shape, times 12 EI/L^3, for each metre that the string slides, at least one [-]. Collars in an
+   !> element of 4 mm, between a station and the end of a component, have 0.1 N of it.
    real(wp), parameter :: round_off_of_shapes = 4.0_wp*epsilon(1.0_wp)
-   !> The loosest that the iteration works with [-]: what is left at many nodes adds up in the sum of contact.
+   !> Largest tolerance of the iteration [-]: the residuals of many nodes add up in the sum of contact.
    real(wp), parameter :: loosest = 1.0e-6_wp
-   !> Where gaps sit at first: mid-element for the paper's x0, the lower node for fixed points.
+   !> First places of the gaps: mid-element for the paper's x0, the lower node for fixed points.
    real(wp), parameter :: middle = 0.5_wp
    real(wp), parameter :: lower_node = 1.0_wp
 
 contains
 
-   !> Stiffness of the walls that a start is made for over their own [-]: the expected load presses in by a visible part of the
-   !> clearance. Against the wall itself every gap that opens or closes changes the contact of its neighbours.
+   !> Stiffness of the walls for a start over their own [-]: the expected load presses in by a visible part of the clearance.
+   !> Against the wall itself every gap that opens or closes would change the contact of its neighbours.
    pure function softness(soft_penetration, mesh, pressing) result(share)
-      real(wp), intent(in) :: soft_penetration   !< as of tuning_type [-]
+      real(wp), intent(in) :: soft_penetration   !< as in tuning_type [-]
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: pressing   !< largest expected contact load over its clearance [N/m2]
       real(wp) :: share
@@ -39,15 +39,15 @@ contains
       if (pressing > 0.0_wp) share = min(1.0_wp, pressing/(soft_penetration*maxval(mesh%wall)))
    end function softness
 
-   !> Tolerances of the residual over the force scale [-]: with what presses gaps to the depths of their forces, and without.
-   !> Neither is less than what round-off leaves at short elements, and the first no less than what it leaves at stiff walls.
-   !> Contact forces are unknowns of their own, and known to the round-off of offsets, not of places. Those of the ends' supports
-   !> follow from places, and stand in both residuals: against soft walls they decide.
+   !> Tolerances of the residual over the force scale [-]: with the pushes of gaps that are too deep for their forces, and
+   !> without. Neither is below the round-off of short elements, and the first is not below that of stiff walls. Contact forces
+   !> are unknowns of their own, and exact to the round-off of offsets, not of places. Those of the ends' supports follow from
+   !> places, and are in both residuals. With soft walls they dominate.
    pure function tolerance_at(numerics, mesh, gaps, loads, force_scale) result(tolerance)
       type(numerics_type), intent(in) :: numerics
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
-      type(load_type), intent(in) :: loads   !< with the supports
+      type(load_type), intent(in) :: loads   !< with the supports of the ends
       real(wp), intent(in) :: force_scale    !< [N]
       real(wp) :: tolerance(2)
       real(wp) :: walls, places, slide
@@ -61,7 +61,7 @@ contains
       tolerance(2) = max(tolerance(2), round_off_of_offsets*walls)
    end function tolerance_at
 
-   !> A table of free gaps with their laws, at their first places.
+   !> Make a table of free gaps with their laws, at their first places.
    pure subroutine lay_out_gaps(numerics, mesh, gaps)
       type(numerics_type), intent(in) :: numerics
       type(mesh_type), intent(in) :: mesh

@@ -1,23 +1,24 @@
-!> A rotating string that is compressed near its buckling load whirls: friction's steady state there, and the torques with it.
+!> A rotating string that is compressed near its buckling load whirls: its steady state under friction, and the torques in it.
 !>
-!> Where friction holds a rotating string that is pressed to its side of the hole, it lets it climb: circumferential friction m R
-!> stands against the weight. A string that snakes or coils has no such side. When it turns as a whole by d theta about the hole,
-!> friction does the work m R |f| d theta per metre on it, of one sign everywhere. No other force does work then, so there is no
-!> equilibrium: its bends whirl around the hole until they roll or slide without that force. This steady state is found, without
-!> inertia, by leaving m R out of the lateral forces. Friction's torque m r R stays, as it is what the surface feels; axial
-!> friction stays. The share of m R that climbs fades from one to nothing between `whirls_from` and `whirls_all` of the coiling
-!> load.
+!> Friction makes a rotating string climb on the side of the hole where its weight presses it. Circumferential friction m R is
+!> then balanced by the weight. A buckled string has no such side. When it turns as a whole by d theta about the hole, friction
+!> does the work m R |f| d theta per metre. That work has one sign everywhere. No other force does work then, so there is no
+!> equilibrium. Its bends whirl around the hole until they roll or slide without that force. This steady state is found,
+!> without inertia, by leaving m R out of the lateral forces. Friction's torque m r R stays, as the surface feels it, and axial
+!> friction stays. The share of m R that acts sideways falls from one to zero between `whirls_from` and `whirls_all` of the
+!> helical load.
 !>
-!> The torques that are put into such a string at bit, wall and top must then do no work either as it turns. Torque M_t inside an
-!> element does, where all tangents d turn by d theta about t, by its end moments (dg_beam_element) on d_i and d_j:
+!> The torques on such a string at bit, wall and top must then do no work either as it turns. Torque M_t inside an element does
+!> work by its end moments (dg_beam_element) on d_i and d_j. If all tangents d turn by d theta about t, that work is
 !>   M_t (d_i x d_j)/(1 + d_i.d_j) . (t x d_i + t x d_j) d theta = M_t (t.d_i - t.d_j) d theta.
-!> At node n the torque jumps by the torque m_n put in there, and all m_n sum to 0. So the sum over the elements is
+!> At node n the torque jumps by the torque m_n that is applied there, and all m_n sum to 0. The sum over the elements is
+!> therefore
 !>   - sum m_n (1 - t.d_n) d theta.
-!> A torque put in about d or about t leaves that unbalanced. It is balanced by torques put in semi-tangentially, about
+!> A torque that is applied about d or about t leaves that unbalanced. It is balanced by semi-tangential torques, about
 !>   (t + d)/(1 + t.d).
-!> Their work is that of one more element whose lower tangent is t: its end moment on d, m (d x t)/(1 + t.d), works
-!> + m (1 - t.d) d theta. Together with it the string is then at a minimum of an energy at given contact forces, and the tangent of
-!> the torques is symmetric in sum. Where nothing is compressed near buckling torques act about the string's own axis.
+!> Their work is that of one more element whose lower tangent is t. Its end moment on d, m (d x t)/(1 + t.d), does the work + m
+!> (1 - t.d) d theta. With it the string is at a minimum of an energy at given contact forces. The tangent of the torques is
+!> then symmetric in sum. Where no part is compressed near buckling, torques act about the string's own axis.
 module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
@@ -33,30 +34,30 @@ module dg_whirling
    private
    public :: find_sideways, turning_type, add_turning, turning_moment, add_end_torque, end_moment
 
-   !> Compression over the helical load from which a rotating string's friction climbs less, and from which not at all [-]: a string
-   !> buckles sinusoidally from 0.71 = 1/sqrt(2) on, in bends and next to stabilizers at less.
+   !> Compression over the helical load above which a rotating string's friction acts less sideways, and above which not any
+   !> more [-]. A string buckles sinusoidally from 0.71 = 1/sqrt(2) on, in bends and next to stabilizers earlier.
    real(wp), parameter :: whirls_from = 0.4_wp, whirls_all = 0.72_wp
 
-   !> Friction's torque at a gap.
+   !> Torque of friction at a gap.
    type :: turning_type
-      real(wp) :: lever = 0.0_wp          !< torque over contact force, m r; 0: there is none [m]
-      real(wp) :: share(2) = 0.0_wp       !< of it on both nodes [-]
+      real(wp) :: lever = 0.0_wp          !< torque over contact force, m r; 0: no torque [m]
+      real(wp) :: share(2) = 0.0_wp       !< part of each node in it [-]
       real(wp) :: shape(4) = 0.0_wp       !< N at the gap
-      real(wp) :: force = 0.0_wp          !< contact force that friction goes by [N]
+      real(wp) :: force = 0.0_wp          !< contact force of the friction [N]
       real(wp) :: stiffness = 0.0_wp      !< its derivative by |f| [N/m]
       real(wp) :: outward(3) = 0.0_wp     !< f/|f|
       real(wp) :: tangent(3) = 0.0_wp     !< t of the hole axis at the foot
-      real(wp) :: bend(3) = 0.0_wp        !< dt by the way of the point along t [1/m]
+      real(wp) :: bend(3) = 0.0_wp        !< derivative of t by the point's move along t [1/m]
    end type turning_type
 
 contains
 
-   !> Share of friction around the string that acts sideways, by element [-]: less than 1 where the soft string is compressed near
-   !> buckling, and 0 in a vertical stretch of hole in which it is compressed at all, as no weight holds it to a side there: for a
-   !> turning string in any such stretch, for another one in a hole that is vertical all along. Where it is less than 1 anywhere,
-   !> torques at bit and top act semi-tangentially; for a string that slides without turning, which has no such force, that is all
-   !> that it says. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft without
-   !> friction keeps it: it buckles as Greenhill's (1883).
+   !> Share of friction around the string that acts sideways, by element [-]. It is below 1 where the soft string is compressed
+   !> near buckling. It is 0 in a vertical part of the hole with any compression, as no weight holds the string to a side
+   !> there. For a string that does not turn, that is only so in a hole that is vertical all along. If it is below 1 anywhere,
+   !> torques at bit and top act semi-tangentially. For a string that slides without turning, which has no such friction, it
+   !> has no other effect. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft
+   !> without friction keeps that torque: it buckles as Greenhill's (1883).
    pure subroutine find_sideways(model, case_index, mesh, compressed, sideways)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -81,10 +82,10 @@ contains
       call free_vertical_stretches(vertical, axial, mesh%friction_around, sideways)
    end subroutine find_sideways
 
-   !> Leaves sideways friction out in vertical stretches with compression in them.
+   !> Set sideways friction to zero in vertical parts of the hole with compression in them.
    pure subroutine free_vertical_stretches(vertical, axial, rotary, sideways)
-      logical, intent(in) :: vertical(:)        !< the hole, at the nodes
-      real(wp), intent(in) :: axial(:)          !< of the soft string, at the nodes [N]
+      logical, intent(in) :: vertical(:)        !< of the hole, at the nodes
+      real(wp), intent(in) :: axial(:)          !< of the soft string, at the nodes, tension > 0 [N]
       real(wp), intent(in) :: rotary(:)         !< circumferential friction factor, by element [-]
       real(wp), intent(inout) :: sideways(:)
       integer :: first, last
@@ -101,8 +102,8 @@ contains
       end do
    end subroutine free_vertical_stretches
 
-   !> Friction's torque on both nodes of an element: takes it off their torque residuals, adds its moments on the directors d to the
-   !> element's force and, where it is wanted, a part of its tangent.
+   !> Add the torque of friction on both nodes of an element. It is subtracted from their torque residuals. Its moments on the
+   !> directors d, and the wanted part of its tangent, are added to the element.
    pure subroutine add_turning(turning, d, element)
       type(turning_type), intent(in) :: turning
       real(wp), intent(in) :: d(:, :)             !< directors of both nodes (3,2)
@@ -118,7 +119,8 @@ contains
          call torque_tangent(torque, d(:, a), turning%tangent, by_d, by_t, by_torque)
          element%k(first:first + 2, first:first + 2) = element%k(first:first + 2, first:first + 2) + part_of(by_d, element%part)
          if (element%part == part_energy) cycle
-         turn = (turning%lever*turning%stiffness*turning%share(a))*turning%outward       ! - torque by the point
+         turn = (turning%lever*turning%stiffness*turning%share(a))*turning%outward       ! minus the derivative of torque by the
+                                                                                         ! point
          by_point = outer(matmul(by_t, turning%bend), turning%tangent) - outer(by_torque, turn)
          do b = 1, 4
             element%k(first:first + 2, 3*b - 2:3*b) = element%k(first:first + 2, 3*b - 2:3*b) + turning%shape(b)*by_point
@@ -127,7 +129,7 @@ contains
       end do
    end subroutine add_turning
 
-   !> The vector of that torque on the string [N.m].
+   !> Vector of that torque on the string [N.m].
    pure function turning_moment(turning, d) result(moment)
       type(turning_type), intent(in) :: turning
       real(wp), intent(in) :: d(:, :)
@@ -139,24 +141,24 @@ contains
       end do
    end function turning_moment
 
-   !> The vector of a torque put in semi-tangentially [N.m].
+   !> Vector of a semi-tangential torque [N.m].
    pure function end_moment(torque, d, t) result(moment)
       real(wp), intent(in) :: torque, d(3), t(3)
       real(wp) :: moment(3)
       moment = (torque/(1.0_wp + dot_product(t, d)))*(t + d)
    end function end_moment
 
-   !> A torque put into the string at an end node: adds its moment on the director to `force` and, where it is wanted, a part of its
-   !> tangent to the matrix. That at the top is a reaction, and changes as the residual of the twist there does: by that
-   !> row of the matrix, which must not have been held yet.
+   !> Add a torque on an end node of the string. Its moment on the director is added to `force`, and the wanted part of its
+   !> tangent to the matrix. The torque at the top is a reaction, and changes as the residual of the twist there. Its
+   !> derivative is that row of the matrix, which must not have been held yet.
    pure subroutine add_end_torque(mesh, node, torque, gradient, d, part, wanted, force, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: torque              !< on the string, about its axis downwards [N.m]
-      real(wp), intent(in) :: gradient(3, 2)      !< of the director by its slopes
+      real(wp), intent(in) :: gradient(3, 2)      !< derivative of the director by its slopes
       real(wp), intent(in) :: d(3)                !< director
-      integer, intent(in) :: part                 !< of the tangent; part_rest: of the tangent alone
-      logical, intent(in) :: wanted               !< the tangent is
+      integer, intent(in) :: part                 !< part of the tangent; part_rest: no force is added
+      logical, intent(in) :: wanted               !< true if the tangent is wanted
       real(wp), intent(inout) :: force(3)         !< on the director
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: by_d(3, 3), by_t(3, 3), by_torque(3), turn(2), row(6), stiffness
@@ -171,7 +173,7 @@ contains
       turn = matmul(by_torque, gradient)
       row = matrix%upper(dof_twist, :, 1)
       stiffness = mesh%section(1)%gj/mesh%length(1)
-      if (part == part_rest) row(dof_twist) = row(dof_twist) - stiffness     ! which stands in the energy's part
+      if (part == part_rest) row(dof_twist) = row(dof_twist) - stiffness     ! stiffness that is in the energy's part
       do i = 1, 2
          matrix%diagonal(slopes(i), :, 1) = matrix%diagonal(slopes(i), :, 1) + turn(i)*matrix%diagonal(dof_twist, :, 1)
          matrix%upper(slopes(i), :, 1) = matrix%upper(slopes(i), :, 1) + turn(i)*row

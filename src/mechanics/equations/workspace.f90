@@ -1,4 +1,4 @@
-!> Arrays of one solution, allocated once: nothing is allocated within an iteration.
+!> Arrays of one solution, allocated once. Nothing is allocated within an iteration.
 module dg_workspace
    use dg_kinds, only: wp
    use dg_mesh, only: mesh_type
@@ -7,16 +7,16 @@ module dg_workspace
    public :: workspace_type, new_start_room, new_workspace, place_nodes, place_node, make_room_for_recovery, keep_for_moments
    public :: dof_axial, dof_lateral_1, dof_lateral_2, dof_twist, dof_slope_1, dof_slope_2
 
-   !> Order of a node's six unknowns (convention of src/README.md).
+   !> Order of a node's six unknowns (conventions of src/README.md).
    integer, parameter :: dof_axial = 1, dof_lateral_1 = 2, dof_lateral_2 = 3
    integer, parameter :: dof_twist = 4, dof_slope_1 = 5, dof_slope_2 = 6
 
    type :: workspace_type
-      ! where the nodes are: place_nodes
+      ! places of the nodes: place_nodes
       real(wp), allocatable :: shift(:, :)       !< displacement in space axes (3,nodes) [m]
       real(wp), allocatable :: d(:, :)           !< directors (3,nodes)
-      ! where the gaps are, by element: survey_gaps
-      real(wp), allocatable :: gap(:, :)            !< f, off the hole axis where the point now is (3,e) [m]
+      ! places of the gaps, by element: survey_gaps
+      real(wp), allocatable :: gap(:, :)            !< f, from the hole axis at the point's present place (3,e) [m]
       real(wp), allocatable :: axis_tangent(:, :)   !< t of the hole axis there (3,e)
       real(wp), allocatable :: axis_curvature(:, :) !< dt/ds there (3,e) [1/m]
       real(wp), allocatable :: displacement(:)      !< |f| [m]
@@ -24,19 +24,20 @@ module dg_workspace
       real(wp), allocatable :: axial(:)             !< beam's axial force, tension > 0 (e) [N]
       real(wp), allocatable :: torque(:)            !< GJ/L (phi_j - phi_i) (e) [N.m]
       real(wp), allocatable :: normal(:)            !< contact force R (e) [N]
-      real(wp), allocatable :: sideways(:)          !< share of circumferential friction's force, 0 where the string whirls (e) [-]
+      real(wp), allocatable :: sideways(:)          !< share of circumferential friction that acts sideways, 0 where the string
+                                                    !< whirls (e) [-]
       real(wp), allocatable :: held(:)              !< share of a sliding string's friction that acts against t x n (e) [-]
-      logical :: separate = .false.                 !< contact forces are unknowns of their own: they do not follow from places
-      ! forces that only the result tells of, filled where there is room for them: make_room_for_recovery
+      logical :: separate = .false.                 !< contact forces are unknowns of their own, independent of places
+      ! forces that only the result needs, filled if allocated: make_room_for_recovery
       real(wp), allocatable :: node_force(:, :)     !< on x and d in space axes, of all elements (6,nodes) [N, N.m]
       real(wp), allocatable :: contact_force(:, :)  !< F (3,e) [N]
       real(wp), allocatable :: contact_moment(:, :) !< M (3,e) [N.m]
-      real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, element loads taken off (6,e)
-      real(wp), allocatable :: node_torque(:)       !< in the string at a node, friction of its elements taken off (nodes) [N.m]
+      real(wp), allocatable :: end_force(:, :)      !< on (x_i, d_i), the upper end, less element loads (6,e) [N, N.m]
+      real(wp), allocatable :: node_torque(:)       !< in the string at a node, less friction of its elements (nodes) [N.m]
       ! of the whole string
       real(wp) :: reaction(3) = 0.0_wp          !< force that holds the top, supports included [N]
       real(wp) :: bit_reaction(3) = 0.0_wp      !< lateral support at the bit [N]
-      real(wp) :: weight_on_bit = 0.0_wp        !< given, or what a given hook load brings [N]
+      real(wp) :: weight_on_bit = 0.0_wp        !< given, or by a given hook load [N]
       real(wp) :: bit_load(3) = 0.0_wp          !< force of the formation on the bit [N]
       real(wp) :: top_moment(3) = 0.0_wp        !< of the torque that holds the top [N.m]
       real(wp) :: bit_moment(3) = 0.0_wp        !< of the torque on bit, on the string [N.m]
@@ -46,7 +47,7 @@ module dg_workspace
 
 contains
 
-   !> Room for what the start of an iteration asks for and brings.
+   !> Allocate the arrays that the start of an iteration needs and sets.
    pure subroutine new_start_room(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(out) :: work
@@ -54,7 +55,7 @@ contains
       allocate (work%normal(mesh%elements), work%held(mesh%elements), source=0.0_wp)
    end subroutine new_start_room
 
-   !> Room for a mesh; what a start has put there stays.
+   !> Allocate the arrays of a mesh, and keep those that a start has set.
    pure subroutine new_workspace(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work
@@ -67,7 +68,7 @@ contains
       allocate (work%gap(3, m), work%axis_tangent(3, m), work%axis_curvature(3, m), source=0.0_wp)
    end subroutine new_workspace
 
-   !> Room for the forces that only the result tells of: the next assembly fills it.
+   !> Allocate the forces that only the result needs. The next assembly fills them.
    pure subroutine make_room_for_recovery(mesh, work)
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(inout) :: work
@@ -78,7 +79,7 @@ contains
                 work%node_torque(mesh%nodes), source=0.0_wp)
    end subroutine make_room_for_recovery
 
-   !> Gives back all but what the moments along the string ask for once its forces have been told.
+   !> Release all arrays that the moments along the string do not need, once the forces are in the result.
    pure subroutine keep_for_moments(work)
       type(workspace_type), intent(inout) :: work
       deallocate (work%gap, work%axis_tangent, work%axis_curvature, work%displacement, work%axial)

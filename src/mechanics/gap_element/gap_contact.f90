@@ -1,20 +1,21 @@
 !> Force and moment of a touching string at one point: Eqs. 4 and 5 of the paper, with their derivatives.
 !>
-!> Measured where the point now is: f is its offset from the hole axis across the tangent t there. With n = f/|f|
-!> outwards and tau = t x n (the way a right-hand turning string's surface moves at the wall),
-!>   F = R (-n + a t - m tau)                           a: signed axial, m: rotary friction coefficient
-!>   M = r n x F = -r R (a tau + m t)                   r: contact radius; M_GA across, M_Gt along t
-!> R_GN = R, R_GA = a R, R_Gt = m R, M_GA = r R_GA, M_Gt = r R_Gt in the paper's letters.
-!> Moving the point by dr moves its foot on the axis by ds = chi t.dr, chi = 1/(1 - k.f), k the axis' curvature, so
+!> Measured at the present place of the point: f is its offset from the hole axis across the tangent t there. n = f/|f| points
+!> outwards. A right-hand turning string's surface moves at the wall along tau = t x n. Force and moment are
+!>   F = R (-n + a t - m tau)
+!>   M = r n x F = -r R (a tau + m t)
+!> with the signed axial friction coefficient a, the rotary one m, and the contact radius r. In the paper's letters R_GN = R,
+!> R_GA = a R and R_Gt = m R. M_GA = r R_GA is across t, and M_Gt = r R_Gt along t. When the point moves by dr, its foot on the
+!> axis moves by ds = chi t.dr, with chi = 1/(1 - k.f) and k the axis' curvature. Hence
 !>   d|f| = n.dr,  dn = (tau tau + (1 - chi) t t)/|f| dr,  dt = chi k t.dr,  dtau = chi (k x n) t.dr - n tau.dr/|f|
 !> Friction makes the derivative unsymmetric.
 !>
-!> Near a helix a string that does not rotate takes M_GA as a couple that bends it. P = -dV/dr' acts on its slope r' and F = -dV/dr
-!> on its place r, both of V = r R a d.n with the unit tangent d = r'/|r'|. That is the same moment d x P = -r R a tau to first
-!> order, and in addition F_tau = -r R a (d.tau)/|f| along tau. Applied as a plain vector, M_GA does work on a helix that turns as
-!> a whole about the hole: in a vertical hole nothing balances that work, and no equilibrium exists. On a real string friction
-!> around the hole, at rest, balances it. F_tau, some percent of R, is the smallest force that cancels that work. Elsewhere F_tau
-!> is wrong: at a stabilizer |f| is small, and F_tau large.
+!> Near a helix a string that does not rotate takes M_GA as a couple that bends it. P = -dV/dr' acts on its slope r' and F =
+!> -dV/dr on its place r. Both derive from V = r R a d.n with the unit tangent d = r'/|r'|. That is the same moment d x P = -r
+!> R a tau to first order, and in addition F_tau = -r R a (d.tau)/|f| along tau. As a plain vector, M_GA would do work on a
+!> helix that turns as a whole about the hole. In a vertical hole nothing balances that work, and no equilibrium exists. On a
+!> real string friction around the hole, at rest, balances it. F_tau, some per cent of R, is the smallest force that cancels
+!> that work. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
    implicit none
@@ -22,8 +23,8 @@ module dg_gap_contact
    public :: touch_type, touch_tangent_type, contact_action, touch_tangents, moment_tangents, couple_action, couple_tangents
    public :: support_action
 
-   !> A gap that touches, as its derivatives ask for it. Friction may be asked for at another normal force Q than R, with another
-   !> derivative, and the couple at another product r R a: parts of a tangent have some of them at zero.
+   !> A gap that touches, with the inputs of its derivatives. Friction may have another normal force Q than R, with another
+   !> derivative. The couple may have another product r R a. Parts of a tangent have some of them at zero.
    type :: touch_type
       real(wp) :: gap(3)         !< f [m], not zero, across tangent
       real(wp) :: tangent(3)     !< t of the hole axis at the foot
@@ -32,7 +33,7 @@ module dg_gap_contact
       real(wp) :: normal = 0.0_wp, normal_stiffness = 0.0_wp       !< R and its derivative by |f| [N, N/m]
       real(wp) :: pressing = 0.0_wp, pressing_stiffness = 0.0_wp   !< Q and its derivative [N, N/m]
       real(wp) :: couple = 0.0_wp, couple_stiffness = 0.0_wp       !< r R a of a sliding string and its derivative [N.m, N]
-      real(wp) :: axial, rotary, sideways, radius                  !< as of contact_action
+      real(wp) :: axial, rotary, sideways, radius                  !< as in contact_action
       real(wp) :: share(2)            !< 1 - xi and xi, the part of either node in a moment along the string
       real(wp) :: shape(4), slope(4)  !< N and dN/dx at xi
    end type touch_type
@@ -40,7 +41,7 @@ module dg_gap_contact
    !> Derivatives of F, M and of the couple's P.
    type :: touch_tangent_type
       real(wp), dimension(3) :: n, tau, moment
-      real(wp) :: reciprocal, chi             !< 1/|f|, and of the header
+      real(wp) :: reciprocal, chi             !< 1/|f|, and chi of the header
       real(wp), dimension(3, 3) :: force_by_point, moment_by_point
       !> Derivatives of the couple's force and bend by r and r'; zero without a couple.
       real(wp), dimension(3, 3) :: force_by_direction = 0.0_wp, bend_by_point = 0.0_wp, bend_by_direction = 0.0_wp
@@ -55,7 +56,7 @@ contains
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: axial         !< a: > 0 pushes the string down the hole [-]
       real(wp), intent(in) :: rotary        !< m >= 0 [-]
-      real(wp), intent(in) :: sideways      !< what stands for m in the force: m, or 0 where the string whirls [-]
+      real(wp), intent(in) :: sideways      !< m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(in) :: radius        !< r [m]
       real(wp), intent(out) :: force(3)
       real(wp), intent(out) :: moment(3)
@@ -66,11 +67,11 @@ contains
       moment = -radius*normal_force*(axial*tau + rotary*tangent)
    end subroutine contact_action
 
-   !> Derivatives of F by the point's position [N/m], and what the other derivatives need.
+   !> Derivatives of F by the point's position [N/m], and quantities that the other derivatives need.
    pure subroutine touch_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
-      real(wp), dimension(3) :: x, y, z      ! on the left of dyads with n, tau and t
+      real(wp), dimension(3) :: x, y, z      ! left factors of dyads with n, tau and t
       integer :: j
       associate (t => touch%tangent, k => touch%curvature)
          by%reciprocal = 1.0_wp/sqrt(dot_product(touch%gap, touch%gap))
@@ -87,7 +88,7 @@ contains
       end associate
    end subroutine touch_tangents
 
-   !> M by Q, and its derivatives by the point's position [N.m, N]; after touch_tangents.
+   !> M by Q, and its derivatives by the point's position [N.m, N]. Call touch_tangents first.
    pure subroutine moment_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
@@ -105,7 +106,7 @@ contains
       end associate
    end subroutine moment_tangents
 
-   !> The couple of axial friction on a string that is near a helix and does not rotate: F_tau on the point and P on r'.
+   !> Couple of axial friction on a string that is near a helix and does not rotate: F_tau on the point and P on r'.
    pure subroutine couple_action(gap, tangent, direction, couple, force, bend)
       real(wp), intent(in) :: gap(3), tangent(3)
       real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised
@@ -122,8 +123,8 @@ contains
       bend = -(couple*stretch)*(n - d*(d(1)*n(1) + d(2)*n(2) + d(3)*n(3)))
    end subroutine couple_action
 
-   !> Derivatives of F_tau and P by the point and by r' (3,3): those of F_tau by the point are added to those of F. After
-   !> touch_tangents; the couple's own derivative makes them unsymmetric.
+   !> Derivatives of F_tau and P by the point and by r' (3,3). Those of F_tau by the point are added to those of F. Call
+   !> touch_tangents first. The couple's own derivative makes them unsymmetric.
    pure subroutine couple_tangents(touch, by)
       type(touch_type), intent(in) :: touch
       type(touch_tangent_type), intent(inout) :: by
@@ -155,8 +156,8 @@ contains
       end associate
    end subroutine couple_tangents
 
-   !> A support that holds a node on the hole axis with a stiff spring [N/m], sliding freely along it:
-   !> force F = -k f on the string and its derivative.
+   !> Support that holds a node on the hole axis with a stiff spring [N/m], and lets it slide freely along it. Returns the
+   !> force F = -k f on the string [N] and its derivative [N/m].
    pure subroutine support_action(gap, tangent, curvature, stiffness, force, force_tangent)
       real(wp), intent(in) :: gap(3), tangent(3), curvature(3)
       real(wp), intent(in) :: stiffness
@@ -172,7 +173,7 @@ contains
       end do
    end subroutine support_action
 
-   !> a x b, here so that it is inlined.
+   !> a x b, in this module so that it is inlined.
    pure function product_of(a, b) result(c)
       real(wp), intent(in) :: a(3), b(3)
       real(wp) :: c(3)

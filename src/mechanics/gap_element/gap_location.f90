@@ -1,21 +1,21 @@
-!> Where in its element the gap element sits: x0, the extremum of the lateral displacement (Eqs. 1 and 2).
+!> Place of the gap element in its element: x0, the extremum of the lateral displacement (Eqs. 1 and 2).
 module dg_gap_location
    use dg_kinds, only: wp
    implicit none
    private
    public :: extremum_of_displacement, bend_of_displacement
 
-   !> Places where the displacement is sampled before the largest is refined: a cubic in each plane has at most
-   !> five extrema of its magnitude, so eight intervals separate those that matter.
+   !> Number of intervals between samples of the displacement, before the largest is refined. The magnitude of a cubic in each
+   !> plane has at most five extrema, so that eight intervals separate those that matter.
    integer, parameter :: intervals = 8, half = intervals/2
-   !> Squares that differ by less are equal [-]: where a string lies straight along its wall its gap stays in the middle.
+   !> Squares that differ by less than this part are equal [-]. Where a string is straight along its wall its gap thus stays in
+   !> the middle.
    real(wp), parameter :: round_off = 1.0e-12_wp
 
 contains
 
-   !> xi0 = x0/L in 0..1 where the lateral displacement |f_G(x)| is largest, and that displacement [m].
-   !> f_G = N_G d_e from the offsets of the nodes off the hole axis and their slopes against it, all in space
-   !> axes and across the hole.
+   !> Place xi0 = x0/L in 0..1 of the largest lateral displacement |f_G(x)|, and that displacement [m]. f_G = N_G d_e follows
+   !> from the offsets of the nodes from the hole axis and their slopes against it. All are in space axes and across the hole.
    pure subroutine extremum_of_displacement(gap_i, slope_i, gap_j, slope_j, length, xi, displacement)
       real(wp), intent(in) :: gap_i(3), gap_j(3)     !< offsets [m]
       real(wp), intent(in) :: slope_i(3), slope_j(3) !< d - t [-]
@@ -24,7 +24,8 @@ contains
       real(wp), intent(out) :: displacement
       real(wp) :: square(-half:half), even_1(3), even_2(3), odd_1(3), odd_2(3), a(3), b(3), f(3), left, right, curvature, t, bar
       integer :: k, best
-      ! The cubic from the middle of the element: f = even + odd t, both linear in t**2, t from -1 to 1. Two places share them.
+      ! The cubic from the middle of the element: f = even + odd t, both linear in t**2, t from -1 to 1. Two places at +-t
+      ! share them.
       even_2 = (0.125_wp*length)*(slope_j - slope_i)
       even_1 = 0.5_wp*(gap_i + gap_j) - even_2
       odd_2 = (0.125_wp*length)*(slope_i + slope_j) - 0.25_wp*(gap_j - gap_i)
@@ -66,9 +67,9 @@ contains
       displacement = sqrt(displacement)
    end subroutine extremum_of_displacement
 
-   !> -d2|f_G|/dxi2 at xi [m], for the same element: how round the string is there.
+   !> Curvature -d2|f_G|/dxi2 at xi of the same element [m].
    pure function bend_of_displacement(gap_i, slope_i, gap_j, slope_j, length, xi) result(bend)
-      real(wp), intent(in) :: gap_i(3), gap_j(3)     !< as of extremum_of_displacement
+      real(wp), intent(in) :: gap_i(3), gap_j(3)     !< as in extremum_of_displacement
       real(wp), intent(in) :: slope_i(3), slope_j(3)
       real(wp), intent(in) :: length, xi
       real(wp) :: bend

@@ -1,12 +1,12 @@
 !> States of the Multi-directional Contact Gap Element (MCGE): Eqs. 3, 7 and 8 and Fig. 2 of the paper.
 !>
-!> Penetration carries force: with |f| the lateral displacement of the string's axis off the hole axis and
-!> c = (D - d)/2 the clearance, the relative compression is eps = |f|/c (Eq. 3) and, per metre of contact,
-!>   free     R = 0                                                     Gk = gk_min
-!>   elastic  R = gk_contact (|f| - c)                                  up to eps - 1 = eps_nmax
-!>   rigid    R = gk_contact c eps_nmax + gk_max (|f| - c (1 + eps_nmax))  beyond
-!> continuous and piecewise linear. gk_min keeps the matrix regular while nothing touches: it stands in the tangent
-!> only, so that a converged string feels nothing of it.
+!> Penetration carries force. With |f| the lateral displacement of the string's axis from the hole axis and c = (D - d)/2 the
+!> clearance, the relative compression is eps = |f|/c (Eq. 3). Per metre of contact:
+!> - free: R = 0, with Gk = gk_min
+!> - elastic: R = gk_contact (|f| - c), up to eps - 1 = eps_nmax
+!> - rigid: R = gk_contact c eps_nmax + gk_max (|f| - c (1 + eps_nmax)), beyond
+!> R is continuous and piecewise linear. gk_min keeps the matrix regular while nothing touches. It is in the tangent only, so
+!> that it does not act on a converged string.
 module dg_gap_state
    use dg_kinds, only: wp
    use dg_named_states, only: state_elastic, state_free, state_rigid
@@ -17,7 +17,7 @@ module dg_gap_state
 
    !> The law of one gap, per element: rigidities times tributary length.
    type :: gap_law_type
-      real(wp) :: clearance = 0.0_wp  !< where contact begins [m]: c = (D - d)/2, less at a bow spring
+      real(wp) :: clearance = 0.0_wp  !< offset at which contact begins [m]: c = (D - d)/2, less at a bow spring
       real(wp) :: contact = 0.0_wp    !< Gkc [N/m]
       real(wp) :: maximum = 0.0_wp    !< Gkmax [N/m]
       real(wp) :: eps_nmax = 0.0_wp   !< elastic range of relative compression [-]
@@ -31,17 +31,17 @@ module dg_gap_state
 
 contains
 
-   !> State that follows from the present one (Eqs. 7 and 8), where contact force and depth are both unknowns. A free gap closes
-   !> when it is compressed beyond eps_n0 and would carry more than r_n0. A closed one opens when it pulls with more than r_n0; or
-   !> when it stands open beyond eps_n0 and would pull so by the force at its depth. Between, the state stays, so that two points
-   !> cannot take turns over round-off. Elastic and rigid change at eps_nmax, without a threshold.
+   !> State after the present one (Eqs. 7 and 8), where contact force and depth are both unknowns. A free gap closes when it is
+   !> compressed beyond eps_n0 and would carry more than r_n0. A closed gap opens when it pulls with more than r_n0. It also
+   !> opens when it is open beyond eps_n0 and would pull so by the force at its depth. Otherwise the state stays, so that two
+   !> points do not alternate by round-off. Elastic and rigid change at eps_nmax, without a threshold.
    pure function next_state(law, thresholds, state, force, deep, softness) result(next)
       type(gap_law_type), intent(in) :: law
       type(gap_thresholds_type), intent(in) :: thresholds
       integer, intent(in) :: state      !< present state
-      real(wp), intent(in) :: force     !< R; zero where it is free [N]
-      real(wp), intent(in) :: deep      !< |f| less the depth that belongs to R (depth_of) [m]
-      real(wp), intent(in) :: softness  !< stiffness that tells a closed gap's force at its depth, not above the wall's [N/m]
+      real(wp), intent(in) :: force     !< R; zero in a free gap [N]
+      real(wp), intent(in) :: deep      !< |f| less the depth that R needs (depth_of) [m]
+      real(wp), intent(in) :: softness  !< stiffness for a closed gap's force at its depth, not above the wall's [N/m]
       integer :: next
       next = state
       if (state == state_free) then
@@ -85,8 +85,8 @@ contains
       depth = law%clearance + min(force, elastic)/law%contact + max(force - elastic, 0.0_wp)/law%maximum
    end function depth_of
 
-   !> True if the string is curved so much next to a gap that its place matters. Half an element beside it |f| is less by more than
-   !> a part of the depth in the wall.
+   !> True if the string is curved so much next to a gap that its place matters. That is so if |f| half an element away is less
+   !> by more than `part` of the depth in the wall.
    pure function is_round(law, force, bend, part) result(is)
       type(gap_law_type), intent(in) :: law
       real(wp), intent(in) :: force

@@ -1,4 +1,4 @@
-!> The state table: one MCGE an element, its place, its state, and every flip recorded.
+!> State table: one MCGE an element, with its place, its state, and the number of its changes.
 module dg_gap_table
    use dg_kinds, only: wp
    use dg_gap_state, only: gap_law_type, gap_thresholds_type, state_free
@@ -14,19 +14,19 @@ module dg_gap_table
       logical, allocatable :: followed(:)        !< its place follows the extremum within the iteration
       logical, allocatable :: fixed(:)           !< it stays at its place
       integer, allocatable :: flips(:)           !< changes of state so far
-      integer, allocatable :: moves(:)           !< times moved, or begun to follow, so far
+      integer, allocatable :: moves(:)           !< number of moves, and of times it began to follow
    end type gap_table_type
 
-   !> A gap that keeps moving between two places that are as good is held by a threshold that grows with its moves;
-   !> this bounds the growth (2**20 times the threshold is far beyond any clearance).
+   !> Limit of the growth of a threshold by moves. The threshold of a gap that keeps moving between two equally good places
+   !> grows with its moves. 2**20 times the threshold is far beyond any clearance.
    integer, parameter :: most_doublings = 20
 
-   !> Closed gaps next to each other that are still one contact: two gaps may meet at a node.
+   !> Most closed gaps next to each other that are still one contact: two gaps may meet at a node.
    integer, parameter :: most_lone = 2
 
 contains
 
-   !> A table of free gaps at xi = `place`.
+   !> Make a table of free gaps at xi = `place`.
    pure function new_gap_table(laws, place) result(table)
       type(gap_law_type), intent(in) :: laws(:)
       real(wp), intent(in) :: place
@@ -40,7 +40,7 @@ contains
       allocate (table%flips(n), table%moves(n), source=0)
    end function new_gap_table
 
-   !> Remembers places, states and their counts; laws stay with the table.
+   !> Save places, states and their counts. Laws stay with the table.
    pure subroutine keep_gaps(table, kept)
       type(gap_table_type), intent(in) :: table
       type(gap_table_type), intent(inout) :: kept
@@ -51,7 +51,7 @@ contains
       kept%followed = table%followed
    end subroutine keep_gaps
 
-   !> Puts the gaps back to what keep_gaps remembered.
+   !> Restore what keep_gaps saved.
    pure subroutine take_gaps_back(kept, table)
       type(gap_table_type), intent(in) :: kept
       type(gap_table_type), intent(inout) :: table
@@ -62,7 +62,7 @@ contains
       table%followed = kept%followed
    end subroutine take_gaps_back
 
-   !> Moves a gap to the extremum x0 = xi L (Eq. 2) where the string is so much deeper there as gain_to_move asks for.
+   !> Move a gap to the extremum x0 = xi L (Eq. 2) if the string is deeper there by more than gain_to_move.
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
@@ -77,7 +77,7 @@ contains
       table%moves(e) = table%moves(e) + 1
    end subroutine move_gap
 
-   !> Puts a gap at a place where it stays.
+   !> Put a gap at a place where it stays.
    pure subroutine fix_gap(table, e, xi, state)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
@@ -88,10 +88,10 @@ contains
       table%fixed(e) = .true.
    end subroutine fix_gap
 
-   !> Gain in depth at the extremum above which a gap moves there [m]. The paper puts x0 where the element "is to make first
-   !> contact": a free gap goes to the extremum at once the first time, a closed one only when the string is deeper there by
-   !> `threshold`. The threshold doubles with every move made, free or closed: an element that wants contact at two places would
-   !> otherwise hand its one gap to and fro for ever.
+   !> Least gain in depth at the extremum for which a gap moves there [m]. The paper puts x0 where the element "is to make
+   !> first contact". A free gap goes to the extremum at once the first time. A closed one goes only when the string is deeper
+   !> there by `threshold`. The threshold doubles with every move, free or closed. Otherwise an element with contact at two
+   !> places would move its one gap back and forth for ever.
    pure function gain_to_move(table, e, threshold) result(gain)
       type(gap_table_type), intent(in) :: table
       integer, intent(in) :: e
@@ -103,16 +103,16 @@ contains
       gain = least*threshold
    end function gain_to_move
 
-   !> Gaps whose contacts stand by themselves, and the open ones next to them: one gap or two next to each other, open ones beyond.
-   !> Where a string lies on the wall its gaps share the load, and where in its element each of them sits makes no difference that
-   !> the mesh could show; to move one wakes its neighbours. Where it touches at one place, at a stabilizer or in a sharp bend, that
-   !> gap carries all of the load between two spans, and its place rules how the spans bend.
+   !> True for gaps of single contacts, and the open ones next to them. A single contact is one closed gap, or two next to each
+   !> other, with open ones beyond. Where a string lies on the wall its gaps share the load. The place of each in its element
+   !> then makes no visible difference, and to move one disturbs its neighbours. At a stabilizer or in a sharp bend one gap
+   !> carries all of the load between two spans. Its place then determines how the spans bend.
    pure function lone_contacts(state) result(lone)
-      integer, intent(in) :: state(:)   !< of the gaps
+      integer, intent(in) :: state(:)   !< states of the gaps
       logical :: lone(size(state))
       integer :: e, first
       lone = .false.
-      first = 0                         ! of a run of closed gaps
+      first = 0                         ! first of a run of closed gaps
       do e = 1, size(state) + 1
          if (e <= size(state)) then
             if (state(e) /= state_free) then

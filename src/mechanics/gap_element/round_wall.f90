@@ -1,24 +1,25 @@
 !> Moves of a string on a round wall.
 !>
-!> A node that lies on its wall and moves around the hole has to turn about the hole axis. Moved along the tangent it would end in
-!> the wall, by the square of the move over twice the clearance. To first order a turn is the straight move.
+!> A node on the wall that moves around the hole has to turn about the hole axis. Along the tangent it would end in the wall,
+!> by the square of the move over twice the clearance. To first order a turn is the straight move.
 module dg_round_wall
    use dg_kinds, only: wp
    implicit none
    private
    public :: round_move, smooth_room
 
-   !> Offset over clearance up to which a node moves straight, and from which on it turns [-].
+   !> Offset over clearance up to which a node moves straight, and above which it turns [-].
    real(wp), parameter :: straight_within = 0.15_wp, turned_beyond = 0.45_wp
    !> Growth of the smoothed clearance along the string [-].
    real(wp), parameter :: growth = 0.01_wp
 
 contains
 
-   !> Moves a node across the hole, as a turn about the hole axis where it lies off that axis. The part of a move that is a turn
-   !> changes smoothly along the string. Between neighbours of which one turns and one does not the string would be bent.
+   !> Move a node across the hole, as a turn about the hole axis if it is off that axis. The part of a move that is a turn
+   !> changes smoothly along the string. Otherwise the string would be bent between a neighbour that turns and one that does
+   !> not.
    pure subroutine round_move(room, offset, move, change, moved, slope)
-      real(wp), intent(in) :: room            !< of smooth_room [m]
+      real(wp), intent(in) :: room            !< clearance by smooth_room [m]
       real(wp), intent(in) :: offset(2)       !< of the node from the hole axis [m]
       real(wp), intent(in) :: move(2)         !< across the hole [m]
       real(wp), intent(in) :: change(2)       !< of the slope [-]
@@ -39,14 +40,14 @@ contains
       end if
    end subroutine round_move
 
-   !> A vector turned by an angle [rad].
+   !> Vector turned by an angle [rad].
    pure function turned(a, angle) result(b)
       real(wp), intent(in) :: a(2), angle
       real(wp) :: b(2)
       b = [cos(angle)*a(1) - sin(angle)*a(2), sin(angle)*a(1) + cos(angle)*a(2)]
    end function turned
 
-   !> A step from 0 at 0 to 1 at 1 with two continuous derivatives.
+   !> Step from 0 at 0 to 1 at 1 with two continuous derivatives.
    pure function smooth_step(x) result(y)
       real(wp), intent(in) :: x
       real(wp) :: y, t
@@ -54,8 +55,8 @@ contains
       y = t**3*(10.0_wp + t*(6.0_wp*t - 15.0_wp))
    end function smooth_step
 
-   !> Clearance at the nodes, made smooth along the string [m]: no more than that of the elements beside a node, and no more than
-   !> `growth` per metre above that of any other place.
+   !> Clearance at the nodes, made smooth along the string [m]. It is at most the clearance of the elements beside a node, and
+   !> grows by at most `growth` per metre.
    pure function smooth_room(length, clearance) result(room)
       real(wp), intent(in) :: length(:)          !< of the elements [m]
       real(wp), intent(in) :: clearance(:)       !< of the elements [m]

@@ -1,8 +1,8 @@
-!> The string of one load case cut into beam elements along the hole.
+!> Beam elements of the string of one load case along the hole.
 !>
-!> Nodes stand at survey stations, at ends of hole sections, of components and of fluids, and between them so that no
-!> element is longer than asked for: no element straddles a change. Element properties are those of the
-!> hole where the string rests on it unstretched.
+!> Nodes are at survey stations and at ends of hole sections, of components and of fluids, so that no element contains a
+!> change. More nodes between them limit the length. Properties of an element are those at its place in the hole before it
+!> stretches.
 module dg_mesh
    use dg_kinds, only: wp
    use dg_beam_element, only: membrane_length
@@ -31,21 +31,21 @@ module dg_mesh
       integer :: held = 1                        !< node that is held along the hole: the top, or the bit under a given hook load
       ! nodes
       real(wp), allocatable :: md(:)             !< measured depth [m]
-      real(wp), allocatable :: frame(:, :, :)    !< columns t, n_1, n_2 of the hole axis (3,3,nodes)
+      real(wp), allocatable :: frame(:, :, :)    !< columns t, n_1, n_2 of the hole axis (3,3,nodes) [-]
       real(wp), allocatable :: base(:, :)        !< position relative to the origin of its arc (3,nodes) [m]
-      integer, allocatable :: arc(:)             !< of the trajectory
-      logical, allocatable :: beside_edge(:)     !< added beside an edge of the string: a start is laid through the others
+      integer, allocatable :: arc(:)             !< arc of the trajectory
+      logical, allocatable :: beside_edge(:)     !< added beside an edge of the string: a start is laid through the other nodes
       ! elements
       real(wp), allocatable :: length(:)         !< along the hole [m]
       real(wp), allocatable :: chord(:, :)       !< between nodes on the axis (3,elements) [m]
-      type(beam_section_type), allocatable :: section(:)   !< lengths and stiffnesses, as the beam elements take them
+      type(beam_section_type), allocatable :: section(:)   !< lengths and stiffnesses for the beam elements
       real(wp), allocatable :: weight(:)         !< buoyed, per length [N/m]
       real(wp), allocatable :: clearance(:)      !< (D - d)/2 [m]
       real(wp), allocatable :: opening(:)        !< offset at which contact begins: the clearance, less for a bow spring [m]
       real(wp), allocatable :: radius(:)         !< of contact, d/2 [m]
-      real(wp), allocatable :: lying(:)          !< clearance at which the string lies: that of its joints [m]
-      real(wp), allocatable :: load_factor(:)    !< contact load of an element over the string's mean: joints gather it [-]
-      real(wp), allocatable :: spacing(:)        !< between joints, 0 where the string touches all along [m]
+      real(wp), allocatable :: lying(:)          !< clearance where the string lies: that of its joints [m]
+      real(wp), allocatable :: load_factor(:)    !< contact load of an element over the string's mean, > 1 at joints [-]
+      real(wp), allocatable :: spacing(:)        !< between joints, 0 if the string touches everywhere [m]
       real(wp), allocatable :: friction_along(:) !< friction along the hole, > 0 pushes down the hole [-]
       real(wp), allocatable :: friction_around(:) !< circumferential friction [-]
       real(wp), allocatable :: wall(:)           !< wall stiffness Gkc, or a bow spring's over its length [N/m2]
@@ -62,10 +62,10 @@ module dg_mesh
       real(wp), allocatable :: blade(:, :)
    end type mesh_type
 
-   !> Depths closer than this part of the element length are one node: survey, components and hole sections often
-   !> end at the same depth but for round-off, and a sliver of an element would only spoil the conditioning.
+   !> Depths closer than this part of the element length are one node. Survey, components and hole sections often end at the
+   !> same depth but for round-off.
    real(wp), parameter :: merge_share = 1.0e-3_wp
-   !> However long elements may be, depths further apart are two nodes [m]: with elements of 1000 m ends of stabilizers were lost.
+   !> Depths farther apart than this are two nodes, however long elements may be [m].
    real(wp), parameter :: longest_merge = 0.06_wp
 
    real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp      !< vertical to round-off: cosine of the inclination
@@ -79,7 +79,8 @@ contains
       vertical = all(abs(mesh%frame(3, 1, :)) > upright)
    end function is_vertical
 
-   !> Largest distance of the axis of the string from that of the hole within the wall [m]: the clearance, more by eccentric blades.
+   !> Largest distance of the axis of the string from the hole axis within the wall [m]: the clearance, more by eccentric
+   !> blades.
    pure function reach_of(mesh, e) result(reach)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
@@ -96,7 +97,7 @@ contains
       reach = max(reach_of(mesh, max(n - 1, 1)), reach_of(mesh, min(n, mesh%elements)))
    end function widest_beside
 
-   !> The mesh of a load case on given nodes. String and depths have been checked.
+   !> Make the mesh of a load case on given nodes. String and depths have been checked.
    pure subroutine new_mesh(model, load_case, depths, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -170,7 +171,7 @@ contains
       if (any(has_pad(model%strings(index)%components))) call push_mesh(model, load_case, tops, mesh)
    end subroutine new_mesh
 
-   !> Forces of pads on the elements. A tool that steers while it turns presses to one side of the hole: they do not turn.
+   !> Set forces of pads on the elements. A steering tool presses to one side of the hole, so that pads do not turn with it.
    pure subroutine push_mesh(model, load_case, tops, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -190,7 +191,7 @@ contains
       end do
    end subroutine push_mesh
 
-   !> Bend the elements before loading: towards the tool face, about the hole axis where they are.
+   !> Bend the elements before loading: towards the tool face, about the hole axis at their place.
    pure subroutine bend_mesh(model, load_case, tops, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -210,7 +211,7 @@ contains
       end do
    end subroutine bend_mesh
 
-   !> Set the centre of eccentric blades, about the hole axis where they are. They turn with the tool face.
+   !> Set the centre of eccentric blades about the hole axis at their place. They turn with the tool face.
    pure subroutine offset_blades(model, load_case, tops, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -234,7 +235,7 @@ contains
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(component_type), intent(in) :: component
-      logical, intent(in) :: lowest      !< component of the string
+      logical, intent(in) :: lowest      !< true for the lowest component of the string
       real(wp), intent(in) :: md
       integer, intent(in) :: e
       type(mesh_type), intent(inout) :: mesh
@@ -252,7 +253,7 @@ contains
       end associate
    end subroutine put_in_hole
 
-   !> Puts centralizers on an element of their component, which is in its hole: they take all of its load.
+   !> Set centralizers on an element of their component, after put_in_hole: they carry all of its load.
    pure subroutine put_centralizer(model, load_case, component, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -279,8 +280,7 @@ contains
       end associate
    end subroutine put_centralizer
 
-   !> Depths of the nodes [m], from the first station to the bit: all breaks, and between them equal parts no longer
-   !> than asked for.
+   !> Depths of the nodes [m], from the first station to the bit: all breaks, and equal parts no longer than `element_length`.
    pure function node_depths(model, load_case, element_length) result(depths)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -303,7 +303,7 @@ contains
       ! no component and no section of the hole is lost, however short
       gap = min(merge_share*element_length, longest_merge, 0.5_wp*minval(tops - [0.0_wp, tops(:size(tops) - 1)], &
                 mask=tops > [0.0_wp, tops(:size(tops) - 1)]), 0.5_wp*minval(model%holes%md_bottom - model%holes%md_top))
-      ! half a joint stands at the lower end of its component
+      ! half a joint is at the lower end of its component
       if (model%numerics%discrete_joints) gap = min(gap, 0.25_wp*minval(effective_joint_length(model%strings(n)%components), &
                                                                         mask=has_joints(model%strings(n)%components)))
       allocate (kept(size(breaks) + 2))
@@ -319,7 +319,7 @@ contains
       depths = subdivided(kept(:n), spread(element_length, 1, n - 1))
    end function node_depths
 
-   !> Depths with every interval cut into equal parts no longer than `longest` of that interval [m].
+   !> Depths with every interval cut into equal parts no longer than its `longest` [m].
    pure function subdivided(depths, longest) result(finer)
       real(wp), intent(in) :: depths(:), longest(:)
       real(wp), allocatable :: finer(:)
@@ -339,9 +339,9 @@ contains
       end do
    end function subdivided
 
-   !> Depths with every interval cut into parts no longer than `longest` of that interval [m], as by subdivided, and beside
-   !> intervals that had to be cut shorter still: lengths grow there by (growth - 1) times the distance from them. Parts are cut in
-   !> halves, so neighbours differ by a factor of two. An interval that is short by itself bounds nobody.
+   !> Depths with every interval cut as by subdivided [m], and shorter beside intervals that had to be cut. Lengths grow there
+   !> by (growth - 1) times the distance from them. Parts are cut in halves, so that neighbours differ by a factor of two. An
+   !> interval that is short by itself does not limit others.
    pure function graded(depths, longest, growth) result(finer)
       real(wp), intent(in) :: depths(:), longest(:)
       real(wp), intent(in) :: growth       !< > 1 [-]
@@ -369,12 +369,12 @@ contains
             call move_alloc(more, room)
          end if
          room(filled + 1:filled + size(parts)) = parts
-         filled = filled + size(parts) - 1       ! the last begins the next interval
+         filled = filled + size(parts) - 1       ! the last one begins the next interval
       end do
       finer = room(:filled + 1)
    end function graded
 
-   !> One interval cut into equal parts, and these in halves until all keep the bounds that grow from both ends.
+   !> Cut one interval into equal parts, and these in halves until all keep the bounds that grow from both ends.
    pure subroutine grade_interval(ends, longest, bound, growth, parts)
       real(wp), intent(in) :: ends(2), longest, bound(2), growth
       real(wp), allocatable, intent(out) :: parts(:)
@@ -391,7 +391,7 @@ contains
       end do
    end subroutine grade_interval
 
-   !> Elements in a piece of string, none longer than asked for beyond round-off.
+   !> Number of elements in a piece of string, none longer than `element_length` but for round-off.
    pure function piece_count(length, element_length) result(pieces)
       real(wp), intent(in) :: length, element_length
       integer :: pieces
