@@ -1,4 +1,4 @@
-!> Memory that load cases need. Checked before a run begins, so that the system does not kill the program in the middle of it.
+!> Memory that load cases need. It is checked before a run begins, so that the system does not end the program in the middle.
 module dg_case_memory
    use dg_component, only: has_joints
    use dg_drillstring, only: component_tops
@@ -12,30 +12,29 @@ module dg_case_memory
    private
    public :: need_type, add_cases, take_greater, elements_in, finer_text, check_case_memory, gigabyte, memory_digits
 
-   !> Memory of a case per element [bytes]: while it is solved, and of its result and files. Measured with 100 000 elements: 5.4 kB
-   !> in all.
+   !> Memory of a case per element [bytes]: while it is solved, and of its result and files. Measured with 100 000 elements.
    real(wp), parameter :: bytes_solving = 5.0e3_wp, bytes_kept = 1.0e3_wp
    real(wp), parameter :: gigabyte = 1.0e9_wp
-   !> Less than this is there: the system is not asked for each case of thousands [bytes].
+   !> Need below which the available memory is not checked, as the check takes time in a run of thousands of cases [bytes].
    real(wp), parameter :: surely_there = 1.0e8_wp
    !> Digits of a number in a message on memory.
    integer, parameter :: memory_digits = 3, digits = memory_digits
-   !> Elements from one tool joint to the next where joints are discrete, and the part of an element's length within which
+   !> Elements from one tool joint to the next where joints are discrete [-]. Then the part of an element's length within which
    !> stations are one node (dg_mesh) [-].
    real(wp), parameter :: elements_a_joint = 5.0_wp, merged_share = 1.0e-3_wp
 
-   !> The greatest piece of work so far, and what all of it keeps.
+   !> The greatest piece of work so far, and the memory that all results keep.
    type :: need_type
-      real(wp) :: bytes = 0.0_wp           !< taken while it is solved
-      real(wp) :: kept = 0.0_wp            !< [bytes]
+      real(wp) :: bytes = 0.0_wp           !< needed while it is solved [bytes]
+      real(wp) :: kept = 0.0_wp            !< of all results [bytes]
       character(:), allocatable :: what
       character(:), allocatable :: remedy
-      logical :: banded = .false.          !< the banded solver works, of LAPACK, in every thread
-      logical :: fits = .false.            !< least squares are fitted, by LAPACK
+      logical :: banded = .false.          !< true if the banded solver of LAPACK works in every thread
+      logical :: fits = .false.            !< true if LAPACK fits least squares
    end type need_type
 
    abstract interface
-      !> Memory that is there [bytes].
+      !> Available memory [bytes].
       function memory_interface() result(bytes)
          import :: wp
          implicit none
@@ -45,7 +44,7 @@ module dg_case_memory
 
 contains
 
-   !> An error (bad input) where the first load case of a model needs more memory than there is.
+   !> Raise an error (bad input) if the first load case of a model needs more memory than is available.
    subroutine check_case_memory(model, memory_there, error)
       type(model_type), intent(in) :: model
       procedure(memory_interface) :: memory_there
@@ -60,11 +59,11 @@ contains
          finer_text(model, model%numerics%element_length))
    end subroutine check_case_memory
 
-   !> Load cases, one a model and case, and what calibrations do with them.
+   !> Add the needs of load cases, one a model and case, and of calibrations.
    subroutine add_cases(job, model, threads, need)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      integer, intent(in) :: threads       !< cases that are solved at a time
+      integer, intent(in) :: threads       !< number of cases that are solved at a time
       type(need_type), intent(inout) :: need
       real(wp) :: elements(size(model%cases))
       integer :: i
@@ -77,7 +76,7 @@ contains
                         'case '//quoted(model%cases(i)%name), finer_text(model, model%numerics%element_length))
    end subroutine add_cases
 
-   !> Notes the work that takes most.
+   !> Keep the work that needs most memory.
    subroutine take_greater(need, elements, threads, what, remedy)
       type(need_type), intent(inout) :: need
       real(wp), intent(in) :: elements
@@ -99,7 +98,7 @@ contains
       if (model%numerics%discrete_joints) text = text//', tool_joints = ''smeared'''
    end function finer_text
 
-   !> Elements of a string at a bit depth, no less than there will be but for round-off [-].
+   !> Number of elements of a string at a bit depth [-], an upper bound but for round-off.
    pure function elements_in(model, string, bit_depth, element_length) result(elements)
       type(model_type), intent(in) :: model
       character(*), intent(in) :: string
@@ -123,7 +122,7 @@ contains
             bottom = tops(i)
          end do
       end associate
-      ! every station is a node, but for those that lie too near each other
+      ! every station is a node, except for stations too near each other
       elements = max(elements, min(real(count(model%trajectory%md < bit_depth), wp), bit_depth/(merged_share*element_length)))
    end function elements_in
 end module dg_case_memory

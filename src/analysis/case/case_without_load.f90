@@ -1,7 +1,8 @@
-!> Solves a case that string weight does not bring about once more, without weight on bit.
+!> Solve a case that string weight cannot move down once more, without weight on bit.
 !>
-!> Friction of coils grows with the square of compression. A result that is pushed hard therefore says little of what the string
-!> can do; the one without weight on bit says whether it comes down at all, and how much friction beams have beside the soft string.
+!> Friction of helical buckling grows with the square of compression. A result that is pushed hard therefore says little about
+!> the string. The result without weight on bit shows whether it comes down at all. It also shows the ratio of friction by
+!> beams to friction by the soft string.
 module dg_case_without_load
    use dg_kinds, only: wp
    use dg_weight_on_bit, only: weight_that_arrives
@@ -21,8 +22,8 @@ module dg_case_without_load
 
 contains
 
-   !> Sets `result%without_load` of a string that goes down under weight on bit and locks up or must be pushed, but for one that
-   !> turns. Iterations and seconds are added. A lock-up says how much weight comes to the bit.
+   !> Set `result%without_load` of a string that goes down under weight on bit, does not rotate, and locks up or must be
+   !> pushed. Iterations and seconds are added. The message of a lock-up gets the weight that comes to the bit.
    subroutine solve_without_load(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -45,7 +46,7 @@ contains
                                                         weight_that_arrives(model, result), shown), shown)//' reach it')
    end subroutine solve_without_load
 
-   !> The solution without weight on bit, and the factor of friction that it shows.
+   !> Solve without weight on bit, and find the factor of friction that the solution shows.
    subroutine solve_bare(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

@@ -1,8 +1,8 @@
-!> Load that a packer takes where it holds the lower end of a string: a packer is set in one load case, another one then pumps.
+!> Load of a packer on the lower end of a string that it holds. A packer is set in one load case, and another one then pumps.
 !>
-!> A fixed packer lets the lower end move neither up nor down from where it was in the first case. A landed string stands on a
-!> shoulder: it may move up, and it may not move down. The load is searched with the soft string, whose change of length
-!> (dg_length_change) falls with it; every method then solves the case with that load.
+!> A fixed packer lets the lower end move neither up nor down from its place in the first case. A landed string rests on a
+!> shoulder: it can move up, but not down. The load is searched with the soft string, whose change of length (dg_length_change)
+!> falls with it. Every method then solves the case with that load.
 module dg_held_string
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
@@ -17,15 +17,15 @@ module dg_held_string
    private
    public :: find_packer_loads
 
-   !> First step of the search [N], and how often it doubles at most.
+   !> First step of the search [N], and most doublings of it.
    real(wp), parameter :: first_step = 1.0e4_wp
    integer, parameter :: doublings = 30
-   !> To what load the search goes [N].
+   !> Accuracy of the load [N].
    real(wp), parameter :: narrowness = 0.1_wp
 
 contains
 
-   !> Gives each load case that is held by its packer the load at the lower end, as its weight on bit. A case for which none is
+   !> Set the weight on bit of each load case that is held by its packer to the load at the lower end. A case for which none is
    !> found keeps its own, and `failed` has its number.
    subroutine find_packer_loads(model, failed)
       type(model_type), intent(inout) :: model
@@ -55,7 +55,7 @@ contains
       call find_moved(low, value_low)
       if (.not. found) return
       if (value_low < 0.0_wp .and. model%boundary%packer_hold == hold_landed) then
-         model%cases(number)%wob = 0.0_wp       ! it stands clear of its shoulder
+         model%cases(number)%wob = 0.0_wp       ! the string is above its shoulder
          return
       end if
       step = merge(first_step, -first_step, value_low >= 0.0_wp)

@@ -1,4 +1,4 @@
-!> Solves a load case once more, with other loads, for what it says about the first solution.
+!> Solve a load case once more with other loads, to learn more about the first solution.
 module dg_solve_again
    use dg_case_result, only: case_result_type, result_not_converged
    use dg_error, only: error_type
@@ -11,12 +11,13 @@ module dg_solve_again
 
 contains
 
-   !> Solves a case by beams, without a profile. What that takes is added to `result`. A refused case counts as not converged.
+   !> Solve a case by beams, without a profile. Its iterations and seconds are added to `result`. A refused case counts as not
+   !> converged.
    subroutine solve_again(other, case_index, stop, result, found)
       type(model_type), intent(in) :: other               !< the model with other loads
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
-      type(case_result_type), intent(inout) :: result     !< of the first solution: iterations and seconds
+      type(case_result_type), intent(inout) :: result     !< first solution, whose iterations and seconds grow
       type(case_result_type), intent(out) :: found
       type(error_type), allocatable :: error
       call solve_static_analysis(other, case_index, found, error, totals_only=.true., stop=stop)

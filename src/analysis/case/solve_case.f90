@@ -1,4 +1,4 @@
-!> One load case by the model of a given number: the one place that calls all models.
+!> Solve one load case by the model of a given number. Only this module calls all models.
 module dg_solve_case
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
@@ -25,21 +25,22 @@ module dg_solve_case
 
    !> Digits of forces and depths in a message.
    integer, parameter :: shown = 4, shown_depth = 7
-   !> Distance of a joint's end from a step of the hole from which on it lies on its side for sure, and one beyond it [m].
+   !> A joint within `close_to_step` of a step of the hole may be on either side of it [m]. A bit depth that differs by `apart`
+   !> puts it clearly on one side [m].
    real(wp), parameter :: close_to_step = 0.1_wp, apart = 0.5_wp
 
 contains
 
-   !> Solves one case with one model. Where that is refused, or its caller has it stop before it is done, the result is marked as
-   !> not converged. The model is only read: several threads may solve cases of it.
+   !> Solve one case with one model. If that is refused, or is stopped before its end, the result is marked as not converged.
+   !> The model is only read: several threads may solve cases of it.
    subroutine solve_case(model, number, case_index, result, error, totals_only, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: number            !< of the model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< .true.: no profile is asked for; models that save time so leave it out
-      type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
+      logical, intent(in), optional :: totals_only   !< true: no profile is wanted, which saves time in some models
+      type(stop_type), intent(in), optional :: stop  !< absent: the case is solved to its end
       type(stop_type) :: stopped
       logical :: shortly
       integer, parameter :: nothing = 0
@@ -71,7 +72,7 @@ contains
       end if
       if (.not. allocated(result%message)) result%message = ''
       if (is_stopped(stopped) .and. result%status == result_not_converged) then
-         call empty(result)     ! half an iteration is no result to show
+         call empty(result)     ! half an iteration is no valid result
          ! one thread at a time: see to_text in dg_text
          !$omp critical (interruption_text)
          result%message = 'ended by '//stop_reason(stopped)//' before it was solved'
@@ -84,7 +85,7 @@ contains
       result%model = number
    end subroutine solve_case
 
-   !> Notes the force by which pressure of a closed annulus pushes pipe out at surface.
+   !> Add a message on the force by which pressure of a closed annulus pushes pipe out at surface.
    subroutine note_push(model, case_index, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -96,8 +97,8 @@ contains
          'carries it, add it to the hook load')
    end subroutine note_push
 
-   !> Notes a tool joint that ends close to where the diameter of the hole changes. The string is centimetres shorter than the
-   !> hole that it lies in, so that it is not known on which side the joint lies. Moments there were 11 % off with 2 cm between.
+   !> Add a message on a tool joint that ends close to a change of the hole's diameter. The string is centimetres shorter than
+   !> the hole along its axis, so that the side of the joint is uncertain. With 2 cm between, moments can be wrong by 11 %.
    subroutine note_joint_at_step(model, case_index, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -123,7 +124,7 @@ contains
       end associate
    end subroutine note_joint_at_step
 
-   !> A result without numbers, marked.
+   !> Make a result without numbers, marked as not converged.
    subroutine empty(result)
       type(case_result_type), intent(out) :: result
       result%status = result_not_converged

@@ -1,9 +1,8 @@
-!> Results along the string: pressures, true axial force, stresses, safety factors, buckling limits. They follow from the profile of
-!> any model and the data of string, hole and mud. One place for all models.
+!> Results along the string: pressures, true axial force, stresses, safety factors, buckling limits. They follow from the
+!> profile of any model and the data of string, hole and mud.
 !>
-!> Pressures are those of the fluids at rest (dg_fluid_pressure).
-!> A row has one component, hole section and pair of fluids: those on its side (dg_profile). Where two bends meet at a row without
-!> a side, buckling limits are the lower ones.
+!> Pressures are hydrostatic (dg_fluid_pressure). A row has one component, hole section and pair of fluids: those on its side
+!> (dg_profile). Where two bends meet at a row without a side, the lower buckling limits are used.
 module dg_along_string
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckled_state, buckling_none, curved_limit, helical_high, helical_limit, helical_low, &
@@ -30,48 +29,48 @@ module dg_along_string
    private
    public :: along_string_type, find_along_string, new_along_string, body_bending
 
-   !> One value a row of the profile. `missing` where there is none: safety factors without a yield strength, buckling
-   !> limits of a weightless string in a straight hole, what belongs to tool joints
-   !> without them.
+   !> Columns with one value a row of the profile, `missing` where there is no value. That holds for safety factors without a
+   !> yield strength, and buckling limits of a weightless string in a straight hole. It also holds for columns of tool joints
+   !> without joints.
    type :: along_string_type
       real(wp), allocatable :: pressure(:)          !< of the fluid outside [Pa]
       real(wp), allocatable :: inside_pressure(:)   !< of the fluid inside [Pa]
       real(wp), allocatable :: true_axial(:)        !< axial force in the wall, tension > 0 [N]
       real(wp), allocatable :: axial_stress(:)      !< of the true axial force [Pa]
       real(wp), allocatable :: bending_stress(:)    !< amplitude at the outer surface [Pa]
-      real(wp), allocatable :: per_moment(:)        !< bending stress that a unit moment makes there [1/m3]
+      real(wp), allocatable :: per_moment(:)        !< bending stress over moment there [1/m3]
       real(wp), allocatable :: torsional_stress(:)  !< at the outer surface [Pa]
       real(wp), allocatable :: hoop_stress(:)       !< at the inner surface [Pa]
       real(wp), allocatable :: von_mises(:)         !< largest in the section [Pa]
-      real(wp), allocatable :: jointed_von_mises(:) !< the same with the bending next to tool joints or between them [Pa]
-      real(wp), allocatable :: yield_left(:)        !< yield strength at the temperature there over that of the deck [-]
-      real(wp), allocatable :: safety_factor(:)     !< yield strength there over von_mises [-]
+      real(wp), allocatable :: jointed_von_mises(:) !< largest with the bending next to tool joints or between them [Pa]
+      real(wp), allocatable :: yield_left(:)        !< yield strength at the local temperature over that of the deck [-]
+      real(wp), allocatable :: safety_factor(:)     !< yield strength at the local temperature over von_mises [-]
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
-      real(wp), allocatable :: overpull(:)          !< tension that may be added here, bending included [N]
-      real(wp), allocatable :: bending_range(:)     !< of stress in a turn of the string; 0 where it does not turn [Pa]
-      real(wp), allocatable :: magnification(:)     !< of bending between tool joints that touch alone [-]
-      real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body that goes with it [Pa]
+      real(wp), allocatable :: overpull(:)          !< tension that may be added here until yield, bending included [N]
+      real(wp), allocatable :: bending_range(:)     !< range of stress in a turn of the string; 0 if it does not turn [Pa]
+      real(wp), allocatable :: magnification(:)     !< magnification of bending between single tool joints [-]
+      real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body with that magnification [Pa]
       real(wp), allocatable :: joint_bending(:)     !< bending stress outside a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
-      real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling, as the string now lies [N]
-      real(wp), allocatable :: onset(:)             !< the least such compression, from none upwards [N]
-      real(wp), allocatable :: helical(:)           !< at helical buckling, the lower published limit [N]
-      real(wp), allocatable :: helical_upper(:)     !< the same, the upper one [N]
+      real(wp), allocatable :: sinusoidal(:)        !< compression at sinusoidal buckling, in the present position [N]
+      real(wp), allocatable :: onset(:)             !< least such compression, as it increases from zero [N]
+      real(wp), allocatable :: helical(:)           !< compression at helical buckling, the lower published limit [N]
+      real(wp), allocatable :: helical_upper(:)     !< the upper published limit [N]
       real(wp), allocatable :: buckling_margin(:)   !< compression left before sinusoidal buckling [N]
       integer, allocatable :: buckling(:)           !< buckling_none, buckling_sinusoidal, buckling_helical
       real(wp), allocatable :: curvature(:)         !< of the hole, the larger where two bends meet [1/m]
       real(wp), allocatable :: od(:)                !< of the body [m]
       real(wp), allocatable :: hole_diameter(:)     !< of the hole [m]
-      real(wp), allocatable :: standoff(:)          !< of the body, least annular distance over that of a centred one [-]
+      real(wp), allocatable :: standoff(:)          !< of the body: least annular distance over that of a centred body [-]
    end type along_string_type
 
-   !> Half the distance between two places that are in the bend above a row and in that below it [m].
+   !> Half the distance between two places in the bend above a row and in the bend below it [m].
    real(wp), parameter :: hair = 1.0e-6_wp
 
 contains
 
-   !> All columns, one value a row of `result%profile`.
+   !> Compute all columns, one value a row of `result%profile`.
    pure subroutine find_along_string(model, result, along)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -95,7 +94,7 @@ contains
          do i = 1, n
             part = component_at(tops, bit - depths(i))
             hole = hole_section_at(model%holes, depths(i))
-            ! two bends may meet at a row that stands for no side
+            ! two bends may meet at a row without a side
             first = merge(2, 1, profile%side(i) == side_below)
             last = merge(1, 2, profile%side(i) == side_above)
             do k = first, last
@@ -138,7 +137,7 @@ contains
 
    contains
 
-      !> By how much a row is warmer than ambient [K].
+      !> Temperature above ambient at a row [K].
       pure function warmth(row) result(warmer)
          integer, intent(in) :: row
          real(wp) :: warmer
@@ -148,7 +147,7 @@ contains
       end function warmth
    end subroutine find_along_string
 
-   !> Bending stress of the body at a row [Pa]: next to tool joints where these touch alone.
+   !> Bending stress of the body at a row [Pa], next to tool joints where only these touch.
    pure function body_bending(along, row) result(stress)
       type(along_string_type), intent(in) :: along
       integer, intent(in) :: row
@@ -157,8 +156,9 @@ contains
       if (.not. is_missing(along%jointed_bending(row))) stress = along%jointed_bending(row)
    end function body_bending
 
-   !> Contact forces of tool joints whose pipe lies on the wall as a whole: each bears that of joint_spacing of its component, half
-   !> of it above and half below. At the ends of the component the length ends with it; a shorter component has its own force.
+   !> Contact forces of tool joints whose pipe lies on the wall as a whole. Each carries the force on one joint_spacing of its
+   !> component, half of it above and half below. That length ends with the component. In a shorter component it is the whole
+   !> component.
    pure subroutine put_joint_loads(components, tops, bit, result, along)
       type(component_type), intent(in) :: components(:)
       real(wp), intent(in) :: tops(:)    !< from component_tops [m]
@@ -185,7 +185,8 @@ contains
       where (bears) along%joint_side_force = force
    end subroutine put_joint_loads
 
-   !> Contact forces of tool joints that were solved one by one, each at the row nearest to it; 0 at other rows with joints.
+   !> Contact forces of tool joints that were solved one by one, each at the row nearest to it, and 0 at other rows with
+   !> joints.
    pure subroutine put_joint_forces(result, along)
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(inout) :: along
@@ -198,13 +199,13 @@ contains
       end do
    end subroutine put_joint_forces
 
-   !> Largest moment next to tool joints, or between them, of a string that was not solved joint by joint [N.m]: its own or that of
-   !> the hole's curvature, and what the pipe bends more there. In tension the body's contact with the wall counts; in compression
-   !> beyond the closed form it is its own.
+   !> Largest moment next to tool joints, or between them, of a string that was not solved joint by joint [N.m]. It is the
+   !> larger of its own moment and that of the hole's curvature, plus the magnification there. In tension the body's contact
+   !> with the wall is included. In compression beyond the closed form it is its own moment.
    elemental function moment_between(part, axial, moment, curvature) result(largest)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial       !< effective [N]
-      real(wp), intent(in) :: moment      !< its own, >= 0 [N.m]
+      real(wp), intent(in) :: moment      !< own moment, >= 0 [N.m]
       real(wp), intent(in) :: curvature   !< of the hole [1/m]
       real(wp) :: largest
       real(wp) :: factor
@@ -220,14 +221,14 @@ contains
       end associate
    end function moment_between
 
-   !> Stresses at row `i`, whose pressures and yield strength are there already.
+   !> Stresses at row `i`. Its pressures and yield strength must be set.
    pure subroutine put_stress(i, part, axial, torque, moment, largest, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial     !< effective [N]
       real(wp), intent(in) :: torque    !< [N.m]
       real(wp), intent(in) :: moment    !< [N.m]
-      real(wp), intent(in) :: largest   !< the same next to tool joints or between them [N.m]
+      real(wp), intent(in) :: largest   !< moment next to tool joints or between them [N.m]
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress, between
       real(wp) :: od, yield
@@ -248,19 +249,20 @@ contains
       end if
       if (.not. part%yield > 0.0_wp) return
       yield = along%yield_left(i)*part%yield
-      ! A string under no load at all has no factor.
+      ! A string without any load has no factor.
       if (stress%von_mises > epsilon(1.0_wp)*yield) along%safety_factor(i) = yield/stress%von_mises
       along%envelope_margin(i) = 1.0_wp - stress%von_mises/yield
    end subroutine put_stress
 
-   !> Bending between tool joints and stress in them at row `i`, for a component that has some. A model that solved joint by joint
-   !> has its magnification in its moments. In compression bending is largest between joints, so that a joint has the mean one.
+   !> Bending between tool joints and stress in them at row `i`, for a component with joints. If joints were solved one by one,
+   !> the moments include the magnification. In compression bending is largest between joints, so that a joint has the mean
+   !> one.
    pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
       real(wp), intent(in) :: curvature               !< of the hole [1/m]
-      logical, intent(in) :: apart                    !< whether joints were solved one by one
+      logical, intent(in) :: apart                    !< true if joints were solved one by one
       type(along_string_type), intent(inout) :: along
       type(pipe_stress_type) :: stress
       real(wp) :: factor, force
@@ -280,7 +282,7 @@ contains
       along%joint_von_mises(i) = stress%von_mises
    end subroutine put_joint
 
-   !> Curvature of one arc [1/m]; the depth serves a spline, whose curvature varies.
+   !> Curvature of one arc [1/m]. The depth is needed for a spline, whose curvature varies.
    pure function curvature_at(model, md, arc) result(curvature)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: md     !< [m]
@@ -291,16 +293,16 @@ contains
       curvature = norm2(bend)
    end function curvature_at
 
-   !> Standoff of a body [-], as API 10D-2 has it: 1 where it is centred, 0 where it touches; missing where it fills its hole.
+   !> Standoff of a body [-], as in API 10D-2: 1 where it is centred, 0 where it touches, missing where it fills its hole.
    pure function standoff_of(od, diameter, displacement) result(standoff)
       real(wp), intent(in) :: od, diameter   !< of body and hole [m]
-      real(wp), intent(in) :: displacement   !< of the string off the hole axis [m]
+      real(wp), intent(in) :: displacement   !< of the string from the hole axis [m]
       real(wp) :: standoff
       standoff = missing
       if (diameter > od) standoff = max(1.0_wp - displacement/(0.5_wp*(diameter - od)), 0.0_wp)
    end function standoff_of
 
-   !> Buckling limits at row `i` in one of the bends that meet there; kept where lower than in the other.
+   !> Buckling limits at row `i` in one of the bends that meet there. The lower ones are kept.
    pure subroutine put_limits(model, i, md, compression, part, weight, clearance, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
@@ -309,7 +311,7 @@ contains
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: weight    !< buoyed [N/m]
       real(wp), intent(in) :: clearance !< (D - d)/2 [m]
-      integer, intent(in) :: arc        !< of the trajectory
+      integer, intent(in) :: arc        !< arc of the trajectory
       type(along_string_type), intent(inout) :: along
       real(wp), parameter :: down(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       real(wp) :: position(3), tangent(3), curvature(3), ei, across(3), inclined, vertical
@@ -327,7 +329,7 @@ contains
       call keep_least(along%helical_upper(i), helical_limit(inclined, vertical, helical_high))
    end subroutine put_limits
 
-   !> The smaller of a number that may be missing and one that is there.
+   !> The smaller of a number that may be missing and a given one.
    pure subroutine keep_least(number, candidate)
       real(wp), intent(inout) :: number
       real(wp), intent(in) :: candidate

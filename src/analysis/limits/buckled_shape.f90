@@ -1,6 +1,6 @@
-!> Buckled shape of a string, found from its angle about the hole. Sinusoidal: the angle swings to and fro within about the length
-!> of a buckling wave. Helical: the angle grows without return, about as fast as that of a free helix. Without enough compression to
-!> buckle it is neither: then the angle follows a hole that turns from station to station.
+!> Buckled shape of a string by beams, from its angle about the hole. Sinusoidal: the angle swings back and forth within about
+!> the length of a buckling wave. Helical: the angle grows without return, about as fast as in a free helix. Without enough
+!> compression to buckle it is neither: then the angle follows a hole that turns from station to station.
 module dg_buckled_shape
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
@@ -9,30 +9,29 @@ module dg_buckled_shape
    private
    public :: find_buckled_shape
 
-   !> Off the axis by this part of the clearance a node has an angle about it [-].
+   !> Least distance from the axis, over the clearance, at which a node has an angle about it [-].
    real(wp), parameter :: off_axis = 0.2_wp
-   !> Swings of less than this are none [rad].
+   !> Swings below this angle are ignored [rad].
    real(wp), parameter :: least_swing = 0.05_wp
-   !> A swing takes no longer than this times half a wave pi sqrt(2 EI/F) [-]: a string that changes sides where the hole turns
-   !> does not snake.
+   !> Longest swing over half a wave pi sqrt(2 EI/F) [-]. A longer change of sides is due to a hole that turns.
    real(wp), parameter :: longest_swing = 2.5_wp
-   !> A swing or coil is one of buckling where compression is this part of the sinusoidal load, over half of a swing's length or
-   !> half of a coil's turns [-]. Snakes begin at 0.97 to 1.06 of it.
+   !> Least compression of a buckled swing or coil over the sinusoidal load [-]. It must be reached over half of a swing's
+   !> length or half of a coil's turns. Sinusoids begin at 0.97 to 1.06 of that load.
    real(wp), parameter :: enough = 0.95_wp
-   !> A coil begins and ends where it goes round at this part of the rate of a free helix, sqrt(F/(2 EI)) [-]: next to it the string
-   !> lies along the low side, or climbs the wall of a bend.
+   !> A coil begins and ends where it turns at this part of the rate of a free helix, sqrt(F/(2 EI)) [-]. Beyond its ends the
+   !> string lies along the low side, or climbs the wall of a bend.
    real(wp), parameter :: least_rate = 0.4_wp
 
 contains
 
-   !> The state of every row (buckling_none, ...) and the turns of all coils [-].
+   !> Find the state of every row (buckling_none, ...) and the turns of all coils [-].
    pure subroutine find_buckled_shape(md, axial, off, clock, ei, critical, shape, turns)
       real(wp), intent(in) :: md(:)      !< [m]
       real(wp), intent(in) :: axial(:)   !< tension > 0 [N]
       real(wp), intent(in) :: off(:)     !< distance from the hole axis over the clearance [-]
-      real(wp), intent(in) :: clock(:)   !< where it lies [rad]
+      real(wp), intent(in) :: clock(:)   !< angle about the hole axis [rad]
       real(wp), intent(in) :: ei(:)      !< bending stiffness [N.m2]
-      real(wp), intent(in) :: critical(:) !< compression at sinusoidal buckling; missing where any makes it buckle [N]
+      real(wp), intent(in) :: critical(:) !< compression at sinusoidal buckling; missing where any compression makes it buckle [N]
       integer, intent(out) :: shape(:)
       real(wp), intent(out) :: turns
       integer :: first, last
@@ -54,7 +53,7 @@ contains
 
    contains
 
-      !> Compressed, and off the axis.
+      !> True if a row is compressed, and off the axis.
       pure function lies(i) result(yes)
          integer, intent(in) :: i
          logical :: yes
@@ -62,10 +61,11 @@ contains
       end function lies
    end subroutine find_buckled_shape
 
-   !> The same for compressed string that is off the axis throughout: from turning point to turning point of its angle.
+   !> Find the state of string that is compressed and off the axis throughout, from turning point to turning point of its
+   !> angle.
    pure subroutine look_at(md, axial, clock, ei, pressed, shape, turns)
       real(wp), intent(in) :: md(:), axial(:), clock(:), ei(:)
-      logical, intent(in) :: pressed(:)   !< enough to buckle
+      logical, intent(in) :: pressed(:)   !< true if compressed enough to buckle
       integer, intent(inout) :: shape(:)
       real(wp), intent(inout) :: turns
       real(wp) :: angle(size(md)), swing, wave
@@ -114,7 +114,7 @@ contains
       end do
    end subroutine look_at
 
-   !> Rows where the string goes round as fast as a coil, from the row before to the row behind.
+   !> True for rows where the string turns as fast as a coil, from the row above to the row below.
    pure function winds(md, angle, compression, ei) result(fast)
       real(wp), intent(in) :: md(:)            !< [m]
       real(wp), intent(in) :: angle(:)         !< without jumps [rad]
@@ -129,9 +129,10 @@ contains
       end do
    end function winds
 
-   !> True if `holds` over half of the total change of a number from row to row. A step between two rows counts by half for each.
+   !> True if `holds` is true over half of the total change of a number from row to row. A step between two rows counts by half
+   !> for each.
    pure function mostly(number, holds) result(yes)
-      real(wp), intent(in) :: number(:)   !< depth of a swing, angle of a coil
+      real(wp), intent(in) :: number(:)   !< depth of a swing [m], or angle of a coil [rad]
       logical, intent(in) :: holds(:)
       logical :: yes
       real(wp) :: held, way

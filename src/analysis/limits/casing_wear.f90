@@ -1,14 +1,18 @@
-!> Wear of casing by a string that turns in it, after Hall, White & Dawson: the volume worn off a metre of casing is a wear factor
-!> times the work of sliding, the side force of a metre of string times the way of its surface,
+!> Wear of casing by a string that turns in it, after Hall, White & Dawson. The volume worn off a metre of casing is a wear
+!> factor times the work of sliding. That work is the side force of a metre of string times the path of its surface:
 !>
-!>   V = f N omega r t,    f wear factor [1/Pa], N side force per length [N/m], omega speed [rad/s], r radius of contact [m],
-!>                         t time [s].
+!>   V = f N omega r t
+!> - f: wear factor [1/Pa]
+!> - N: side force per length [N/m]
+!> - omega: speed [rad/s]
+!> - r: radius of contact [m]
+!> - t: time [s]
 !>
-!> Tool joints carry the side force of a whole joint of pipe, but stand at a place of the casing for their part of the time alone:
-!> the product is the same. The string is taken to move by a joint of pipe at least while it turns, so that N is the mean over the
-!> distance of two tool joints. It wears a crescent, as wide as the joint that lies in it: the part of the joint's circle that is
-!> outside the bore. Burst and collapse of what is left are those of casing worn so thin all around (API 5C3; Barlow with 7/8 of
-!> the wall): the usual choice, on the safe side.
+!> Tool joints carry the side force of a whole joint of pipe. They are at a place of the casing only for their part of the
+!> time, so that the product is the same. The string is assumed to move by at least a joint of pipe while it turns. N is
+!> therefore the mean over the distance of two tool joints. The groove is a crescent, as wide as the joint in it: the part of
+!> the joint's circle outside the bore. Burst and collapse of the rest are those of casing worn so thin all around (API 5C3;
+!> Barlow with 7/8 of the wall). That is the usual choice, on the safe side.
 module dg_casing_wear
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
@@ -35,18 +39,18 @@ module dg_casing_wear
       real(wp) :: side_force = 0.0_wp      !< mean over a joint of pipe [N/m]
       real(wp) :: volume = 0.0_wp          !< worn off per length [m2]
       real(wp) :: depth = 0.0_wp           !< [m]
-      real(wp) :: wall_left = 1.0_wp       !< over the wall as it was new [-]
+      real(wp) :: wall_left = 1.0_wp       !< wall left over the new wall [-]
       real(wp) :: burst = missing          !< strength left [Pa]
       real(wp) :: collapse = missing       !< strength left without tension [Pa]
    end type groove_type
 
-   !> Angles below which a series takes the place of a difference [rad]; depth of a groove is found to this part of the wall [-].
+   !> Angles below which a series replaces a difference [rad]. Accuracy of the depth of a groove over the wall [-].
    real(wp), parameter :: small = 1.0e-2_wp, narrowness = 1.0e-9_wp
    real(wp), parameter :: hour = 3600.0_wp   ! s
 
 contains
 
-   !> True if a section of the hole is casing whose wear is asked for.
+   !> True if a section of the hole is casing with a wear factor.
    elemental function is_worn_casing(hole) result(is)
       type(hole_section_type), intent(in) :: hole
       logical :: is
@@ -62,7 +66,7 @@ contains
       if (wears) wears = any(is_worn_casing(model%holes))
    end function wears_casing
 
-   !> Grooves at the rows of a profile that lie in casing, from the top down.
+   !> Grooves at the rows of a profile in casing, from the top down.
    pure subroutine find_casing_wear(model, result, grooves)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -80,7 +84,7 @@ contains
          bit = load_case%bit_depth
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          depths = piece_depths(profile)
-         force = 0.0_wp          ! sums from the top: of the side force, and of its moment of turning
+         force = 0.0_wp          ! sums from the top: side force, and side force times radius of contact
          work = 0.0_wp
          do i = 2, size(depths)
             force(i) = force(i - 1) + 0.5_wp*(profile%side_force(i - 1) + profile%side_force(i))*(profile%md(i) - profile%md(i - 1))
@@ -108,7 +112,7 @@ contains
       end associate
       grooves = grooves(:count)
    contains
-      !> A sum at a depth between rows.
+      !> A sum at a depth, linear between rows.
       pure function value_at(sums, md) result(value)
          real(wp), intent(in) :: sums(:)
          real(wp), intent(in) :: md      !< [m]
@@ -131,7 +135,7 @@ contains
       end function value_at
    end subroutine find_casing_wear
 
-   !> Depth of a groove, from its volume, and what it leaves.
+   !> Depth of a groove from its volume, and the strengths that are left.
    pure subroutine put_strength(hole, radius, groove)
       type(hole_section_type), intent(in) :: hole
       real(wp), intent(in) :: radius       !< of the joint [m]
@@ -153,14 +157,14 @@ contains
       if (groove%depth < wall) groove%collapse = collapse_strength(casing, 0.0_wp)
    end subroutine put_strength
 
-   !> The groove that leaves the least part of its wall; none where there are no grooves.
+   !> The groove that leaves the least part of its wall, not present if there are no grooves.
    pure function worst_groove(grooves) result(worst)
       type(groove_type), intent(in) :: grooves(:)
       type(groove_type) :: worst
       if (size(grooves) > 0) worst = grooves(minloc(grooves%wall_left, dim=1))
    end function worst_groove
 
-   !> Area between the bore and a joint that lies in a groove: the joint's circle less the part of it within the bore [m2].
+   !> Area between the bore and a joint in a groove: the joint's circle less its part within the bore [m2].
    pure function crescent_area(depth, bore, radius) result(area)
       real(wp), intent(in) :: depth    !< of the groove [m]
       real(wp), intent(in) :: bore     !< radius of the casing inside [m]
@@ -187,7 +191,7 @@ contains
       if (angle < small) area = angle**3*(2.0_wp/3.0_wp - 2.0_wp/15.0_wp*angle**2)
    end function segment
 
-   !> Depth of the groove of a volume [m]; no more than the wall.
+   !> Depth of the groove of a given volume [m], at most the wall.
    pure function groove_depth(volume, bore, radius, wall) result(depth)
       real(wp), intent(in) :: volume         !< worn off per length [m2]
       real(wp), intent(in) :: bore, radius   !< of casing and joint [m]

@@ -1,16 +1,17 @@
-!> Fatigue of a string that turns: body and connections of each component where they are bent hardest for their tension, the worst
-!> one first.
+!> Fatigue of a string that turns: body and connections of each component at their place of greatest bending for their tension,
+!> the worst one first.
 !>
-!> The stress goes round once a turn, with the amplitude of bending of the body; between tool joints that touch alone it is larger
-!> next to them (dg_joint_bending). What it may be depends on the tension (dg_fatigue_curve). The largest dogleg in which the pipe
-!> may turn at that tension is that of Lubinski (1961), Maximum permissible dog-legs in rotary boreholes, J. Pet. Technol. 13(2):
+!> The stress alternates once a turn, with the amplitude of bending of the body. Next to single tool joints it is larger
+!> (dg_joint_bending). The permitted stress depends on the tension (dg_fatigue_curve). The largest dogleg in which the pipe may
+!> turn at that tension is by Lubinski (1961), Maximum permissible dog-legs in rotary boreholes, J. Pet. Technol. 13(2):
 !>
 !>   c = s_b/(E D/2) tanh(KL)/(KL),    K^2 = T/(E I), L half the distance of tool joints.
 !>
-!> Connections take the moment of the body beside them, in tension the largest. Their stress is that outside the tool joint, with
-!> the bore of the pipe; without tool joints it is that of the body. Their curve is the user's own; make-up sets the mean stress.
+!> Connections take the moment of the body beside them, in tension the largest. Their stress is at the outside of the tool
+!> joint, with the bore of the pipe. Without tool joints it is the stress of the body. The user gives their curve, and make-up
+!> sets the mean stress.
 !>
-!> Damage is turns over turns until failure, as if the same piece of pipe stood at the worst place all the time.
+!> Damage is turns over turns to failure, as if the same piece of pipe were at the worst place all the time.
 module dg_fatigue
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, body_bending
@@ -30,18 +31,18 @@ module dg_fatigue
    private
    public :: fatigue_type, hour, find_fatigue, asks_for_fatigue, permitted_dogleg
 
-   !> Body or connections of a component where they are tired most.
+   !> Body or connections of a component at their place of greatest fatigue.
    type :: fatigue_type
       logical :: present = .false.
       integer :: part = 0                  !< number of the component
-      logical :: joint = .false.           !< its connections; else its body
+      logical :: joint = .false.           !< true: its connections; false: its body
       real(wp) :: md = 0.0_wp              !< [m]
       real(wp) :: tension = 0.0_wp         !< stress of the effective axial force [Pa]
       real(wp) :: amplitude = 0.0_wp       !< of the bending stress [Pa]
-      real(wp) :: permitted = 0.0_wp       !< amplitude borne without end [Pa]
+      real(wp) :: permitted = 0.0_wp       !< amplitude with endless life [Pa]
       real(wp) :: used = 0.0_wp            !< amplitude over that [-]
       real(wp) :: turns = missing          !< until failure [-]; missing: endless, or not known
-      real(wp) :: damage = missing         !< part of its life that the hours of the case take [-]; missing: not known
+      real(wp) :: damage = missing         !< part of its life that the hours of the case use [-]; missing: not known
       real(wp) :: curvature = 0.0_wp       !< of the hole [1/m]
       real(wp) :: dogleg = missing         !< the largest that its tension permits [1/m]; missing: not known
    end type fatigue_type
@@ -50,7 +51,7 @@ module dg_fatigue
 
 contains
 
-   !> True if a load case fatigues its string and the deck has a curve for a part of it.
+   !> True if a load case fatigues its string and the deck has a curve for a component.
    pure function asks_for_fatigue(model, load_case) result(asks)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -62,7 +63,7 @@ contains
       end associate
    end function asks_for_fatigue
 
-   !> Bodies and connections with a curve that are in the hole, the worst one first.
+   !> Bodies and connections with a fatigue curve in the hole, the worst one first.
    pure subroutine find_fatigue(model, result, along, parts)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -100,7 +101,7 @@ contains
       parts = parts(sorted_places(used))
    end subroutine find_fatigue
 
-   !> Takes a row where it uses more than the worst so far, with the turns that it bears.
+   !> Keep a row that uses more than the worst so far, with its turns to failure.
    pure subroutine keep_worst(load_case, md, row, curve, worst)
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: md                 !< [m]
@@ -118,7 +119,7 @@ contains
       if (row%used <= 1.0_wp .and. load_case%hours > 0.0_wp) worst%damage = 0.0_wp
    end subroutine keep_worst
 
-   !> Stresses of the body at a row, and what it bears there.
+   !> Stresses of the body at a row, and the permitted ones.
    pure function body_row(number, part, axial, along, i) result(row)
       integer, intent(in) :: number                      !< of the component
       type(component_type), intent(in) :: part
@@ -130,7 +131,7 @@ contains
       row%dogleg = permitted_dogleg(part, axial)
    end function body_row
 
-   !> Stresses of the connections at a row, and what they bear there.
+   !> Stresses of the connections at a row, and the permitted ones.
    pure function joint_row(number, part, axial, along, i) result(row)
       integer, intent(in) :: number                      !< of the component
       type(component_type), intent(in) :: part
@@ -157,7 +158,7 @@ contains
       row%dogleg = row%permitted*stiffer/(0.5_wp*part%youngs*od*factor)
    end function joint_row
 
-   !> Stresses of body or connections at a row, against what their curve bears.
+   !> Stresses of body or connections at a row, against those of their curve.
    pure function new_row(number, tension, amplitude, curve, curvature) result(row)
       integer, intent(in) :: number                      !< of the component
       real(wp), intent(in) :: tension, amplitude         !< [Pa]
@@ -173,8 +174,8 @@ contains
       row%curvature = curvature
    end function new_row
 
-   !> Largest dogleg in which the body of a component may turn without end at a tension [1/m]; in compression, where the body of
-   !> jointed pipe bends between its joints, missing.
+   !> Largest dogleg in which the body of a component may turn without end at a tension [1/m]. Missing for jointed pipe in
+   !> compression, whose body bends between its joints.
    pure function permitted_dogleg(part, axial) result(dogleg)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial            !< effective [N]

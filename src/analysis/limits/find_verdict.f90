@@ -1,8 +1,8 @@
 !> Finds the answer to 'can it be done?' for a load case from its result and its limits.
 !>
-!> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook load
-!> below zero means a push at surface. Strengths, slips and rig are those of dg_utilisation. Where a calibration has found the
-!> friction, the limits must hold with the upper end of its 95 % interval, too.
+!> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook
+!> load below zero means a push at surface. Strengths, slips and rig are in dg_utilisation. If a calibration has found the
+!> friction, the limits must also hold at the upper end of its 95 % interval.
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
@@ -32,12 +32,12 @@ module dg_find_verdict
    private
    public :: find_verdict, passed_weight
 
-   !> Halvings of an overpull until its digits are known.
+   !> Number of halvings of an overpull.
    integer, parameter :: halvings = 16
 
 contains
 
-   !> Verdict of a result. `whole` is only read where it has converged. Unknown where it has not.
+   !> Find the verdict of a result. It is unknown if the case has not converged. `whole` is only read if it has.
    pure subroutine find_verdict(model, result, whole, design, rig_limit, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -88,8 +88,8 @@ contains
       end associate
    end subroutine find_verdict
 
-   !> True for beams that turn in helical buckling. Their torque grows with weight on bit and friction much faster than that of the
-   !> soft string, so its loads times a ratio are no estimate: up to three times the friction that is possible was found.
+   !> True for beams that turn in helical buckling. Their torque grows with weight on bit and friction much faster than that of
+   !> the soft string. Loads of the soft string times a ratio would allow up to three times the possible friction.
    pure function cannot_scale(model, result) result(cannot)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -106,9 +106,9 @@ contains
               moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)
    end function lacks_weight
 
-   !> Finds weight on bit, bit depth and friction with which string weight is just enough, by the soft string with the friction of
-   !> coils. Its friction has a factor that gives the hook load of the beams: of the case without weight on bit where that was
-   !> solved, else of the case itself.
+   !> Find weight on bit, bit depth and friction with which string weight is just enough, by the soft string with the friction
+   !> of helical buckling. A factor on that friction gives the hook load of the beams. It comes from the case without weight on
+   !> bit, if that was solved, else from the case itself.
    pure subroutine find_ways_down(model, result, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -126,14 +126,14 @@ contains
             if (.not. scale > 0.0_wp) scale = 1.0_wp
          end if
          if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
-         if (verdict%also > 0) return       ! weight is not all that lacks
+         if (verdict%also > 0) return       ! weight is not the only shortage
          call find_reach(model, i, verdict%reach, scale)
          part = matching_friction(model, i, wob, 0.0_wp)/scale
          verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
       end associate
    end subroutine find_ways_down
 
-   !> Judges what can be done once more, with friction that was found at the upper end of its interval.
+   !> Judge the case once more, with calibrated friction at the upper end of its interval.
    pure subroutine judge_upper_end(model, result, design, rig_limit, upper, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -143,7 +143,7 @@ contains
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: raised
       type(verdict_type) :: at_end
-      logical :: judged              ! loads at the upper end are known
+      logical :: judged              ! true if loads at the upper end are known
       if (.not. has_upper_friction(upper, model%cases(result%case_index))) return
       judged = upper%known .and. .not. (verdict%answer == answer_yes .and. cannot_scale(model, result))
       verdict%friction = merge(friction_upper_end, friction_calibrated, judged)
@@ -161,10 +161,10 @@ contains
       call judge_without_load(model, raised, result, design, rig_limit, verdict)
    end subroutine judge_upper_end
 
-   !> Notes the limit that is passed without weight on bit or overpull, too, where there is some and it is in the way.
+   !> Note the limit that is also passed without weight on bit or overpull, if the case has one of them.
    pure subroutine judge_without_load(model, other_model, result, design, rig_limit, verdict)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model    !< with the friction that the answer goes by
+      type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit   !< [N]
@@ -193,10 +193,10 @@ contains
       if (without%limit /= limit_lock_up) verdict%excess_without_load = without%load%value - without%allowed%value
    end subroutine judge_without_load
 
-   !> Judges a result with another friction or weight on bit, but for fatigue. `verdict` comes with the largest weight on bit.
+   !> Judge a result with another friction or weight on bit, without fatigue. On entry `verdict` has the largest weight on bit.
    pure subroutine judge_other(model, other_model, result, design, rig_limit, verdict)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model        !< all else alike
+      type(model_type), intent(in) :: other_model        !< all else equal
       type(case_result_type), intent(in) :: result       !< of `model`, converged
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit       !< [N]
@@ -218,7 +218,7 @@ contains
       call judge_weight(other_model, other, verdict%most_wob, verdict)
    end subroutine judge_other
 
-   !> Takes the most used of strengths, slips and rig.
+   !> Judge strengths, slips and rig by the one that is used most.
    pure subroutine judge_strengths(utilisation, verdict)
       type(utilisation_type), intent(in) :: utilisation
       type(verdict_type), intent(inout) :: verdict
@@ -231,10 +231,10 @@ contains
       if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
    end subroutine judge_strengths
 
-   !> Largest overpull with which no limit is passed, of a case that can be done without. Bisection.
+   !> Find the largest overpull with which no limit is passed, for a case that is possible without overpull. Bisection.
    pure subroutine find_most_pull(model, other_model, result, design, rig_limit, verdict)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model    !< with the friction that the answer goes by
+      type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit   !< [N]
@@ -261,8 +261,8 @@ contains
       verdict%most_pull = given(low)
    end subroutine find_most_pull
 
-   !> Takes the yield of compressed pipe by the soft string, whose stresses have no bending of coils. It is named where it is
-   !> passed, or where the string is in helical buckling and uses more of it than of other limits.
+   !> Judge the yield of compressed pipe by the soft string, whose stresses have no bending of helical buckling. It decides if
+   !> it is passed. It also decides if the string is in helical buckling and uses more of it than of other limits.
    pure subroutine judge_compressed(load_case, whole, verdict)
       type(load_case_type), intent(in) :: load_case
       type(whole_string_type), intent(in) :: whole
@@ -284,8 +284,8 @@ contains
       verdict%md%present = .false.
    end subroutine judge_compressed
 
-   !> Takes string weight or lock-up, where one of them is passed or used more than the strengths. They are not known where the
-   !> survey begins below surface.
+   !> Judge string weight or lock-up, which decide if they are passed or used more than the strengths. They are not known if
+   !> the survey begins below surface.
    pure subroutine judge_weight(model, result, wob_lockup, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -315,7 +315,7 @@ contains
             verdict%used = optional_real(weight > 0.0_wp, share)
             verdict%load = given(weight - result%hookload)
             verdict%allowed = given(weight)
-            ! Both numbers agree with the deck where weight on bit takes the weight alone.
+            ! Both numbers agree with the deck if only weight on bit takes the weight.
             if (load_case%wob > 0.0_wp .and. .not. (moves_axially(load_case%operation) .or. &
                                                     verdict%pressure_pushes .or. verdict%packer_pushes)) then
                verdict%load = given(load_case%wob)
@@ -326,7 +326,7 @@ contains
          if (passed > 0) verdict%answer = answer_no
          if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
          if (passed == 0 .and. (rotates(load_case%operation) .or. .not. moves_axially(load_case%operation))) return
-         ! The soft string may lock up where beams do not: the limit is reached then, not passed.
+         ! The soft string may lock up where beams do not: then the limit is reached, not passed.
          share = 0.0_wp
          if (load_case%wob > 0.0_wp) share = load_case%wob/max(wob_lockup%value, load_case%wob)
          if (passed == 0 .and. .not. is_most(share, verdict)) return
@@ -340,15 +340,16 @@ contains
       end associate
    end subroutine judge_weight
 
-   !> Limit of the string's weight that a converged result passes: string weight where the hook load is below zero; lock-up where
-   !> the friction of a coiled string, which only beams have in their hook load, takes it; 0 for none, and where the survey begins
-   !> below surface.
+   !> Limit of the string's weight that a converged result passes; 0: none.
+   !> - string weight: the hook load is below zero
+   !> - lock-up: the friction of helical buckling takes it, which only beams have in their hook load
+   !> It is 0 if the survey begins below surface.
    pure function passed_weight(model, method, case_index, hookload, largest) result(limit)
       type(model_type), intent(in) :: model
       integer, intent(in) :: method        !< number of the model that was solved (dg_job)
       integer, intent(in) :: case_index
       real(wp), intent(in) :: hookload     !< [N]
-      real(wp), intent(in) :: largest      !< axial force along the string, in size; round-off is a part of it [N]
+      real(wp), intent(in) :: largest      !< largest axial force along the string, absolute, the scale of round-off [N]
       integer :: limit
       limit = 0
       if (top_md(model%trajectory) > 0.0_wp) return
@@ -359,8 +360,8 @@ contains
       end if
    end function passed_weight
 
-   !> Takes the hours of rotation that pipe or connections bear, where the case uses more of them than of other limits, and no other
-   !> limit is passed. Fatigue counts as checked where the bending is borne without end, or the damage is known.
+   !> Judge the hours of rotation until fatigue of pipe or connections. They decide if the case uses more of them than of other
+   !> limits, and no other limit is passed. Fatigue counts as checked if the bending has endless life, or the damage is known.
    pure subroutine judge_fatigue(fatigue, limit, hours, verdict)
       type(fatigue_type), intent(in) :: fatigue
       integer, intent(in) :: limit                  !< of body or connections
@@ -379,7 +380,7 @@ contains
       verdict%allowed = given(hours*hour/fatigue%damage)
    end subroutine judge_fatigue
 
-   !> True where a share [-] is more than what is used of the limit so far.
+   !> True if a share [-] is more than the used part of the limit so far.
    pure function is_most(share, verdict) result(is)
       real(wp), intent(in) :: share
       type(verdict_type), intent(in) :: verdict

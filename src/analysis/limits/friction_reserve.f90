@@ -1,7 +1,7 @@
-!> Factor by which all friction of a load case may grow before a limit is passed, or must shrink so that none is.
+!> Factor by which all friction of a load case may grow before a limit is passed, or must shrink so that none is passed.
 !>
-!> The result is not solved again. Axial force and torque along the string change as those of the soft string do, times the ratio of
-!> the result's friction to that of the soft string at today's friction.
+!> The result is not solved again. Axial force and torque along the string change as those of the soft string, times a ratio.
+!> The ratio is the result's friction over that of the soft string, both at the given friction.
 module dg_friction_reserve
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
@@ -22,39 +22,39 @@ module dg_friction_reserve
    private
    public :: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
 
-   !> Smallest and largest factor that are looked for, and to what part of it [-].
+   !> Smallest and largest factor of the search, and its accuracy [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
-   !> Friction of the soft string below this part of its weight scales nothing [-].
+   !> Friction of the soft string below this part of its weight is not scaled [-].
    real(wp), parameter :: no_friction = 1.0e-6_wp
-   !> Share of a limit by a string that locks up [-].
+   !> Share of the limit of a string that locks up [-].
    real(wp), parameter :: locked = 2.0_wp
 
-   !> Loads of the soft string as the case has it, and what the result has beside them.
+   !> Loads of the soft string for the case, and ratios of the result to them.
    type :: soft_type
       real(wp), allocatable :: axial(:), torque(:)   !< along the string [N, N.m]
       real(wp) :: compression = 0.0_wp               !< of the lower end [N]
       real(wp) :: bit_torque = 0.0_wp                !< [N.m]
       real(wp) :: axial_ratio = 1.0_wp               !< friction of the result over that of the soft string [-]
-      real(wp) :: torque_ratio = 1.0_wp              !< the same of torque
-      logical :: coiled = .false.                    !< with the friction of a buckled string
-      logical :: climbs = .false.                    !< as beams do where they turn: torque grows less than friction then
+      real(wp) :: torque_ratio = 1.0_wp              !< torque by friction of the result over that of the soft string [-]
+      logical :: coiled = .false.                    !< with the friction of helical buckling
+      logical :: climbs = .false.                    !< as in beams that turn: torque grows less than friction then
    end type soft_type
 
 contains
 
-   !> The factor, > 1; absent where no limit is passed up to ten times today's friction, and where one is passed today.
+   !> Find the factor, > 1. Absent if no limit is passed up to ten times the given friction, and if one is passed already.
    pure subroutine find_friction_reserve(model, result, design, rig_limit, reserve, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       type(optional_real), intent(out) :: reserve
-      integer, intent(out) :: limit                      !< that is passed beyond the factor; 0: none
+      integer, intent(out) :: limit                      !< limit that is passed beyond the factor; 0: none
       call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve, limit)
    end subroutine find_friction_reserve
 
-   !> Of a result that passes a limit, the part of today's friction, < 1, with which it does not; absent where friction is not what
-   !> decides.
+   !> Find the part of the given friction, < 1, with which a result that passes a limit does not pass it. Absent if friction
+   !> does not decide.
    pure subroutine find_possible_friction(model, result, design, rig_limit, part)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
@@ -65,7 +65,8 @@ contains
       call find_factor(model, result, design, rig_limit, [least, 1.0_wp], part, limit)
    end subroutine find_possible_friction
 
-   !> The factor between two at which a limit is reached; absent where none is passed at the upper one, or one is at the lower one.
+   !> Find the factor between two at which a limit is reached. Absent if none is passed at the upper one, or one is passed at
+   !> the lower one.
    pure subroutine find_factor(model, result, design, rig_limit, between, found, passed)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -97,14 +98,14 @@ contains
       found = given(bracket%low)
    end subroutine find_factor
 
-   !> Soft string at today's friction. Not allocated where it locks up.
+   !> Solve the soft string at the given friction. `soft%axial` is not allocated if it locks up.
    pure subroutine begin_soft(model, result, soft)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(soft_type), intent(out) :: soft
       type(soft_totals_type) :: totals
       real(wp) :: axial(size(result%profile%md)), torque(size(result%profile%md)), friction, turning
-      ! A string that turns as it goes down was found to come farther than the soft string with the friction of coils.
+      ! A rotating string comes farther than the soft string with the friction of helical buckling.
       soft%coiled = result%model /= model_soft .and. .not. rotates(model%cases(result%case_index)%operation)
       soft%climbs = result%model == model_mcge
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
@@ -122,21 +123,21 @@ contains
       end associate
    end subroutine begin_soft
 
-   !> The result as it is with the friction of another model of the same well, or with another weight on bit and bit torque.
+   !> Shift the result to the friction of another model of the same well, or to another weight on bit and bit torque.
    pure subroutine find_shifted(model, other_model, result, other, locks_up)
       type(model_type), intent(in) :: model
-      type(model_type), intent(in) :: other_model        !< another friction of the hole, wob or tob; all else alike
+      type(model_type), intent(in) :: other_model        !< with another friction of the hole, wob or tob; all else equal
       type(case_result_type), intent(in) :: result       !< of `model`, converged
       type(case_result_type), intent(out) :: other       !< hook load, torque, friction, profile
-      logical, intent(out) :: locks_up                   !< no such result
+      logical, intent(out) :: locks_up                   !< true if there is no such result
       type(soft_type) :: soft
       call begin_soft(model, result, soft)
       locks_up = .not. allocated(soft%axial)
       if (.not. locks_up) call shift_result(other_model, result, soft, 1.0_wp, other, locks_up)
    end subroutine find_shifted
 
-   !> The result with friction of a model times a factor. Force and torque that are added at the lower end come to the top as
-   !> they are.
+   !> Shift the result to the friction of a model times a factor. Force and torque that are added at the lower end reach the
+   !> top unchanged.
    pure subroutine shift_result(model, result, soft, factor, other, locks_up)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -162,7 +163,7 @@ contains
       other%friction = result%friction - (other%hookload - result%hookload) - added
    end subroutine shift_result
 
-   !> One minus the share of the most used limit with all friction times a factor, and that limit.
+   !> Find one minus the share of the most used limit with all friction times a factor, and that limit.
    pure subroutine find_margin(model, result, design, rig_limit, soft, factor, margin, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -196,11 +197,11 @@ contains
          limit = limit_string_weight
       end if
       if (result%model == model_mcge .or. block_way(model%cases(result%case_index)%operation) >= 0) return
-      ! Models without the friction of coils in their hook load are judged by the soft string with it.
+      ! Models without the friction of helical buckling in their hook load are judged by the soft string with it.
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=.true.))
       share = locked
-      ! of a string that floats, too
+      ! this holds for a string that floats too
       if (.not. totals%runaway) share = 1.0_wp - (axial(1) - surface_push(model, result%case_index))/ &
                                               max(totals%weight, abs(axial(1)), tiny(share))
       if (.not. margin > 1.0_wp - share) return
@@ -217,8 +218,8 @@ contains
       weight = result%hookload + surface_push(model, result%case_index) + end_compression(model, load_case) + result%friction
    end function own_weight
 
-   !> Part of the buoyed weight that weight on bit and friction take, so that the hook load is the rest [-]; > 1 where the string
-   !> must be pushed. 0 where friction pulls the other way, 2 where a floating string must be pushed.
+   !> Part of the buoyed weight that weight on bit and friction take [-]; the hook load is the rest. It is > 1 if the string
+   !> must be pushed. It is 0 if friction pulls the other way, and 2 if a floating string must be pushed.
    elemental function weight_share(model, load_case, result) result(share)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -1,16 +1,16 @@
-!> Added bending of a pipe that touches at its tool joints alone: Paslay & Cernocky 1991 (SPE 22547).
+!> Magnified bending of a pipe that touches only at its tool joints: Paslay & Cernocky 1991 (SPE 22547).
 !>
-!> Joints 2 L apart hold the pipe in a hole of curvature 1/R and leave it straight to bend between. With k = sqrt(|T|/EI) its
-!> moment is EI/R times kL cosh(kx)/sinh(kL) in tension, kL cos(kx)/sin(kL) in compression, x from mid-span: largest
-!> next to the joint, kL/tanh(kL), or at mid-span, kL/sin(kL). The body comes to the wall once it leaves the line of the joints by
-!> their stand-off: in tension towards the inside of the bend, in compression towards the outside by L/(kR) tan(kL/2) -
-!> L^2/(2R). In tension the moment is below the closed form from there on, so that this stays a bound; in compression nothing
-!> simple is known, and none is given.
+!> Joints 2 L apart hold the pipe in a hole of curvature 1/R. Between them it is free to bend. With k = sqrt(|T|/EI) and x from
+!> mid-span, its moment is EI/R times kL cosh(kx)/sinh(kL) in tension. In compression it is EI/R times kL cos(kx)/sin(kL). It
+!> is largest next to the joint, kL/tanh(kL), or at mid-span, kL/sin(kL). The body reaches the wall once its distance from the
+!> line of the joints is their stand-off. In tension that is at the inside of the bend. In compression it is at the outside, at
+!> a distance L/(kR) tan(kL/2) - L^2/(2R). In tension the moment is below the closed form from there on, so that this stays a
+!> bound. In compression no simple formula is known, and none is given.
 !>
-!> With the body's contact the moment at a joint in tension has a closed form, too (the same paper: no contact, at mid-span, along a
-!> length). The body's distance v from a line that follows the hole at the joints obeys EI v'''' - T v'' = T/R. At the joint
-!> v = v' = 0. Where it comes to the wall, at x = a, v is the stand-off and v' = 0. With a = L it touches at a point; where the
-!> moment there would pass EI/R, it lies on the wall from an a < L on, at which v'' = 0.
+!> With the body's contact the moment at a joint in tension also has a closed form. The same paper has no contact, contact at
+!> mid-span, and contact along a length. The body's distance v from a line that follows the hole at the joints obeys EI v'''' -
+!> T v'' = T/R. At the joint v = v' = 0. At the wall, at x = a, v is the stand-off and v' = 0. With a = L it touches at a
+!> point. If the moment there would exceed EI/R, it lies on the wall from an a < L on, at which v'' = 0.
 module dg_joint_bending
    use dg_kinds, only: wp
    use dg_constants, only: pi
@@ -19,15 +19,15 @@ module dg_joint_bending
    private
    public :: joint_magnification, pulled_magnification
 
-   !> kL below which the first term of the series is the factor to 1e-9 [-].
+   !> Value of kL below which the first term of the series gives the factor to 1e-9 [-].
    real(wp), parameter :: small = 1.0e-2_wp
-   !> Halvings of the length from the joint to the wall.
+   !> Number of halvings of the length from the joint to the wall.
    integer, parameter :: halvings = 50
 
 contains
 
-   !> Largest bending moment between joints over the mean one, that of the hole's curvature [-]; missing in compression beyond
-   !> what the closed form holds for.
+   !> Largest bending moment between joints over the mean one by the hole's curvature [-]. Missing in compression beyond the
+   !> range of the closed form.
    elemental function joint_magnification(axial, ei, half_span, curvature, stand_off) result(factor)
       real(wp), intent(in) :: axial       !< effective, tension > 0 [N]
       real(wp), intent(in) :: ei          !< of the body, > 0 [N.m2]
@@ -50,7 +50,7 @@ contains
       factor = kl/sin(kl)
    end function joint_magnification
 
-   !> Bending moment at a joint over the mean one of a pipe in tension, with what the body takes at the wall [-].
+   !> Bending moment at a joint over the mean one of a pipe in tension, with contact of the body [-].
    elemental function pulled_magnification(axial, ei, half_span, curvature, stand_off) result(factor)
       real(wp), intent(in) :: axial       !< effective, >= 0 [N]
       real(wp), intent(in) :: ei          !< of the body, > 0 [N.m2]
@@ -63,7 +63,7 @@ contains
       kl = half_span*sqrt(max(axial, 0.0_wp)/ei)
       factor = joint_magnification(max(axial, 0.0_wp), ei, half_span, curvature, stand_off)
       if (kl <= small) return
-      ! at mid-span, in units of L^2/R
+      ! distance of the body from the line of the joints at mid-span, in units of L^2/R
       share = 0.5_wp - tanh(0.5_wp*kl)/kl
       if (curvature*half_span**2*share <= stand_off) return
       share = stand_off/(curvature*half_span**2)
@@ -82,8 +82,8 @@ contains
       end do
    end function pulled_magnification
 
-   !> Moments over the mean one of a span that begins at a joint and comes to the wall, level with the hole, at x = a:
-   !> v = P exp(-kx) + Q exp(-k(a - x)) + C + D x - x^2/(2R).
+   !> Moments over the mean one of a span from a joint to the wall, which it reaches parallel to the hole at x = a. The span
+   !> has v = P exp(-kx) + Q exp(-k(a - x)) + C + D x - x^2/(2R).
    elemental subroutine span_to_wall(ka, kl, share, at_joint, at_wall)
       real(wp), intent(in) :: ka         !< > 0 [-]
       real(wp), intent(in) :: kl         !< [-]
@@ -92,7 +92,7 @@ contains
       real(wp), intent(out) :: at_wall   !< [-]
       real(wp) :: decay, both, p
       decay = exp(-ka)
-      both = ka/(1.0_wp - decay)      ! k^2 R (P + Q): level at both ends
+      both = ka/(1.0_wp - decay)      ! k^2 R (P + Q): parallel at both ends
       p = (share*kl**2 + 0.5_wp*ka**2 - both*(1.0_wp - decay - ka*decay))/(ka*(1.0_wp + decay) - 2.0_wp*(1.0_wp - decay))
       at_joint = p + (both - p)*decay
       at_wall = p*decay + both - p

@@ -1,16 +1,20 @@
-!> Change of the length of a string, in the four parts of Lubinski, Althouse & Logan (1962), Helical buckling of tubing sealed in
-!> packers, J. Pet. Technol. 14(6), SPE-178-PA. It counts from the string without load, without pressure and before temperature
-!> changes. Integrals over the string, longer is positive:
+!> Change of the length of a string, in the four parts of Lubinski, Althouse & Logan (1962), Helical buckling of tubing sealed
+!> in packers, J. Pet. Technol. 14(6), SPE-178-PA. The reference is the string without load, without pressure and before
+!> temperature changes. Longer is positive. The parts are integrals over the string of:
+!> - force: F_a/(E A), Hooke's law, with the true axial force F_a = T - p_o A_o + p_i A_i, tension > 0
+!> - pressure: -2 nu (p_i A_i - p_o A_o)/(E A), ballooning
+!> - buckling: -y'^2/2, for a slope y' of the string against the hole axis
+!> - temperature: alpha dt, with dt linear in true vertical depth
 !>
 !>   force         F_a/(E A)                  Hooke's law; F_a = T - p_o A_o + p_i A_i is the true axial force, tension > 0
 !>   pressure      -2 nu (p_i A_i - p_o A_o)/(E A)   ballooning
 !>   buckling      -y'^2/2                    the string leans against the hole axis by y'
 !>   temperature   alpha dt                   dt linear in true vertical depth
 !>
-!> The lean y' of mcge is that of its own string on short elements: sag between contacts counts, too. Of other methods, and of mcge
-!> without short elements, it follows from the compression F and the clearance c: beyond the lower helical limit
-!> y'^2/2 = c^2 F/(4 EI) (a helix of the pitch 2 pi (2 EI/F)^(1/2)), between it and the sinusoidal limit F_s that of
-!> dg_sinusoidal_shape, y'^2/2 = c^2 A^2 k^2 F_s/(8 EI).
+!> The slope y' of mcge is that of its own string on short elements, so that sag between contacts counts too. For other
+!> methods, and for mcge without short elements, it follows from the compression F and the clearance c. Above the lower helical
+!> limit y'^2/2 = c^2 F/(4 EI) (a helix of the pitch 2 pi (2 EI/F)^(1/2)). Between it and the sinusoidal limit F_s,
+!> dg_sinusoidal_shape gives y'^2/2 = c^2 A^2 k^2 F_s/(8 EI).
 module dg_length_change
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -39,8 +43,8 @@ module dg_length_change
 
 contains
 
-   !> True if a deck asks for the change of length in a load case. It does by a packer, a pressure of the annulus or a change of
-   !> temperature. It also does where another case counts from this one.
+   !> True if a deck asks for the change of length in a load case. It does so by a packer, a pressure of the annulus or a
+   !> change of temperature. It also does so if another case refers to one.
    pure function asks_for_length(model, load_case) result(asks)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -51,7 +55,7 @@ contains
       if (allocated(model%mud%fluids)) asks = asks .or. any(model%mud%fluids%surface_pressure > 0.0_wp)
    end function asks_for_length
 
-   !> All parts, of the whole string. Trapezoids between rows; no component ends between two rows.
+   !> Compute all parts, for the whole string. Trapezoids between rows; no component ends between two rows.
    pure subroutine find_length_change(model, result, along, change)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -95,7 +99,7 @@ contains
       end function warmer
    end subroutine find_length_change
 
-   !> Shortening per length, y'^2/2 [-], at a row, of the published shapes.
+   !> Shortening per length, y'^2/2 [-], at a row, for the published shapes.
    pure function lean(part, upper_end, along, row, axial) result(short)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
@@ -122,7 +126,7 @@ contains
       length = change%force + change%pressure + change%buckling + change%temperature
    end function total_change
 
-   !> Change of length from one state to another.
+   !> Change of length from a reference state to another.
    elemental function less(change, reference) result(difference)
       type(length_change_type), intent(in) :: change, reference
       type(length_change_type) :: difference

@@ -1,4 +1,4 @@
-!> Limits by pressure that a load case passes, whatever its axial force: what can be judged of a string without a solution.
+!> Limits by pressure that a load case passes, whatever its axial force. They can be judged without a solution.
 module dg_passed_pressure
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
@@ -20,15 +20,15 @@ module dg_passed_pressure
 
 contains
 
-   !> The limit that is passed most. Axial force counts as zero: compression, of which a locked string has more, takes nothing off
+   !> Find the limit that is exceeded most. Axial force counts as zero. The compression of a locked-up string would not reduce
    !> burst and collapse as they are judged.
    pure subroutine find_passed_pressure(model, case_index, design, limit, load, allowed, checked)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(design_factors_type), intent(in) :: design
-      integer, intent(out) :: limit              !< number of dg_utilisation; 0: none is passed
-      real(wp), intent(out) :: load, allowed     !< difference of pressures there, and what is allowed [Pa]
-      logical, intent(out) :: checked            !< a strength against pressure is known
+      integer, intent(out) :: limit              !< number of dg_utilisation; 0: none is exceeded
+      real(wp), intent(out) :: load, allowed     !< difference of pressures there, and the allowed one [Pa]
+      logical, intent(out) :: checked            !< true if a strength against pressure is known
       type(case_result_type) :: still
       type(along_string_type) :: along
       type(utilisation_type) :: utilisation

@@ -1,7 +1,7 @@
-!> Strengths of the body of a pipe, each against one load alone, as API rates it: tension, torsion, burst, collapse, slips.
+!> Strengths of the body of a pipe against single loads, as API rates it: tension, torsion, burst, collapse, slips.
 !>
-!> Of worn pipe they are those of the worn section (API RP 7G: wear outside, the bore stays). Collapse is by API Bulletin 5C3
-!> (API TR 5C3, ISO 10400), whose formulas are fits to tests on steel, in psi.
+!> For worn pipe they are those of the worn section (API RP 7G: wear outside, the bore stays). Collapse follows API Bulletin
+!> 5C3 (API TR 5C3, ISO 10400), whose formulas are fits to tests on steel, in psi.
 module dg_pipe_strength
    use dg_kinds, only: wp
    use dg_constants, only: psi
@@ -11,34 +11,34 @@ module dg_pipe_strength
    public :: yield_left, warmed
    public :: tensile_strength, torsional_strength, burst_strength, collapse_strength, collapses_as_steel, slip_share
 
-   !> Wall of new pipe that mills vouch for, over the nominal one (API Spec 5CT, 5D).
+   !> Guaranteed wall of new pipe over the nominal one (API Spec 5CT, 5D).
    real(wp), parameter :: mill_wall = 0.875_wp
    !> Shear strength over yield strength, as API rounds von Mises' 1/sqrt(3).
    real(wp), parameter :: shear_share = 0.577_wp
-   !> Strengths between which the fits of collapse hold [psi]: those of API's grades. Below, collapse is taken to fall with the
-   !> strength; above, it stays.
+   !> Range of yield strengths of the collapse fits [psi]: that of API's grades. Below, collapse is assumed to fall with the
+   !> strength. Above, it stays.
    real(wp), parameter :: weakest_fit = 24.0e3_wp, strongest_fit = 150.0e3_wp
-   !> Of the elastic collapse of steel [psi].
+   !> Factor of the elastic collapse of steel [psi].
    real(wp), parameter :: elastic = 46.95e6_wp
-   !> Part of the yield strength that any temperature leaves [-]: the straight line is meant for a loss of some per cent.
+   !> Least part of the yield strength at any temperature [-]. The straight line is meant for a loss of some per cent.
    real(wp), parameter :: least_left = 0.01_wp
-   !> Least Young's modulus of what counts as steel [Pa].
+   !> Least Young's modulus of steel [Pa].
    real(wp), parameter :: least_steel = 180.0e9_wp
 
 contains
 
-   !> Part of the yield strength that is left of a component at a temperature [-]; it falls in a straight line.
+   !> Part of the yield strength of a component that is left at a temperature [-]. It falls in a straight line.
    elemental function yield_left(part, warmer) result(left)
       type(component_type), intent(in) :: part
-      real(wp), intent(in) :: warmer    !< than ambient [K]
+      real(wp), intent(in) :: warmer    !< temperature above ambient [K]
       real(wp) :: left
       left = max(1.0_wp - part%yield_loss*max(warmer, 0.0_wp), least_left)
    end function yield_left
 
-   !> A component with what is left of its strength, of body and connections.
+   !> A component with the strength of body and connections that is left.
    pure function warmed(part, left) result(warm)
       type(component_type), intent(in) :: part
-      real(wp), intent(in) :: left      !< of the yield strength [-]
+      real(wp), intent(in) :: left      !< part of the yield strength [-]
       type(component_type) :: warm
       warm = part
       warm%yield = left*part%yield
@@ -59,8 +59,8 @@ contains
       torque = shear_share*part%yield*4.0_wp*tube_inertia(worn_od(part), part%id)/worn_od(part)
    end function torsional_strength
 
-   !> Pressure inside over that outside at which the body yields [Pa]: Barlow's 2 Y t/D, of new pipe with 7/8 of the wall, of worn
-   !> pipe with the wall left, over the nominal diameter (API RP 7G).
+   !> Pressure inside over that outside at which the body yields [Pa], by Barlow's 2 Y t/D. New pipe has 7/8 of the wall. Worn
+   !> pipe has the wall left, over the nominal diameter (API RP 7G).
    elemental function burst_strength(part) result(pressure)
       type(component_type), intent(in) :: part
       real(wp) :: pressure
@@ -77,11 +77,11 @@ contains
       steel = part%youngs >= least_steel
    end function collapses_as_steel
 
-   !> Pressure outside over that inside at which the body collapses [Pa]. Tension counts as less strength:
-   !> Y_a = Y (sqrt(1 - 3/4 s^2) - s/2), s = stress/Y (API Bulletin 5C3, 2.1.5); 0 where it yields by tension alone.
+   !> Pressure outside over that inside at which the body collapses [Pa]. Tension reduces the strength: Y_a = Y (sqrt(1 - 3/4
+   !> s^2) - s/2), s = stress/Y (API Bulletin 5C3, 2.1.5). It is 0 if the body yields by tension alone.
    elemental function collapse_strength(part, axial_stress) result(pressure)
       type(component_type), intent(in) :: part
-      real(wp), intent(in) :: axial_stress   !< plus the pressure inside; compression counts as none [Pa]
+      real(wp), intent(in) :: axial_stress   !< axial stress plus the pressure inside; compression counts as zero [Pa]
       real(wp) :: pressure
       real(wp) :: share, strength, od
       share = min(max(axial_stress, 0.0_wp)/part%yield, 1.0_wp)
@@ -116,8 +116,8 @@ contains
       end if
    end function collapse_fit
 
-   !> Part of the tensile strength that slips leave [-]: the slips press on the pipe with `lateral` times the load, spread over
-   !> their length, and its bore yields at 1/sqrt(1 + x + x^2) of it, x = D K/(2 L) (Reinhold & Spiri 1959).
+   !> Part of the tensile strength that is left in slips [-]. The slips press on the pipe with `lateral` times the load, spread
+   !> over their length. Its bore yields at 1/sqrt(1 + x + x^2) of the strength, x = D K/(2 L) (Reinhold & Spiri 1959).
    elemental function slip_share(od, lateral, length) result(share)
       real(wp), intent(in) :: od        !< [m]
       real(wp), intent(in) :: lateral   !< K, lateral over axial load [-]

@@ -1,9 +1,9 @@
 !> Stresses in the wall of a pipe under axial force, torque, bending and pressure.
 !>
-!> The pipe is a thick-walled elastic cylinder (Lame 1852; Timoshenko & Goodier, Theory of Elasticity, art. 28).
-!> Its stresses are largest at one of four places of the section: inner or outer surface, on the tensile or the
-!> compressive side of the bend. Von Mises' equivalent stress (1913) is the largest of the four. Shear force is
-!> left out: its stress vanishes where bending is largest and is small in anything as slender as a drillstring.
+!> The pipe is a thick-walled elastic cylinder (Lame 1852; Timoshenko & Goodier, Theory of Elasticity, art. 28). Its stresses
+!> are largest at one of four places of the section. They are at the inner or outer surface, on the tensile or the compressive
+!> side of the bend. Von Mises' equivalent stress (1913) is the largest of the four. Shear force is neglected. Its stress
+!> vanishes where bending is largest and is small in a slender drillstring.
 module dg_pipe_stress
    use dg_kinds, only: wp
    use dg_component, only: tube_area, tube_inertia
@@ -21,8 +21,8 @@ module dg_pipe_stress
 
 contains
 
-   !> True axial force in the wall [N] from the effective one: T = T_e - (p_o A_o - p_i A_i). The effective force
-   !> is that of a string weighed in mud; the true one is what a strain gauge on the wall would see.
+   !> True axial force in the wall [N] from the effective one: T = T_e - (p_o A_o - p_i A_i). The effective force is that of a
+   !> string weighed in mud. A strain gauge on the wall would measure the true one.
    elemental function true_axial(effective, od, id, outside, inside) result(force)
       real(wp), intent(in) :: effective         !< tension > 0 [N]
       real(wp), intent(in) :: od, id            !< [m]
@@ -35,7 +35,7 @@ contains
    elemental function lame_hoop(od, id, outside, inside, diameter) result(stress)
       real(wp), intent(in) :: od, id            !< [m]
       real(wp), intent(in) :: outside, inside   !< pressures [Pa]
-      real(wp), intent(in) :: diameter          !< at which it is asked for, id to od, > 0 [m]
+      real(wp), intent(in) :: diameter          !< diameter of the place, id to od, > 0 [m]
       real(wp) :: stress
       stress = lame_mean(od, id, outside, inside) + lame_swing(od, id, outside, inside)/diameter**2
    end function lame_hoop
@@ -44,33 +44,33 @@ contains
    elemental function lame_radial(od, id, outside, inside, diameter) result(stress)
       real(wp), intent(in) :: od, id            !< [m]
       real(wp), intent(in) :: outside, inside   !< pressures [Pa]
-      real(wp), intent(in) :: diameter          !< at which it is asked for, id to od, > 0 [m]
+      real(wp), intent(in) :: diameter          !< diameter of the place, id to od, > 0 [m]
       real(wp) :: stress
       stress = lame_mean(od, id, outside, inside) - lame_swing(od, id, outside, inside)/diameter**2
    end function lame_radial
 
-   !> (p_i r_i^2 - p_o r_o^2)/(r_o^2 - r_i^2) [Pa].
+   !> Constant term of Lame's stresses, (p_i r_i^2 - p_o r_o^2)/(r_o^2 - r_i^2) [Pa].
    elemental function lame_mean(od, id, outside, inside) result(stress)
       real(wp), intent(in) :: od, id, outside, inside
       real(wp) :: stress
       stress = (inside*id**2 - outside*od**2)/((od - id)*(od + id))
    end function lame_mean
 
-   !> 4 (p_i - p_o) r_i^2 r_o^2/(r_o^2 - r_i^2) [Pa.m2].
+   !> Factor of the term with the diameter, 4 (p_i - p_o) r_i^2 r_o^2/(r_o^2 - r_i^2) [Pa.m2].
    elemental function lame_swing(od, id, outside, inside) result(swing)
       real(wp), intent(in) :: od, id, outside, inside
       real(wp) :: swing
       swing = (inside - outside)*id**2*od**2/((od - id)*(od + id))
    end function lame_swing
 
-   !> Von Mises' equivalent of three normal stresses across each other and one shear stress [Pa].
+   !> Von Mises' equivalent of three normal stresses at right angles and one shear stress [Pa].
    elemental function von_mises(axial, hoop, radial, shear) result(stress)
       real(wp), intent(in) :: axial, hoop, radial, shear
       real(wp) :: stress
       stress = sqrt(0.5_wp*((axial - hoop)**2 + (hoop - radial)**2 + (radial - axial)**2) + 3.0_wp*shear**2)
    end function von_mises
 
-   !> All stresses in a section.
+   !> Compute all stresses in a section.
    elemental function pipe_stress(od, id, axial, torque, bending, outside, inside) result(stress)
       real(wp), intent(in) :: od, id            !< od > id >= 0 [m]
       real(wp), intent(in) :: axial             !< TRUE axial force, tension > 0 [N]
@@ -84,7 +84,7 @@ contains
       stress%axial = axial/tube_area(od, id)
       stress%bending = abs(bending)*0.5_wp*od/inertia
       stress%torsional = abs(torque)*0.25_wp*od/inertia   ! polar moment 2 I
-      ! A solid bar has no inner surface; its axis sees neither bending nor torsion.
+      ! A solid bar has no inner surface. Its axis has neither bending nor torsion.
       diameter = id
       if (.not. id > 0.0_wp) diameter = od
       stress%hoop = lame_hoop(od, id, outside, inside, diameter)
@@ -100,11 +100,11 @@ contains
       end do
    end function pipe_stress
 
-   !> Effective tension [N] at which a pipe under torque, bending and pressure yields. With the effective force in place of the true
-   !> one, axial stress counts from the mean of hoop and radial stress (Lame), so that von Mises' is
-   !>     sqrt((T/A + sigma_b)^2 + 3 tau^2 + 3 S^2),   S = (p_i - p_o) r_i^2 r_o^2/((r_o^2 - r_i^2) r^2):
-   !> the difference of pressures alone counts, and one pressure on both sides makes nothing yield. Of the inner surface, where S
-   !> is largest, and the outer one, where bending and torque are, the weaker counts. Negative where torque, bending and
+   !> Effective tension [N] at which a pipe under torque, bending and pressure yields. With the effective force in place of the
+   !> true one, axial stress counts from the mean of hoop and radial stress (Lame). Von Mises' stress is then
+   !>     sqrt((T/A + sigma_b)^2 + 3 tau^2 + 3 S^2),   S = (p_i - p_o) r_i^2 r_o^2/((r_o^2 - r_i^2) r^2).
+   !> Only the difference of pressures counts, and one pressure on both sides does not lead to yield. S is largest at the inner
+   !> surface, bending and torque at the outer one. The weaker surface counts. The tension is negative if torque, bending and
    !> pressure make the pipe yield without tension. Without bending and pressure it is the tension-torque envelope of API RP 7G
    !> (appendix A.9), there written as torque over tension.
    elemental function tension_capacity(od, id, torque, bending, difference, yield) result(tension)

@@ -1,8 +1,8 @@
-!> Margin of a place of the string to yield under pull.
+!> Margin to yield of a place of the string under pull.
 !>
-!> Yield is by von Mises' stress with bending. A pull changes the moment. A taut string follows the hole, so its moment is at least
-!> EI times the hole's curvature; what was more, at stabilizers and ends of bends, is taken to stay. A buckled string is
-!> straightened by the pull. Between tool joints that touch alone the moment grows with tension (dg_joint_bending).
+!> Yield is by von Mises' stress with bending. A pull changes the moment. A taut string follows the hole, so that its moment is
+!> at least EI times the hole's curvature. Any excess, at stabilizers and ends of bends, is assumed to stay. A buckled string
+!> is straightened by the pull. Between single tool joints the moment grows with tension (dg_joint_bending).
 module dg_pull_margin
    use dg_kinds, only: wp
    use dg_component, only: bending_stiffness, component_type, has_joints, worn_od
@@ -12,22 +12,23 @@ module dg_pull_margin
    private
    public :: pull_margin
 
-   !> Halvings of the pull: to 1e-9 of it.
+   !> Number of halvings of the pull, which give it to 1e-9.
    integer, parameter :: halvings = 30
 
 contains
 
-   !> Tension that may be added at one place [N]; where it yields already, negative: by how much compression or tension is too much.
+   !> Tension that may be added at one place [N]. Negative where the place yields already: the excess of compression or
+   !> tension.
    pure function pull_margin(part, yield, axial, torque, moment, curvature, apart, buckled, difference) result(margin)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: yield              !< strength at the temperature there, > 0 [Pa]
       real(wp), intent(in) :: axial              !< effective [N]
       real(wp), intent(in) :: torque             !< [N.m]
-      real(wp), intent(in) :: moment             !< now, >= 0 [N.m]
+      real(wp), intent(in) :: moment             !< present moment, >= 0 [N.m]
       real(wp), intent(in) :: curvature          !< of the hole [1/m]
-      logical, intent(in) :: apart               !< whether joints were solved one by one
+      logical, intent(in) :: apart               !< true if joints were solved one by one
       logical, intent(in) :: buckled
-      real(wp), intent(in) :: difference         !< of pressures, inside - outside [Pa]
+      real(wp), intent(in) :: difference         !< difference of pressures, inside - outside [Pa]
       real(wp) :: margin
       real(wp) :: low, high, middle
       integer :: i

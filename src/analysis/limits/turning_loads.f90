@@ -1,4 +1,4 @@
-!> Loads at surface if a string were turned that does not go down, or up, by itself.
+!> Loads at surface of a string that does not go down, or up, by itself, if it were turned.
 module dg_turning_loads
    use dg_kinds, only: wp
    use dg_component, only: is_coiled_tubing
@@ -16,14 +16,14 @@ module dg_turning_loads
    private
    public :: find_turning_loads
 
-   !> Hook load over the weight or contact force of a string from which on it is more than round-off [-].
+   !> Least hook load over the weight or contact force of a string that is more than round-off [-].
    real(wp), parameter :: least_hookload = 1.0e-6_wp
 
 contains
 
-   !> Hook load and torque of the soft string if the string were turned: all friction is around the hole, that of coils, too. Absent
-   !> where the hook load would be below zero, too, or the torque is more than the top drive, a connection or a body bears. Absent
-   !> for coiled tubing and a string in a packer.
+   !> Find hook load and torque of the soft string if the string were turned. All friction is around the hole then, that of
+   !> helical buckling too. They are absent if the hook load would still be below zero. They are absent if the torque is more
+   !> than the top drive, a connection or a body carries. They are absent for coiled tubing and a string in a packer.
    pure subroutine find_turning_loads(model, case_index, verdict)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

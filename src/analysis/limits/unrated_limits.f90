@@ -1,4 +1,4 @@
-!> Limits that count for a load case and have no rating in the deck.
+!> Limits that apply to a load case and have no rating in the deck.
 module dg_unrated_limits
    use dg_kinds, only: wp
    use dg_connection_rating, only: is_rated
@@ -17,7 +17,7 @@ module dg_unrated_limits
 
 contains
 
-   !> Limits that count for a load case and have no rating in the deck, of all or of some components.
+   !> Mark limits that apply to a load case and have no rating in the deck, for all or for some components.
    pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -42,7 +42,7 @@ contains
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
-      unrated(limit_joint_fatigue) = .false.     ! asked for by a curve alone
+      unrated(limit_joint_fatigue) = .false.     ! wanted only if there is a curve
       unrated(limit_seal_travel) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_fixed
       unrated(limit_packer_force) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_free
    end subroutine note_unrated

@@ -1,8 +1,8 @@
-!> Friction at the upper end of the 95 % interval of what a load case takes of it.
+!> Friction at the upper end of the 95 % interval, in the combination that matters for a load case.
 !>
-!> A calibration finds the friction of two hole sections from sums of both: one may be larger where the other is smaller. All of
-!> them at the upper ends of their own intervals would be less likely than 1 in 20. With correlations R and half widths h the
-!> interval of the sum g.f of frictions f is sqrt(g H R H g), H = diag(h), and f moves by H R H g over that.
+!> A calibration finds the friction of two hole sections from sums of both: one may be larger where the other is smaller. All
+!> of them at the upper ends of their own intervals would be less likely than 1 in 20. With correlations R, half widths h and H
+!> = diag(h), the interval of the sum g.f of frictions f is sqrt(g H R H g). There f changes by H R H g over that interval.
 module dg_upper_friction
    use dg_kinds, only: wp
    use dg_contact_friction, only: shift_friction
@@ -16,13 +16,13 @@ module dg_upper_friction
    private
    public :: raise_friction
 
-   !> Change of friction by which the soft string's loads are differenced [-].
+   !> Change of friction for the numerical derivative of the soft string's loads [-].
    real(wp), parameter :: change = 1.0e-3_wp
 
 contains
 
-   !> Sections of the hole with the friction that takes most of a load case. A study whose correlations are not known has all of
-   !> its sections at their own upper ends.
+   !> Hole sections with the friction that raises the loads of a case most. A study without known correlations has all of its
+   !> sections at their own upper ends.
    pure subroutine raise_friction(model, case_index, upper, holes)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -43,8 +43,8 @@ contains
       end do
    end subroutine raise_friction
 
-   !> Load at the top that a unit of each section's friction takes, by the soft string: hook load, or torque of a string that only
-   !> turns [N or N.m].
+   !> Derivative of the load at the top by each section's friction, by the soft string. The load is hook load, or torque of a
+   !> string that only turns [N or N.m].
    pure subroutine find_taken(model, case_index, estimate, taken)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -63,7 +63,7 @@ contains
 
    contains
 
-      !> Of a model.
+      !> Load at the top for a model [N or N.m].
       pure function load_of(any_model) result(at_top)
          type(model_type), intent(in) :: any_model
          real(wp) :: at_top
@@ -74,11 +74,11 @@ contains
       end function load_of
    end subroutine find_taken
 
-   !> Shifts of all sections that raise what they take together by its own half width. As they were where they take nothing.
+   !> Shifts of all sections that raise their sum of loads by its own half width. Unchanged if they have no load.
    pure subroutine move_together(estimate, taken, shifts)
       type(friction_estimate_type), intent(in) :: estimate
-      real(wp), intent(in) :: taken(:)          !< by a unit of friction
-      real(wp), intent(inout) :: shifts(:)      !< in: half widths [-]
+      real(wp), intent(in) :: taken(:)          !< load by a unit of friction [N or N.m]
+      real(wp), intent(inout) :: shifts(:)      !< on entry half widths [-]
       real(wp) :: moved(size(taken)), variance
       moved = shifts*matmul(estimate%correlation, shifts*taken)
       variance = dot_product(taken, moved)

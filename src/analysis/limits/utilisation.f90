@@ -1,11 +1,13 @@
-!> Utilisation of each strength of a string, load times design factor over strength, and the governing limit, which is used most.
+!> Utilisation of each strength of a string, load times design factor over strength, and the governing limit, which is used
+!> most.
 !>
-!> Tension is the effective one, as API rates pipe in mud. Where two components meet each has a row, and the connection is the
-!> weaker one's. Buckling is no strength and has margins of its own (dg_buckling_limits).
+!> Tension is the effective one, as API rates pipe in mud. Where two components meet each has a row, so that the weaker
+!> connection counts. Buckling is not a strength and has margins of its own (dg_buckling_limits).
 !>
-!> Ratings of premium connections cut off what the body bears. Against tension and compression stands the axial stress of the
-!> most loaded fibre, without the pressure that both sides have and with bending, as in Bourgoyne et al. (1986), Applied drilling
-!> engineering, eq. 7.14. Pressures stand against burst and collapse of the body, and the curvature of the pipe against its dogleg.
+!> Ratings of premium connections are below the strength of the body. Tension and compression are judged by the axial stress of
+!> the most loaded fibre. It is without the pressure that both sides have and with bending, as in Bourgoyne et al. (1986),
+!> Applied drilling engineering, eq. 7.14. Pressures are compared with burst and collapse of the body, and the curvature of the
+!> pipe with its dogleg.
 module dg_utilisation
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, body_bending
@@ -37,38 +39,38 @@ module dg_utilisation
    !> Ratings of premium connections.
    integer, parameter :: joint_ratings(5) = [limit_joint_tension, limit_joint_compression, limit_joint_burst, &
                                              limit_joint_collapse, limit_joint_dogleg]
-   !> Those that go by strengths of each component.
+   !> Limits by strengths of each component.
    integer, parameter :: part_limits(12) = [limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, &
                                             limit_burst, limit_collapse, joint_ratings]
    character(*), parameter :: limit_name(limit_count) = [character(17) :: 'von Mises', 'tension', 'torsion', 'joint torsion', &
       'make-up torque', 'burst', 'collapse', 'slips', 'rig', 'top drive', 'joint tension', 'joint compression', 'joint burst', &
       'joint collapse', 'joint dogleg']
-   !> Order in which limits that are used alike come first: what the pipe bears before its connections, von Mises last, because of
-   !> a pull alone it says what tension says.
+   !> Order of limits that are used alike. Limits of the pipe come before its connections, von Mises last. Under a pull alone
+   !> it equals tension.
    integer, parameter :: precedence(limit_count) = [limit_top_drive, limit_rig, limit_slips, limit_collapse, limit_burst, &
       limit_makeup, limit_joint_torsion, limit_torsion, limit_tension, joint_ratings, limit_von_mises]
 
    type :: utilisation_type
-      type(optional_real) :: used(limit_count)   !< most along the string [-]; absent where no strength is known
-      type(optional_real) :: md(limit_count)     !< where [m]
-      real(wp) :: load(limit_count) = 0.0_wp     !< that is compared with the strength there [N, N.m, Pa or 1/m]
+      type(optional_real) :: used(limit_count)   !< largest along the string [-]; absent without a known strength
+      type(optional_real) :: md(limit_count)     !< its depth [m]
+      real(wp) :: load(limit_count) = 0.0_wp     !< load that is compared with the strength there [N, N.m, Pa or 1/m]
       integer :: governing = 0                   !< the limit that is used most; 0: none known
    end type utilisation_type
 
-   !> By how much more a limit must be used to count as used more [-]: beyond round-off.
+   !> Least relative difference for a limit to count as used more than another [-]: beyond round-off.
    real(wp), parameter :: as_much = 1.0e-6_wp
-   !> The same of two depths [-].
+   !> Least relative difference of two uses of one limit at two depths [-].
    real(wp), parameter :: round_off = 1.0e-10_wp
 
 contains
 
-   !> All of them, from a result and its columns along the string.
+   !> Find all utilisations, from a result and its columns along the string.
    pure subroutine find_utilisation(model, result, along, factors, rig_limit, utilisation)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(design_factors_type), intent(in) :: factors
-      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, its block counted in [N]
+      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, with its block [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, depths(size(result%profile%md))
@@ -112,9 +114,9 @@ contains
       end do
    end subroutine find_utilisation
 
-   !> Adds what one component uses of strengths and ratings at a row of the profile.
+   !> Add the use of strengths and ratings of one component at a row of the profile.
    pure subroutine use_row(part, factors, profile, along, row, utilisation)
-      type(component_type), intent(in) :: part      !< with its strength at the temperature there
+      type(component_type), intent(in) :: part      !< with its strength at the local temperature
       type(design_factors_type), intent(in) :: factors
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
@@ -145,14 +147,14 @@ contains
       call use_limit(utilisation, limit_burst, factors%burst*max(inside - outside, 0.0_wp)/burst_strength(part), &
                      inside - outside, md)
       if (.not. collapses_as_steel(part)) return
-      ! True axial stress plus pressure inside: what mud of one pressure adds to either cancels.
+      ! True axial stress plus pressure inside: the effect of one mud pressure on both cancels.
       od = worn_od(part)
       stress = (axial - (outside - inside)*tube_area(od, 0.0_wp))/tube_area(od, part%id)
       call use_limit(utilisation, limit_collapse, factors%collapse*share_of(max(outside - inside, 0.0_wp), &
          collapse_strength(part, stress)), outside - inside, md)
    end subroutine use_component
 
-   !> Adds what one component uses of the ratings of its connections at a row of the profile.
+   !> Add the use of the ratings of one component's connections at a row of the profile.
    pure subroutine use_rating(part, factors, along, row, md, utilisation)
       type(component_type), intent(in) :: part
       type(design_factors_type), intent(in) :: factors
@@ -179,12 +181,12 @@ contains
       end associate
    end subroutine use_rating
 
-   !> Uses a rating, where there is one.
+   !> Add the use of a rating, if there is one.
    pure subroutine use_share(limit, rating, factor, load, strength, md, utilisation)
       integer, intent(in) :: limit
       real(wp), intent(in) :: rating     !< over `strength`, may be missing [-]
       real(wp), intent(in) :: factor     !< on the load [-]
-      real(wp), intent(in) :: load       !< below zero: none [Pa]
+      real(wp), intent(in) :: load       !< counts as zero if negative [Pa]
       real(wp), intent(in) :: strength   !< of the body [Pa]
       real(wp), intent(in) :: md         !< [m]
       type(utilisation_type), intent(inout) :: utilisation
@@ -210,8 +212,8 @@ contains
       end select
    end function has_rating
 
-   !> True if a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe needs strengths of
-   !> its joints, too. Only for the limits of components.
+   !> True if a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe also needs
+   !> strengths of its joints. Only for the limits of components.
    elemental function lacks_rating(part, limit) result(lacks)
       type(component_type), intent(in) :: part
       integer, intent(in) :: limit
@@ -220,15 +222,15 @@ contains
       if (any(limit == [limit_joint_torsion, limit_makeup, joint_ratings])) lacks = lacks .and. is_pipe(part)
    end function lacks_rating
 
-   !> Load over strength, where the strength may be gone.
+   !> Load over strength, where the strength may be zero [-].
    elemental function share_of(load, strength) result(share)
-      real(wp), intent(in) :: load, strength   !< >= 0
+      real(wp), intent(in) :: load, strength   !< in one unit, >= 0
       real(wp) :: share
       share = 0.0_wp
       if (load > 0.0_wp) share = load/max(strength, load*epsilon(1.0_wp))
    end function share_of
 
-   !> Keeps a use of a limit if it is more than any before: of many that are equal the uppermost.
+   !> Keep a use of a limit if it is more than any before. Among equal ones the uppermost is kept.
    pure subroutine use_limit(utilisation, limit, used, load, md)
       type(utilisation_type), intent(inout) :: utilisation
       integer, intent(in) :: limit

@@ -15,11 +15,13 @@ module dg_verdict
    !> Names in files, in the order of the numbers above.
    character(*), parameter :: answer_name(0:2) = [character(7) :: 'unknown', 'no', 'yes']
 
-   !> Limits beside those of dg_utilisation. String weight: the part of the buoyed weight that friction and weight on bit take.
-   !> Lock-up: the weight on bit over the largest that comes to the bit without a push at surface. Fatigue: the part of its life
-   !> that the hours of the case take of the pipe, of its body or its connections. Yield under WOB: the weight on bit over the one
-   !> at which compressed pipe yields with the bending of coils, which the soft string has not in its stresses. The deck
-   !> has no key for the travel of the seals in a packer and the force on it: they are never checked.
+   !> Limits besides those of dg_utilisation:
+   !> - string weight: the part of the buoyed weight that friction and weight on bit take
+   !> - lock-up: weight on bit over the largest that comes to the bit without a push at surface
+   !> - fatigue: the part of the life of bodies or connections that the hours of the case use
+   !> - yield under WOB: weight on bit over the one at which compressed pipe yields. It includes the bending of helical
+   !>   buckling, which the stresses of the soft string lack.
+   !> - travel of the seals in a packer and force on it: never checked, as the deck has no key for them
    integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3, &
                          limit_joint_fatigue = limit_count + 4, limit_wob_yield = limit_count + 5, &
                          limit_seal_travel = limit_count + 6, limit_packer_force = limit_count + 7
@@ -27,47 +29,47 @@ module dg_verdict
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(15) :: 'string weight', 'lock-up', &
       'fatigue', 'joint fatigue', 'yield under WOB', 'seal travel', 'packer force']
 
-   !> Friction that an answer goes by: of the deck; of a calibration without a 95 % interval; of one with it, and the answer holds
-   !> at its upper end; or is no at its upper end alone.
+   !> Friction of an answer: of the deck; of a calibration without a 95 % interval; of a calibration at whose upper end the
+   !> answer holds. The last value: the answer is no only at the upper end.
    integer, parameter :: friction_given = 0, friction_calibrated = 1, friction_upper_end = 2, friction_upper_end_alone = 3
 
    type :: verdict_type
       integer :: answer = answer_unknown
-      integer :: limit = 0                          !< the one that decides; for yes the one used most; 0: none known
-      type(optional_real) :: used                   !< how much of it [-]
-      type(optional_real) :: md                     !< where [m]; absent for the whole string
-      type(optional_real) :: load, allowed          !< load there and what is allowed [N, N.m, Pa or s]
-      logical :: not_checked(every_limit_count) = .false.   !< limits that count here and have no rating
+      integer :: limit = 0                          !< limit that decides; for yes the one used most; 0: none known
+      type(optional_real) :: used                   !< part of it that is used [-]
+      type(optional_real) :: md                     !< depth [m]; absent for the whole string
+      type(optional_real) :: load, allowed          !< load there and allowed load [N, N.m, Pa or s]
+      logical :: not_checked(every_limit_count) = .false.   !< limits that apply here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
       logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
-      integer :: friction = friction_given          !< what the answer goes by
-      real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that is more than is left; else 0 [-]
+      integer :: friction = friction_given          !< friction of the answer
+      real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that exceeds what is left; else 0 [-]
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
-      logical :: pressure_pushes = .false.          !< pressure of the annulus takes string weight, too
-      logical :: packer_pushes = .false.            !< so do pressures at a packer
-      logical :: buckled_by_formula = .false.       !< beyond the published load; else found
+      logical :: pressure_pushes = .false.          !< pressure of the annulus also takes string weight
+      logical :: packer_pushes = .false.            !< pressures at a packer also take it
+      logical :: buckled_by_formula = .false.       !< above the published load; else by beams
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
-      type(optional_real) :: reach                  !< no, going down: depth to which the string comes by its weight; 0: none [m]
-      integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is passed, too
-      real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and what is allowed [N, N.m, Pa or s]
-      logical :: weight_alone = .false.             !< no by lock-up without a solution: limits other than pressure are not known
+      type(optional_real) :: reach                  !< no, going down: depth that the string reaches by its weight, 0: none [m]
+      integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is also passed
+      real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
+      logical :: weight_alone = .false.             !< no by lock-up without a solution: only limits by pressure are known
       logical :: pressures_judged = .false.         !< burst or collapse of such a string has been judged
       type(optional_real) :: most_pull              !< no, pulling: largest overpull with which no limit is passed [N]
       integer :: pull_limit = 0                     !< limit that is passed with more
-      integer :: limit_without_load = 0             !< no: limit that is passed without weight on bit or overpull, too; 0: none
-      real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, but for lock-up [N, N.m or Pa]
-      !> Hook load and torque at surface if the string were turned, where that would help [N, N.m].
+      integer :: limit_without_load = 0             !< no: limit that is also passed without weight on bit or overpull; 0: none
+      real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, except for lock-up [N, N.m or Pa]
+      !> Hook load and torque at surface if the string were turned, if that would help [N, N.m].
       type(optional_real) :: turning_hookload, turning_torque
    end type verdict_type
 
 contains
 
-   !> Notes a yes whose limit is nearer than the error of contact force that a warning names: of moments, and of drag unless the
-   !> string is helically buckled.
+   !> Mark a yes as uncertain if its limit is nearer than the error of contact force in a warning. That error is one of
+   !> moments, and of drag unless the string is helically buckled.
    elemental subroutine note_uncertain(error, von_mises_used, coiled, verdict)
-      real(wp), intent(in) :: error            !< [-]; 0: none is named
+      real(wp), intent(in) :: error            !< [-]; 0: no warning
       real(wp), intent(in) :: von_mises_used   !< [-]; 0: not known
       logical, intent(in) :: coiled            !< the string is helically buckled
       type(verdict_type), intent(inout) :: verdict
@@ -80,7 +82,7 @@ contains
          verdict%uncertain = error
    end subroutine note_uncertain
 
-   !> Name of a limit in texts, blanks behind it; blank for 0.
+   !> Name of a limit in texts, with trailing blanks; blank for 0.
    pure function limit_title(limit) result(name)
       integer, intent(in) :: limit
       character(len(limit_name)) :: name
@@ -92,7 +94,7 @@ contains
       end if
    end function limit_title
 
-   !> Name of a limit in files: lower case, '_' in place of blanks inside, blanks behind it.
+   !> Name of a limit in files: lower case, '_' in place of blanks and hyphens, with trailing blanks.
    pure function limit_code(limit) result(code)
       integer, intent(in) :: limit
       character(len(limit_name)) :: code

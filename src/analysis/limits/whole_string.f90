@@ -33,68 +33,66 @@ module dg_whole_string
       real(wp) :: windup = 0.0_wp                   !< turn of the top against the bit [rad]
       real(wp), allocatable :: neutral_points(:)    !< depths where the effective axial force changes sign [m]
       type(optional_real) :: least_safety           !< least safety factor [-]
-      type(optional_real) :: least_safety_md        !< where [m]
+      type(optional_real) :: least_safety_md        !< its depth [m]
       type(optional_real) :: least_envelope_margin  !< of the tension-torque envelope [-]
-      type(optional_real) :: overpull_margin        !< pull that may be added before anything yields, bending included [N]
+      type(optional_real) :: overpull_margin        !< pull that may be added until yield anywhere, bending included [N]
       type(optional_real) :: buckling_margin        !< least, < 0 where the string is buckled [N]
-      type(optional_real) :: buckling_margin_md     !< where [m]
+      type(optional_real) :: buckling_margin_md     !< its depth [m]
       integer :: buckling = buckling_none           !< worst state along the string
-      real(wp) :: sinusoidal_length = 0.0_wp        !< of string beyond the sinusoidal, not the helical limit [m]
-      real(wp) :: helical_length = 0.0_wp           !< of string beyond the helical limit [m]
+      real(wp) :: sinusoidal_length = 0.0_wp        !< above the sinusoidal, below the helical limit [m]
+      real(wp) :: helical_length = 0.0_wp           !< above the helical limit [m]
       real(wp) :: bending = 0.0_wp                  !< largest moment [N.m]
-      real(wp) :: bending_md = 0.0_wp               !< where [m]
-      type(optional_real) :: bending_error          !< how far moments may be off, over the largest one [-]
+      real(wp) :: bending_md = 0.0_wp               !< its depth [m]
+      type(optional_real) :: bending_error          !< error of moments, over the largest one [-]
       type(optional_real) :: contact_difference     !< of two analyses in the part where they differ most [-]
       real(wp) :: von_mises = 0.0_wp                !< largest stress [Pa]
-      type(optional_real) :: von_mises_error        !< how far that stress may be off by bending_error, over it [-]
-      real(wp) :: side_force = 0.0_wp               !< largest mean on the length of a joint of pipe [N/m]
-      real(wp) :: side_force_md = 0.0_wp            !< where [m]
+      type(optional_real) :: von_mises_error        !< error of that stress by bending_error, over it [-]
+      real(wp) :: side_force = 0.0_wp               !< largest mean over the length of a joint of pipe [N/m]
+      real(wp) :: side_force_md = 0.0_wp            !< its depth [m]
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
-      type(optional_real) :: wob_no_hookload        !< weight on bit that leaves no hook load [N]
-      type(optional_real) :: wob_lockup             !< the same with the friction of a coiled string [N]
+      type(optional_real) :: wob_no_hookload        !< weight on bit at zero hook load [N]
+      type(optional_real) :: wob_lockup             !< the same with the friction of helical buckling [N]
       type(optional_real) :: wob_yield              !< at which a compressed part yields, if less than wob_lockup [N]
-      integer :: shape = buckling_none              !< what the string was found to do, gap elements only
-      real(wp) :: snaking_length = 0.0_wp           !< of string found to snake [m]
-      real(wp) :: coiled_length = 0.0_wp            !< of string found to coil [m]
+      integer :: shape = buckling_none              !< worst state by beams, gap elements only
+      real(wp) :: snaking_length = 0.0_wp           !< length in sinusoidal buckling by beams [m]
+      real(wp) :: coiled_length = 0.0_wp            !< length in helical buckling by beams [m]
       real(wp) :: coil_turns = 0.0_wp               !< turns of the coils [-]
       type(optional_real) :: stability_margin       !< as the result has it [-]
       type(optional_real) :: bit_side_force         !< of the bit on the formation, gap elements with the bit held only [N]
-      type(optional_real) :: bit_side_clock         !< where to [rad]
+      type(optional_real) :: bit_side_clock         !< its direction [rad]
       type(optional_real) :: bit_tilt               !< angle between bit and hole, gap elements only [rad]
-      type(optional_real) :: bit_tilt_clock         !< where it points [rad]
+      type(optional_real) :: bit_tilt_clock         !< its direction [rad]
       type(optional_real) :: sag_correction         !< to be added to the inclination that the survey sensor reads [rad]
       type(optional_real) :: sensor_md              !< where the sensor is [m]
       type(length_change_type) :: length_change     !< of the string, in its parts [m]
-      type(optional_real) :: packer_force           !< of the string on its packer beside pressures, down > 0 [N]
-      type(groove_type) :: groove                   !< in casing that the string wears most
-      type(fatigue_type) :: fatigue                 !< of the body that is tired most
-      type(fatigue_type) :: joint_fatigue           !< of the connection that is tired most
-      type(optional_real) :: yield_left             !< least along the string, where it is warm, over that of the deck [-]
-      type(optional_real) :: yield_left_md          !< where [m]
+      type(optional_real) :: packer_force           !< of the string on its packer without pressures, down > 0 [N]
+      type(groove_type) :: groove                   !< groove in casing with the least wall left
+      type(fatigue_type) :: fatigue                 !< of the body with the most fatigue
+      type(fatigue_type) :: joint_fatigue           !< of the connection with the most fatigue
+      type(optional_real) :: yield_left             !< least along the string, if it is warm, over that of the deck [-]
+      type(optional_real) :: yield_left_md          !< its depth [m]
       type(optional_real) :: rig_limit              !< load that the rig may carry [N]
-      type(optional_real) :: rig_margin             !< rig_limit - hook load - weight of the block [N]
+      type(optional_real) :: rig_margin             !< rig_limit - hook load - block weight [N]
       type(optional_real) :: makeup_margin          !< least make-up torque - torque [N.m]
-      type(optional_real) :: makeup_margin_md       !< where [m]
+      type(optional_real) :: makeup_margin_md       !< its depth [m]
       type(optional_real) :: least_standoff         !< of the body, gap elements only [-]
-      type(optional_real) :: least_standoff_md      !< where [m]
-      type(utilisation_type) :: utilisation         !< of strengths, put here by find_utilisation
-      type(verdict_type) :: verdict                 !< can it be done; put here by find_verdict
+      type(optional_real) :: least_standoff_md      !< its depth [m]
+      type(utilisation_type) :: utilisation         !< of strengths, set by find_utilisation
+      type(verdict_type) :: verdict                 !< set by find_verdict
    end type whole_string_type
 
-   !> Axial force under which a part of the string counts as without force, over the largest in it [-]: a neutral point is
-   !> no change of sign by round-off at a bit that carries nothing.
+   !> Axial force that counts as zero, over the largest in the string [-]. Round-off at an unloaded bit makes no neutral point.
    real(wp), parameter :: no_force = 1.0e-9_wp
-   !> To what part of the bracket a weight on bit is searched [-].
+   !> Accuracy of a weight on bit over the bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
-   !> Margin of a string that nothing can make yield [N].
+   !> Margin of a string that nothing makes yield [N].
    real(wp), parameter :: endless = 1.0e15_wp
 
 contains
 
-   !> All of it, from a result and its columns along the string.
-   !> The weights on bit are those of a soft string with the friction of this case, whatever the model of the
-   !> result: a search with beams would cost a hundred solutions. The first two leave out what a buckled string adds to
-   !> the contact force; the third has it. Absent for operations that pull.
+   !> Find all of it, from a result and its columns along the string. Weights on bit are those of a soft string with the
+   !> friction of this case, whatever the model. With beams they would cost a hundred solutions. The first two neglect the
+   !> contact force by buckling. They are absent for operations that pull.
    pure subroutine find_whole_string(model, result, along, rig_limit, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -161,7 +159,7 @@ contains
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
 
-   !> Part of the string between two rows whose compression is beyond a limit, by a straight line [-]; none without a limit.
+   !> Part of the string between two rows with compression above a limit, by a straight line [-]; 0 without a limit.
    pure function share_beyond(limit, axial) result(share)
       real(wp), intent(in) :: limit(2)   !< compression, may be missing [N]
       real(wp), intent(in) :: axial(2)   !< tension > 0 [N]
@@ -173,16 +171,16 @@ contains
       share = maxval(beyond)/(maxval(beyond) - min(minval(beyond), 0.0_wp))
    end function share_beyond
 
-   !> A number that may be missing as one that may be absent.
+   !> Convert a number that may be missing to one that may be absent.
    elemental subroutine take(number, optional)
       real(wp), intent(in) :: number
       type(optional_real), intent(out) :: optional
       if (.not. is_missing(number)) optional = given(number)
    end subroutine take
 
-   !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressures,
-   !> -(1 - 2 nu) p/E with p = (p_o A_o - p_i A_i)/A (Hooke's law with axial, hoop and radial stress; T the effective force), the
-   !> pressure itself where it is one on all sides. Trapezoids between rows; no component ends between two rows.
+   !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressures, -(1 - 2 nu) p/E. By Hooke's law
+   !> with axial, hoop and radial stress p = (p_o A_o - p_i A_i)/A, where T is the effective force. A pressure on all sides has
+   !> p equal to it. Trapezoids between rows; no component ends between two rows.
    pure subroutine add_deformation(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -209,7 +207,7 @@ contains
       end associate
    end subroutine add_deformation
 
-   !> Depths [m] at which a force changes its sign, from the top down; between rows by a straight line.
+   !> Depths [m] at which a force changes its sign, from the top down, linear between rows.
    pure function neutral_points_of(md, force) result(points)
       real(wp), intent(in) :: md(:)      !< [m]
       real(wp), intent(in) :: force(:)   !< [N]
@@ -229,7 +227,7 @@ contains
       end do
    end function neutral_points_of
 
-   !> Least of numbers that may be missing, and its depth.
+   !> Least of numbers that may be missing, and its depth [m].
    pure subroutine least_of(numbers, md, least, least_md)
       real(wp), intent(in) :: numbers(:)
       real(wp), intent(in) :: md(:)
@@ -242,7 +240,7 @@ contains
       if (present(least_md)) least_md = given(md(i))
    end subroutine least_of
 
-   !> Add the buckled shape that was found with beams.
+   !> Add the buckled shape by beams.
    pure subroutine add_shape(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -270,8 +268,8 @@ contains
       end associate
    end subroutine add_shape
 
-   !> Hook load against the rig, torque against the make-up torque of the connections. Where two components meet each has a row,
-   !> so that the weaker connection counts.
+   !> Hook load against the rig, and torque against make-up torque. Where two components meet each has a row, so that the
+   !> weaker connection counts.
    pure subroutine add_margins(model, result, rig_limit, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -297,8 +295,8 @@ contains
       end do
    end subroutine add_margins
 
-   !> Weights on bit at which the string begins to buckle, and at which nothing hangs from the hook: roots, because more weight on
-   !> bit lowers the axial force everywhere.
+   !> Weights on bit at which the string begins to buckle, and at zero hook load. They are roots, as more weight on bit lowers
+   !> the axial force everywhere.
    pure subroutine add_weights_on_bit(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -313,7 +311,7 @@ contains
       if (lowest > 0) then
          high = along%onset(lowest)
          at_high = least_margin(model, k, result%profile%md, along%onset, high)
-         do while (at_high > 0.0_wp)     ! what is compressed there is the weight on bit less the weight below
+         do while (at_high > 0.0_wp)     ! the compression there is the weight on bit less the weight below
             high = 2.0_wp*high
             at_high = least_margin(model, k, result%profile%md, along%onset, high)
          end do
@@ -347,10 +345,9 @@ contains
       whole%wob_yield = given(bracket%high)
    end subroutine add_weights_on_bit
 
-   !> Compression that may be added before a compressed part yields under a weight on bit [N], < 0 where one does; no end of it
-   !> where none is compressed. Its moment is the one that was found, where a string beyond its helical limit coils with c F/2 more
-   !> (Lubinski, Althouse & Logan 1962); where it was found buckled already, EI times the hole's curvature takes the place of what
-   !> was found.
+   !> Compression that may be added before a compressed part yields under a weight on bit [N]. It is < 0 if one yields, and
+   !> `endless` if none is compressed. The moment is that of the result, or EI times the hole's curvature where the result is
+   !> beyond a buckling limit. Above its helical limit c F/2 is added (Lubinski, Althouse & Logan 1962).
    pure function margin_to_yield(model, result, along, wob) result(margin)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result

@@ -1,11 +1,10 @@
-!> The mixed model with finite elements at the bit: beams with contact gap elements from the bit to well above the bottom-hole
-!> assembly, the string on the axis from there to surface, matched where they join.
+!> The mixed model with finite elements at the bit. Beams with contact gap elements reach from the bit to well above the
+!> bottom-hole assembly. The string is on the axis from there to surface.
 !>
-!> At the join axial force and torque are handed over: friction below follows from the contact of the beams, friction above from the
-!> force handed over, and neither knows of the other by anything else, so that no iteration is needed. What the assembly adds to
-!> shear force and moment has died out, because the join lies `reach` above it, several tangency lengths of drill pipe. The
-!> beams end there free of moment; in a bend the last of them straightens over a bending length, which takes E I/(2 R^2), some
-!> tens of newtons, off the axial force.
+!> At the join only axial force and torque are passed on. Friction below follows from the contact of the beams, friction above
+!> from the force at the join, so that no iteration is needed. The join is `reach` above the assembly, several tangency lengths
+!> of drill pipe. There the assembly's shear force and moment have died out. The beams end there free of moment. In a bend the
+!> last of them straightens over a bending length. That reduces the axial force by E I/(2 R^2), some tens of newtons.
 module dg_assembly_elements
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged
@@ -28,14 +27,13 @@ module dg_assembly_elements
    private
    public :: solve_with_elements, join_depth, matters
 
-   !> Pipe above the assembly that is beams too [m]. Tangency lengths of drill pipe are 10 to 20 m.
+   !> Length of pipe above the assembly that is also beams [m]. Tangency lengths of drill pipe are 10 to 20 m.
    real(wp), parameter :: reach = 100.0_wp
-   !> Side load under which the string hangs free at the join [N/m]: nothing would hold its end, which is put on the axis then.
+   !> Side load below which the string hangs free at the join [N/m]. No load would hold its end, which is then put on the axis.
    real(wp), parameter :: least_side_load = 1.0_wp
-   !> Change of curvature that counts as sharp [1/m]: 15 deg in 30 m, where Payne & Abbassian (1997) see
-   !> stiff and soft strings part.
+   !> Least sharp change of curvature [1/m]: 15 deg in 30 m, where stiff and soft strings differ by Payne & Abbassian (1997).
    real(wp), parameter :: sharp_turn = 15.0_wp*degree/30.0_wp
-   !> Stiffness over that of the uppermost component above which a component is of the assembly [-]: round-off.
+   !> Least stiffness of a component of the assembly over that of the uppermost component [-]: beyond round-off.
    real(wp), parameter :: stiffer = 1.0_wp + 1.0e-6_wp
 
 contains
@@ -48,8 +46,8 @@ contains
       yes = change%forced .or. change%stiffness > stiffer*pipe .or. norm2(change%curvature) > sharp_turn
    end function matters
 
-   !> Depth of the join [m]: `reach` above the highest of the components next to the bit that are stiffer than the uppermost one.
-   !> The first station, for all beams, where little more than `reach` of pipe would be left.
+   !> Depth of the join [m]: `reach` above the highest of the components next to the bit that are stiffer than the uppermost
+   !> one. If little more than `reach` of pipe would be left, it is the first station, so that all are beams.
    pure function join_depth(model, case_index) result(md)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -71,7 +69,7 @@ contains
       end associate
    end function join_depth
 
-   !> Solves a load case that has passed check_string_case. Statuses are those of the beams.
+   !> Solve a load case that has passed check_string_case. Statuses are those of the beams.
    subroutine solve_with_elements(model, case_index, result, error, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -102,7 +100,7 @@ contains
       call curvature_changes(part, case_index, changes)
       call solve_at_changes(part, case_index, pack(changes, matters(changes, uppermost(part, case_index))), above)
       result%status = above%status
-      result%shortening = missing      ! that of the lower part alone
+      result%shortening = missing      ! the shortening of the lower part alone is known
       call add_sentence(result%message, above%message)
       result%hookload = above%hookload
       result%torque = above%torque
@@ -112,7 +110,7 @@ contains
       result%states = result%states + above%states
       beams = result%profile
       call join_profiles(above%profile, beams, result%profile)
-      call part_rows(model, case_index, result%profile)     ! the join may be where something changes
+      call part_rows(model, case_index, result%profile)     ! there may be a change at the join
    end subroutine solve_with_elements
 
    !> Bending stiffness of the uppermost component [N.m2].
@@ -125,7 +123,7 @@ contains
       end associate
    end function uppermost
 
-   !> Takes what lies below a depth [m] off the string of a load case.
+   !> Remove all below a depth [m] from the string of a load case.
    pure subroutine keep_upper_string(model, case_index, md, upper)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -154,7 +152,7 @@ contains
       end do
    end subroutine keep_upper_string
 
-   !> Rows of both; the join has one, that of the beams.
+   !> Join the rows of both. The join has one row, that of the beams.
    pure subroutine join_profiles(upper, lower, whole)
       type(profile_type), intent(in) :: upper, lower
       type(profile_type), intent(out) :: whole

@@ -2,15 +2,14 @@
 !> other model's.
 !>
 !> The string is stiff around a change of curvature (dg_curvature_change)
-!>   - where the string is stiffer than its uppermost component (the bottom-hole assembly), or
-!>   - where the wall forces the bend, E I |dk| > 2 |T| c, or
-!>   - where the curvature changes by more than 15 deg/30 m;
-!> the soft string holds between. Each stiff part reaches 20 bending lengths to both sides of its change, where
-!> moment and shear of the bend have died out to 2e-9: at the joins axial force and torque are handed over, and
-!> nothing else is left to match. Valid where the rigid model is.
+!> - where the string is stiffer than its uppermost component (the bottom-hole assembly), or
+!> - where the wall forces the bend, E I |dk| > 2 |T| c, or
+!> - where the curvature changes by more than 15 deg/30 m.
+!> Elsewhere it is soft. Each stiff part reaches 20 bending lengths to both sides of its change. Moment and shear of the bend
+!> have died out to 2e-9 there, so that only axial force and torque are passed on at the joins. Valid where the rigid model is.
 !>
-!> Asked for (`mixed_parts = 'elements'`), the string next to the bit is finite elements instead (dg_assembly_elements):
-!> stabilizers, clearances and the bit's side force count there, which no string on the axis knows of.
+!> With `mixed_parts = 'elements'`, the string next to the bit is finite elements instead (dg_assembly_elements). They include
+!> stabilizers, clearances and the bit's side force, which strings on the axis neglect.
 module dg_mixed_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -32,7 +31,7 @@ module dg_mixed_string
 
 contains
 
-   !> Solves a load case with the mixed string. Statuses and refusals are those of the soft string.
+   !> Solve a load case with the mixed string. Statuses and refusals are those of the soft string.
    subroutine solve_mixed_string(model, case_index, result, error, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
