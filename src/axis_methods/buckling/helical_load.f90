@@ -1,5 +1,5 @@
-!> From which compression on a string coils, and how hard it presses its hole then: what starts of the beams and the lock-up of the
-!> soft string go by.
+!> Compression at which a string buckles helically, and its contact force then. Starts of the beams and the lock-up of the soft
+!> string use them.
 module dg_helical_load
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
@@ -9,10 +9,10 @@ module dg_helical_load
 
 contains
 
-   !> Axial compression [N] beyond which a string under a known side load n per metre is taken to coil: the lower helical limit of
-   !> dg_buckling_limits, 2 sqrt(2 EI n/c), and in a vertical hole, where n is nothing, twice Lubinski's (1950) first-order load
-   !> 1.94 (EI w^2)^(1/3), at which the pipe lies on the wall all around: earlier than the published helical limit there, so
-   !> that a start of the beams and a lock-up are not late.
+   !> Axial compression [N] above which a string under a known side load n per metre counts as helically buckled. It is the
+   !> lower helical limit of dg_buckling_limits, 2 sqrt(2 EI n/c). In a vertical hole, where n = 0, it is twice Lubinski's
+   !> (1950) first-order load 1.94 (EI w^2)^(1/3). There the pipe touches the wall all around, earlier than at the published
+   !> helical limit. A start of the beams and a lock-up are therefore not late.
    elemental function helical_load(ei, side_load, weight, clearance) result(load)
       real(wp), intent(in) :: ei         !< [N.m2]
       real(wp), intent(in) :: side_load  !< [N/m]
@@ -22,16 +22,16 @@ contains
       load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), least_helical_load(ei, weight))
    end function helical_load
 
-   !> The same of a string that nothing presses.
+   !> The same load for a string without side load [N].
    elemental function least_helical_load(ei, weight) result(load)
       real(wp), intent(in) :: ei, weight   !< [N.m2, N/m]
       real(wp) :: load
-      !> Of one without weight; loads are divided by it [N].
+      !> Load of a string without weight, as loads are divided by it [N].
       real(wp), parameter :: next_to_none = 1.0e-6_wp
       load = max(2.0_wp*lubinski_first*vertical_unit(ei, weight), next_to_none)
    end function least_helical_load
 
-   !> Contact force per metre c F^2/(4 EI) of a coiled string [N/m].
+   !> Contact force per metre c F^2/(4 EI) of a helically buckled string [N/m].
    elemental function helical_contact(ei, compression, clearance) result(force)
       real(wp), intent(in) :: ei, compression, clearance   !< [N.m2, N, m]
       real(wp) :: force
@@ -45,10 +45,10 @@ contains
       curvature = clearance*max(compression, 0.0_wp)/(2.0_wp*ei)
    end function helical_bend
 
-   !> Compression that winds a coil without torque as tightly as `compression` winds one under torque [N]: 2 EI b^2, with b the
-   !> angle per metre of the coil of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that is turned to the
-   !> right winds to the left, down the hole; wound to the right it would have -M. At given b such a coil presses its hole with
-   !> c b^2 (F + M b - EI b^2) per metre.
+   !> Compression that winds a helix without torque as tightly as `compression` winds one under torque [N]. It is 2 EI b^2,
+   !> with b the angle per metre of the helix of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that
+   !> is turned to the right winds to the left, down the hole. Wound to the right it would have -M. At given b the contact
+   !> force of such a helix is c b^2 (F + M b - EI b^2) per metre.
    elemental function wound_compression(ei, compression, torque) result(force)
       real(wp), intent(in) :: ei            !< bending stiffness [N.m2]
       real(wp), intent(in) :: compression   !< F, > 0 [N]

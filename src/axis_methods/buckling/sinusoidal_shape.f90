@@ -1,26 +1,27 @@
-!> A long string in sinusoidal buckling about the low side of its hole, past the sinusoidal limit F_s and short of the helical one.
+!> A long string in sinusoidal buckling about the low side of its hole, above the sinusoidal limit F_s and below the helical
+!> one.
 !>
-!> Its angle off the low side is taken for theta = A sin(k x), x in units of (EI c/n)^(1/4) with n what presses the string on the
-!> wall per length. With b = F/F_s the energy per length, in units of n c,
+!> Its angle from the low side is taken as theta = A sin(k x). The unit of x is (EI c/n)^(1/4), with n the side load per
+!> length. With b = F/F_s the energy per length, in units of n c,
 !>   E = <(theta''^2 + theta'^4)/2 - b theta'^2 + 1 - cos(theta)>,
-!> is least in k and A where k^4 = 2 J_1(A)/A and b = k^2 (1 + 3 A^2/4). The wall then presses with the mean of
+!> is least in k and A where k^4 = 2 J_1(A)/A and b = k^2 (1 + 3 A^2/4). The contact force is then the mean of
 !>   N/n = cos(theta) + 2 b theta'^2 - theta'^4 + 3 theta''^2 + 4 theta' theta'''
-!> which for a helix is the c F^2/(4 EI) of Mitchell (1988).
+!> For a helix it is the c F^2/(4 EI) of Mitchell (1988).
 module dg_sinusoidal_shape
    use dg_kinds, only: wp
    implicit none
    private
    public :: sinusoidal_swing, sinusoidal_wave, sinusoidal_contact
 
-   !> b - 1 = first A^2 - second A^4 but for terms in A^6.
+   !> Coefficients of b - 1 = first A^2 - second A^4, without terms in A^6.
    real(wp), parameter :: first = 11.0_wp/16.0_wp, second = 3.0_wp/64.0_wp
-   !> Of A^2 in b and in the contact force.
+   !> Coefficient of A^2 in b and in the contact force.
    real(wp), parameter :: steep = 0.75_wp
 
 contains
 
-   !> Swing A to either side [rad] by b, 0 up to b = 1. Mitchell's (1997) fit to his solutions has 5 % more at b = 1.05 and 7 % less
-   !> at 1.4.
+   !> Swing A to either side [rad] as a function of b, 0 up to b = 1. Mitchell's (1997) fit to his solutions is 5 % larger at b
+   !> = 1.05 and 7 % smaller at 1.4.
    elemental function sinusoidal_swing(b) result(swing)
       real(wp), intent(in) :: b    !< compression over the sinusoidal limit [-]
       real(wp) :: swing

@@ -1,17 +1,17 @@
-!> Places where the bending moment of a string that follows the hole would jump, and the length over which a
-!> real string makes the change.
+!> Places where the bending moment of a string that follows the hole would jump, and the length of the transition in a real
+!> string.
 !>
-!> Minimum curvature gives every arc its own constant curvature, so that E I k jumps at stations (and where the
-!> component changes in a bend). A jump of moment would take a couple of infinite forces. A string in a hole with
-!> clearance bends gradually instead. Its moment is taken as the hole's with each jump d spread by
-!>     (d/2) exp(-|x|/l) before it,  -(d/2) exp(-|x|/l) behind it:
-!> the shape that a tensioned beam takes under a load that jumps, for which l = sqrt(E I/|T|), the bending
-!> length. It shifts the string across the hole by l^2 |dk|, from one side of the change to the other. From wall to wall there is
-!> room for twice the clearance c, therefore
+!> Minimum curvature gives every arc its own constant curvature. E I k therefore jumps at stations (and where the component
+!> changes in a bend). A jump of moment would need a couple of infinite forces. A string in a hole with clearance bends
+!> gradually instead. Its moment is taken as the hole's with each jump d spread by
+!>     e(x) = (d/2) exp(-|x|/l) before it, and e(x) = -(d/2) exp(-|x|/l) behind it.
+!> This is the shape of a tensioned beam under a load that jumps, for which l = sqrt(E I/|T|), the bending length. It shifts
+!> the string across the hole by l^2 |dk|, from one side of the change to the other. From wall to wall there is room for twice
+!> the clearance c, therefore
 !>     l = min(sqrt(E I/|T|), sqrt(2 c/|dk|)).
-!> Where the first is the smaller, E I |dk| <= 2 |T| c, tension bends the string as it likes and stiffness adds
-!> nothing to the contact force of a soft string; where the second is, the wall forces the bend by a pair of
-!> contact forces of |d|/(2 l) each.
+!> If the first is smaller, E I |dk| <= 2 |T| c. Tension then bends the string freely, and stiffness does not add to the
+!> contact force of a soft string. If the second is smaller, the wall forces the bend by a pair of contact forces of |d|/(2 l)
+!> each.
 module dg_curvature_change
    use dg_kinds, only: wp
    use dg_model, only: model_type
@@ -23,31 +23,30 @@ module dg_curvature_change
 
    type :: change_type
       real(wp) :: md = 0.0_wp                !< [m]
-      real(wp) :: moment(3) = 0.0_wp         !< of E I k, below less above [N.m]
-      real(wp) :: curvature(3) = 0.0_wp      !< of k, below less above [1/m]
+      real(wp) :: moment(3) = 0.0_wp         !< jump of E I k, below less above [N.m]
+      real(wp) :: curvature(3) = 0.0_wp      !< jump of k, below less above [1/m]
       real(wp) :: length = 0.0_wp            !< l of the description above [m]
       real(wp) :: stiffness = 0.0_wp         !< the greater E I of both sides [N.m2]
       logical :: forced = .false.            !< by the wall: l is that of the clearance
-      !> Of the first of a block: none of it is felt above the one depth or below the other [m] (find_extents).
+      !> For the first of a block: depths above and below which the whole block has no effect [m] (find_extents).
       real(wp) :: highest = -huge(1.0_wp), deepest = huge(1.0_wp)
    end type change_type
 
-   !> Lengths l beyond which a change is forgotten [-]: exp(-20) is 2e-9.
+   !> Number of lengths l beyond which a change has no effect [-]: exp(-20) is 2e-9.
    real(wp), parameter :: reach = 20.0_wp
-   !> Changes that are passed over together where none of them is felt.
+   !> Number of changes that are skipped together if none has an effect.
    integer, parameter :: block = 64
-   !> Distance from a depth at which the pieces on its two sides are looked up [m]: twice what `breakpoints`
-   !> takes for one depth.
+   !> Distance from a depth at which the pieces on its two sides are read [m]: twice the distance within which `breakpoints`
+   !> joins depths.
    real(wp), parameter :: beside = 2.0e-6_wp
-   !> Jump of moment that is none [N.m]: round-off of a bend of 1e7 N.m2 cut into arcs.
+   !> Jump of moment that counts as zero [N.m]: round-off of a bend of 1e7 N.m2 cut into arcs.
    real(wp), parameter :: least_moment = 1.0e-6_wp
-   !> No string bends over less than its diameter: beams end there.
+   !> Least length of a bend over the diameter [-]: below it beam theory is not valid.
    real(wp), parameter :: least_diameters = 1.0_wp
 
 contains
 
-   !> All changes along the string of a load case, from the top down; bending lengths with the tension of the
-   !> soft string.
+   !> Find all changes along the string of a load case, from the top down. Bending lengths use the tension of the soft string.
    pure subroutine curvature_changes(model, case_index, changes)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -91,10 +90,10 @@ contains
       changes = found(:n)
    end subroutine curvature_changes
 
-   !> Notes where the changes of each block are felt. The few that are long spoil no more than their block.
+   !> Set the extent of the changes of each block. A few long ones only affect their own block.
    pure subroutine find_extents(changes)
       type(change_type), intent(inout) :: changes(:)
-      real(wp), parameter :: felt = reach + 1.0_wp     ! one length more than any change is felt, for round-off
+      real(wp), parameter :: felt = reach + 1.0_wp     ! one length more than any change has an effect, for round-off
       integer :: first, last
       do first = 1, size(changes), block
          last = min(first + block - 1, size(changes))
@@ -103,7 +102,7 @@ contains
       end do
    end subroutine find_extents
 
-   !> Depths where anything may change, with those of all arcs: a spline has arcs between stations.
+   !> Depths where anything may change, with those of all arcs: a spline has arcs between stations [m].
    pure subroutine places(model, case_index, md)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -125,7 +124,7 @@ contains
       md = md(:n)
    end subroutine places
 
-   !> Appends a depth that is not there yet.
+   !> Append a depth unless the list has it.
    pure subroutine put(depth, md, n)
       real(wp), intent(in) :: depth        !< [m]
       real(wp), intent(inout) :: md(:)     !< the first n are set, ascending [m]
@@ -137,12 +136,12 @@ contains
       md(n) = depth
    end subroutine put
 
-   !> Curvature and moment that the changes add to those of the hole at a depth, across the hole. Changes prepared by `find_extents`
-   !> are found fast. Without it every change is examined.
+   !> Curvature and moment that the changes add to those of the hole at a depth, across the hole. Call `find_extents` first, so
+   !> that changes are found fast. Otherwise every change is examined.
    pure subroutine bending_at(changes, md, side, tangent, curvature, curvature_slope, moment, shear, shear_slope)
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md                    !< [m]
-      real(wp), intent(in) :: side                  !< a depth on the side of md that is meant: slopes jump at changes [m]
+      real(wp), intent(in) :: side                  !< a depth on the wanted side of md, as slopes jump at changes [m]
       real(wp), intent(in) :: tangent(3)            !< of the hole
       real(wp), intent(out) :: curvature(3)         !< added to k [1/m]
       real(wp), intent(out) :: curvature_slope(3)   !< d/ds of it, jumps of the hole's k smoothed [1/m2]

@@ -1,7 +1,7 @@
-!> The rigid model (stiff string that follows the hole) of a load case, as a result like any other model's.
+!> The rigid model (stiff string that follows the hole) of a load case, with a result like any other model's.
 !>
-!> Valid where the string follows the hole: bends that fit the string (no clearance left means no answer), and
-!> compression below helical buckling. `message` says where a case leaves that range.
+!> Valid if the string follows the hole. Bends must leave clearance, and compression must be below helical buckling. `message`
+!> says where a case leaves that range.
 module dg_rigid_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -23,7 +23,7 @@ module dg_rigid_string
 
 contains
 
-   !> Solves a load case with the stiff string, stiff everywhere. Statuses and refusals are those of the soft string.
+   !> Solve a load case with the stiff string, stiff everywhere. Statuses and refusals are those of the soft string.
    subroutine solve_rigid_string(model, case_index, result, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -41,7 +41,7 @@ contains
       result%seconds = seconds_between(start, finish)
    end subroutine solve_rigid_string
 
-   !> Solves a load case that has passed check_string_case with a string that is stiff at some changes of curvature.
+   !> Solve a load case that has passed check_string_case with a string that is stiff at some changes of curvature.
    subroutine solve_at_changes(model, case_index, changes, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

@@ -1,16 +1,16 @@
 !> Forces in a stiff string that follows the hole axis, integrated from the bit up.
 !>
-!> Ho 1988 (SPE 18047): balance of forces and moments of a rod along the hole, here in vectors; Payne & Abbassian
-!> 1997 (SPE 28293) on when it matters. Force F = T t + V and moment E I t x k - M t of the lower part on the upper:
+!> Ho 1988 (SPE 18047) balances forces and moments of a rod along the hole, here in vectors. Payne & Abbassian 1997 (SPE 28293)
+!> show when it matters. Force F = T t + V and moment E I t x k - M t of the lower part on the upper:
 !>     dF/ds + w g + q = 0,   d(E I t x k - M t)/ds + t x F = -(moment of friction)
-!> give shear, contact force on the wall per metre and axial force (s' up the hole):
+!> They give shear, contact force on the wall per metre and axial force (s' up the hole):
 !>     V = -(d(E I k)/ds) - M t x k
 !>     c = T k + w (g - (g.t) t) + dV/ds,   n = |c|
 !>     dT/ds' = w g.t + f n - V.k,   dM/ds' = m r n
-!> the parts of dV/ds and d(E I k)/ds across the hole being meant. On an arc E I k only turns with the hole, so that
-!> stiffness acts at the changes of curvature (dg_curvature_change) alone. In c the part -(dM/ds) t x k is left
-!> out: it is m r k n, some 1e-5 of n and across it. At its ends the string keeps the hole's direction and
-!> curvature, as if it went on. Without changes, so for E I = 0, this is the soft string.
+!> Only the parts of dV/ds and d(E I k)/ds across the hole are meant. On an arc E I k only turns with the hole, so that
+!> stiffness acts only at the changes of curvature (dg_curvature_change). In c the part -(dM/ds) t x k is neglected. It is m r
+!> k n, some 1e-5 of n and across it. At its ends the string keeps the hole's direction and curvature, as if it continued.
+!> Without changes, and so for E I = 0, this is the soft string.
 module dg_rigid_string_loads
    use dg_kinds, only: wp
    use dg_curvature_change, only: bending_at, change_type, find_extents
@@ -24,12 +24,12 @@ module dg_rigid_string_loads
    private
    public :: rigid_string_at
 
-   !> Steps near a change [-]: this part of its length l, growing by this part of the distance from it. The fourth-order
-   !> step leaves 1e-5 of the pair of forces, itself some per cent of a bend's contact force.
+   !> Steps near a change [-]: this part of its length l, growing by this part of the distance from it. The fourth-order step
+   !> leaves 1e-5 of the pair of forces, itself some per cent of a bend's contact force.
    real(wp), parameter :: length_share = 0.25_wp
    real(wp), parameter :: distance_share = 0.125_wp
 
-   !> Forces at a depth, and the shape that they belong to.
+   !> Forces at a depth, and the shape to which they belong.
    type :: balance_type
       real(wp) :: contact(3) = 0.0_wp   !< on the wall [N/m]
       real(wp) :: bend(3) = 0.0_wp      !< curvature of the string [1/m]
@@ -39,8 +39,8 @@ module dg_rigid_string_loads
 
 contains
 
-   !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths. Where they jump `contact`
-   !> and `across` are those just below; at a depth that stands twice, those just above and just below.
+   !> Axial force, torque, contact and bending moment of the stiff string of a load case at given depths. Where they jump
+   !> `contact` and `across` are those just below. At a depth that is given twice, they are those just above and just below.
    pure subroutine rigid_string_at(model, case_index, stiff_at, md, axial, torque, contact, across, totals)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -81,8 +81,8 @@ contains
       end do
    end subroutine rigid_string_at
 
-   !> Integrates up a piece of string from `position` to `target`: weight as difference of vertical depth, friction
-   !> and shear by the classical Runge-Kutta method, with short steps at changes of curvature.
+   !> Integrate up a piece of string from `position` to `target`. Weight is the difference of vertical depth. Friction and
+   !> shear use the classical Runge-Kutta method, with short steps at changes of curvature.
    pure subroutine integrate_up(piece, changes, target, position, force, moment, sums)
       type(piece_type), intent(inout) :: piece
       type(change_type), intent(in) :: changes(:)
@@ -140,7 +140,7 @@ contains
       step = position - target
       if (piece%arc%curvature > 0.0_wp) step = min(step, longest_step, largest_angle/piece%arc%curvature)
       if (piece%spans%present) step = min(step, longest_step)
-      ! from the nearest changes on, as far as distance alone does not leave the step as it is
+      ! from the nearest changes on, until distance alone leaves the step unchanged
       above = changes_above(changes, position)
       do j = above, 1, -1
          far = distance_share*(position - changes(j)%md)
@@ -154,7 +154,7 @@ contains
       end do
    end function step_from
 
-   !> Number of changes, which go down, at a depth and above it.
+   !> Number of changes, ordered by depth, at a depth and above it.
    pure function changes_above(changes, md) result(number)
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md   !< [m]
@@ -172,12 +172,12 @@ contains
       end do
    end function changes_above
 
-   !> Contact force per metre, and what it and the shear add to the axial force per metre up the hole.
+   !> Contact force per metre, and its and the shear's part of the change of axial force per metre up the hole.
    pure subroutine rates(piece, changes, md, side, force, moment, normal, change)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md        !< [m]
-      real(wp), intent(in) :: side      !< a depth on the side meant [m]
+      real(wp), intent(in) :: side      !< a depth on the wanted side [m]
       real(wp), intent(in) :: force     !< [N]
       real(wp), intent(in) :: moment    !< torque [N.m]
       real(wp), intent(out) :: normal   !< [N/m]
@@ -188,11 +188,11 @@ contains
       change = piece%axial*normal + piece%drag - dot_product(here%shear, here%bend)
    end subroutine rates
 
-   !> Forces and moments in balance at a depth.
+   !> Balance of forces and moments at a depth.
    pure function balance(piece, changes, md, side, force, moment) result(here)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
-      real(wp), intent(in) :: md, side        !< a depth, and one on the side meant [m]
+      real(wp), intent(in) :: md, side        !< a depth, and one on the wanted side [m]
       real(wp), intent(in) :: force, moment   !< [N], torque [N.m]
       type(balance_type) :: here
       real(wp), dimension(3) :: position, across, tangent, hole, more, more_slope, shear_slope
@@ -208,7 +208,7 @@ contains
    pure subroutine forces_across(piece, changes, md, side, force, moment, contact, across)
       type(piece_type), intent(in) :: piece
       type(change_type), intent(in) :: changes(:)
-      real(wp), intent(in) :: md, side        !< a depth, and one on the side meant [m]
+      real(wp), intent(in) :: md, side        !< a depth, and one on the wanted side [m]
       real(wp), intent(in) :: force, moment   !< [N], torque [N.m]
       real(wp), intent(out) :: contact(3), across(2)
       type(balance_type) :: here

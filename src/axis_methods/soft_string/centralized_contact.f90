@@ -1,13 +1,13 @@
-!> Contact of pipe on centralizers: which part of it the body carries where it sags to the wall between two of them.
+!> Contact of pipe on centralizers, and the part of the body where it sags to the wall between two of them.
 !>
 !> Spans of a long row are clamped by symmetry. Under a load q per length the body sags by
 !>
 !>   d = q L^4/(384 E I (1 + T/T_c)),   T_c = 4 pi^2 E I/L^2,
 !>
-!> tension T stiffening it (buckling load of clamped columns; within 2 % of the closed form up to T = 2 T_c). The centralizers hold
-!> it off the wall by h. With d > h it touches at mid-span with (1 - h/d)/2 of the load of the span, as a clamped beam on a third
-!> support does. From d = 3 h on it lies on the wall, and the centralizers carry x = 4/3 (3 h/(16 d))^(1/4), d with the length that
-!> is free, 3/2 x L, in T_c. A bow yields by C times what it carries: h = g - C (1 - share).
+!> Tension T stiffens it. T_c is the buckling load of clamped columns, and the formula is within 2 % of the closed form up to T
+!> = 2 T_c. The centralizers hold it off the wall by h. With d > h it touches at mid-span with (1 - h/d)/2 of the load of the
+!> span, like a clamped beam on a third support. From d = 3 h on it lies on the wall, and the centralizers carry x = 4/3 (3
+!> h/(16 d))^(1/4). There d has the free length, 3/2 x L, in T_c. A bow yields by C times its load: h = g - C (1 - share).
 module dg_centralized_contact
    use dg_kinds, only: wp
    use dg_centralizer, only: bow_opening, bow_stiffness
@@ -22,13 +22,13 @@ module dg_centralized_contact
       logical :: present = .false.
       real(wp) :: length = 0.0_wp      !< L [m]
       real(wp) :: stiffness = 0.0_wp   !< E I of the body [N.m2]
-      real(wp) :: room = 0.0_wp        !< g: height of the body above the wall at a centralizer that carries nothing [m]
+      real(wp) :: room = 0.0_wp        !< g: height of the body above the wall at an unloaded centralizer [m]
       real(wp) :: yielding = 0.0_wp    !< C over load per length: span over stiffness of a bow; rigid: 0 [m2/N]
    end type spans_type
 
    !> Part of T_c in compression at which a span counts as buckled against the wall [-].
    real(wp), parameter :: nearly = 0.999_wp
-   !> Halvings of the part of the centralizers.
+   !> Number of halvings of the centralizers' part.
    integer, parameter :: halvings = 30
 
 contains

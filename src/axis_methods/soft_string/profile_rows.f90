@@ -1,8 +1,8 @@
-!> Where the rows of a profile stand: one at each depth of a solution, two where a component, hole section or fluid changes there.
+!> Rows of a profile: one at each depth of a solution, two where a component, hole section or fluid changes there.
 !>
-!> The only place that doubles rows. Methods that know a quantity on both sides of a change ask for the rows first (`lay_rows`) and
-!> fill them; the others have their rows doubled afterwards (`part_rows`). What is on a side is looked up in the middle of the piece
-!> between two rows: no piece holds a change, and a change whose depth was made one with a neighbour's is found too.
+!> Only this module doubles rows. Methods that know a quantity on both sides of a change first find the rows (`lay_rows`) and
+!> fill them. For the others the rows are doubled afterwards (`part_rows`). Data of a side are read in the middle of the piece
+!> between two rows. No piece contains a change, and a change that was joined with a neighbour's depth is found too.
 module dg_profile_rows
    use dg_kinds, only: wp
    use dg_drillstring, only: component_at, component_tops
@@ -17,8 +17,8 @@ module dg_profile_rows
 
 contains
 
-   !> Rows for the depths of a solution: which depth each one stands at, and for which side. Depths that stand twice already keep
-   !> their two rows.
+   !> Find the rows for the depths of a solution: the depth of each row, and its side. Depths that are given twice keep their
+   !> two rows.
    pure subroutine lay_rows(model, case_index, md, from, side)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -60,8 +60,8 @@ contains
       side = sides(:n)
    end subroutine lay_rows
 
-   !> Doubles the rows of a profile where something changes. Both sides have the values of the one row: for quantities that do not
-   !> jump, or that are means over both sides.
+   !> Double the rows of a profile where something changes. Both sides have the values of the one row. This is for quantities
+   !> that do not jump, or that are means over both sides.
    pure subroutine part_rows(model, case_index, profile)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

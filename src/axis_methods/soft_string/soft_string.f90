@@ -1,4 +1,4 @@
-!> The flexible model (soft string) of a load case, as a result like any other model's.
+!> The flexible model (soft string) of a load case, with a result like any other model's.
 module dg_soft_string
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -23,25 +23,25 @@ module dg_soft_string
    implicit none
    private
    public :: solve_soft_string
-   ! What the stiff string does alike.
+   ! Public for the stiff string, which shares them.
    public :: subdivided, check_string_case, take_totals, take_profile
 
-   !> Contact force per metre under which a weightless or balanced string counts as free [N/m].
+   !> Contact force per metre below which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp
    !> Digits of a depth in a message.
    integer, parameter :: shown_depth = 5
 
 contains
 
-   !> Solves a load case with the soft string. There is nothing to iterate: the status is `converged`, or
-   !> `locked_up` where friction in a long bend outgrows all bounds. Refused (bad input): unknown string, bit
-   !> above the first station. A string that must be pushed at surface is said so in `message`.
+   !> Solve a load case with the soft string, without iteration. The status is `converged`, or `locked_up` if friction in a
+   !> long bend grows without bound. Refused (bad input): unknown string, bit above the first station. `message` says if a
+   !> string must be pushed at surface.
    subroutine solve_soft_string(model, case_index, result, error, totals_only)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< .true.: no profile, for those who solve thousands of cases
+      logical, intent(in), optional :: totals_only   !< true: no profile, to save time in thousands of cases
       real(wp), allocatable :: md(:), axial(:), torque(:), contact(:, :)
       integer, allocatable :: from(:), side(:)
       type(soft_totals_type) :: totals
@@ -70,7 +70,7 @@ contains
       call finish_result(result)
    end subroutine solve_soft_string
 
-   !> Refuses (bad input) a load case without a string or with the bit above the first station.
+   !> Refuse (bad input) a load case without a string or with the bit above the first station.
    pure subroutine check_string_case(model, case_index, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -103,7 +103,7 @@ contains
       fine(k + 1) = md(size(md))
    end function subdivided
 
-   !> Totals of a string on the hole axis. A bend in which friction grows without bound makes it `locked_up`.
+   !> Set the totals of a string on the hole axis. A bend in which friction grows without bound makes it `locked_up`.
    pure subroutine take_totals(model, case_index, md, axial, torque, totals, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -135,11 +135,11 @@ contains
       allocate (result%history(0))
    end subroutine take_totals
 
-   !> Profile of such a string, and how many of its points touch; two rows at one depth are one point.
+   !> Set the profile of such a string, and count its points that touch. Two rows at one depth are one point.
    pure subroutine take_profile(model, case_index, md, side, axial, torque, contact, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: md(:)                                !< as for fill_profile
+      real(wp), intent(in) :: md(:)                                !< as in fill_profile
       integer, intent(in) :: side(:)
       real(wp), intent(in) :: axial(:), torque(:), contact(:, :)
       type(case_result_type), intent(inout) :: result
@@ -149,8 +149,8 @@ contains
       result%states(state_free) = count(result%profile%gap_state == state_free .and. side /= side_above)
    end subroutine take_profile
 
-   !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is the one that
-   !> the hole's curvature asks of the body: a soft string carries none, a real one that follows the hole does.
+   !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is that of the body in the hole's
+   !> curvature. A soft string has no moment, but a real one that follows the hole does.
    pure subroutine fill_profile(model, case_index, md, side, axial, torque, contact, profile)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

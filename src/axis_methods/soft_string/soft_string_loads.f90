@@ -1,18 +1,20 @@
-!> Forces in a flexible string that lies on the hole axis (soft string), integrated from the bit up.
+!> Forces in a flexible string on the hole axis (soft string), integrated from the bit up.
 !>
-!> Johancsik, Friesen & Dawson 1984 (SPE 11380, Eqs. 1-4) give the force balance of a short piece of string;
-!> Sheppard, Wick & Burgess 1987 (SPE 15463) its limit as the piece shrinks, which is integrated here in
-!> vectors, so that no inclination or azimuth occurs:
-!>     contact force on the wall per metre   c = T k + w (g - (g.t) t),     n = |c|
-!>     dT/ds' = w g.t + f n,      dM/ds' = m r n                     (s' up the hole)
-!> with effective tension T, curvature vector k = dt/ds, unit vector down g, buoyed weight w, radius of contact r,
-!> and the signed shares f, m of friction along and around the hole (friction_split). Running forces of bow springs per length are
-!> added to f n. Where a component has centralizers they share the contact with the body between them (dg_centralized_contact).
-!> Brett et al. 1989 (the paper's flexible type) use the same balance.
+!> Johancsik, Friesen & Dawson 1984 (SPE 11380, Eqs. 1-4) give the force balance of a short piece of string. Sheppard, Wick &
+!> Burgess 1987 (SPE 15463) give its limit as the piece shrinks. That is integrated here in vectors, so that no inclination or
+!> azimuth occurs. With the contact force c on the wall per metre, and s' up the hole,
+!>     c = T k + w (g - (g.t) t),     n = |c|
+!>     dT/ds' = w g.t + f n,      dM/ds' = m r n
+!> - T: effective tension [N], M: torque [N.m]
+!> - k = dt/ds: curvature vector [1/m], g: unit vector down
+!> - w: buoyed weight [N/m], r: radius of contact [m]
+!> - f, m: signed shares of friction along and around the hole (friction_split) [-]
+!> Running forces of bow springs per length are added to f n. If a component has centralizers they share the contact with the
+!> body between them (dg_centralized_contact). Brett et al. 1989 (the paper's flexible type) use the same balance.
 !>
-!> Asked for `coiled`, compression F beyond the helical load presses the string on the wall all around, by c F^2/(4 EI) per metre
-!> (Mitchell 1986) where that is more than n: friction then grows with F squared, and a weight on bit exists that no push at the
-!> top can bring down (Wu & Juvkam-Wold 1993).
+!> With `coiled`, compression F above the helical load presses the string on the wall all around. The contact force is c F^2/(4
+!> EI) per metre (Mitchell 1986) where that is more than n. Friction then grows with F squared. Above some weight on bit no
+!> push at the top is enough (Wu & Juvkam-Wold 1993).
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
@@ -26,41 +28,42 @@ module dg_soft_string_loads
    implicit none
    private
    public :: soft_string_at, soft_totals_type, other_loads_type, bearable_strain
-   ! What the integration of the stiff string shares.
+   ! Public for the stiff string, which shares them.
    public :: longest_step, largest_angle, runaway_force
 
-   !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order: at this
-   !> angle it is exact to 1e-9 even with a friction coefficient of one. What limits it is the kink of n where
-   !> a string in a bend changes sides, which costs less than f |dn/ds| h^2/8 < 1 N once.
+   !> Longest step in a bend [m] and largest angle turned in it [rad]. The step is of fourth order. At this angle it is exact
+   !> to 1e-9 even with a friction coefficient of one. The limit is the kink of n where a string in a bend changes sides. It
+   !> costs less than f |dn/ds| h^2/8 < 1 N once.
    real(wp), parameter :: longest_step = 5.0_wp
    real(wp), parameter :: largest_angle = 0.02_wp
-   !> Axial force beyond which the integration stops [N]: no string carries a millionth of it, and friction in
-   !> a long sharp bend grows exponentially until numbers end.
+   !> Axial force above which the integration stops [N]. No string carries a millionth of it, and friction in a long sharp bend
+   !> grows exponentially to overflow.
    real(wp), parameter :: runaway_force = 1.0e15_wp
-   !> Strain of a coiled string at which the integration stops [-], by compression and by the bending of coils: its friction reaches
-   !> infinity at a finite length. Pipe of 135 ksi yields at 0.45 %.
+   !> Strain of a helically buckled string at which the integration stops [-], by compression and by the bending of the helix.
+   !> Its friction becomes infinite at a finite length. Pipe of 135 ksi yields at 0.45 %.
    real(wp), parameter :: bearable_strain = 0.005_wp
 
-   !> Sums over the string between the first of the depths asked for and the bit.
+   !> Sums over the string between the first of the given depths and the bit.
    type :: soft_totals_type
       real(wp) :: weight = 0.0_wp        !< buoyed weight along the hole: sum of w dz [N]
       real(wp) :: normal_force = 0.0_wp  !< integral of n [N]
       integer :: steps = 0               !< integration steps
-      real(wp) :: strain = 0.0_wp        !< largest of a coiled string, by compression and by the bending of coils [-]
-      logical :: runaway = .false.       !< axial force left all bounds
-      real(wp) :: runaway_md = 0.0_wp    !< ... at this depth, above which nothing was integrated [m]
+      real(wp) :: strain = 0.0_wp        !< largest in a helically buckled string, by compression and by the bending of the helix
+                                         !< [-]
+      logical :: runaway = .false.       !< axial force grew without bound
+      real(wp) :: runaway_md = 0.0_wp    !< depth where it did, above which nothing was integrated [m]
    end type soft_totals_type
 
-   !> Loads that are not those of the load case. The scales serve load increments.
+   !> Loads that differ from the load case. The scales are for load increments.
    type :: other_loads_type
       real(wp) :: friction_scale = 1.0_wp   !< on every friction coefficient [-]
       real(wp) :: load_scale = 1.0_wp       !< on weight and torque on bit [-]
-      logical :: coiled = .false.           !< friction of a coiled string too
-      logical :: climbs = .false.           !< a string that turns climbs the wall, whatever the model says
+      logical :: coiled = .false.           !< with the friction of helical buckling
+      logical :: climbs = .false.           !< a rotating string climbs the wall, whatever the model says
       type(optional_real) :: wob            !< weight on bit instead of the load case's [N]
    end type other_loads_type
 
-   !> A place of a piece. What the load across the hole needs are scalars: three-vectors and their norms took half of the time.
+   !> A place of a piece. The load across the hole needs scalars only: three-vectors and their norms took half of the time.
    type :: place_type
       real(wp) :: tangent(3) = 0.0_wp, normal(3) = 0.0_wp   !< of the arc
       real(wp) :: depth = 0.0_wp    !< vertical, below the arc's start [m]
@@ -70,19 +73,18 @@ module dg_soft_string_loads
 
 contains
 
-   !> Axial force, torque and contact of the soft string of a load case at given depths.
-   !> Where weight, curvature or friction jump, `contact` is the one just below the depth; at a depth that stands twice, those
-   !> just above and just below.
+   !> Axial force, torque and contact of the soft string of a load case at given depths. Where weight, curvature or friction
+   !> jump, `contact` is the one just below the depth. At a depth that is given twice, it is those just above and just below.
    pure subroutine soft_string_at(model, case_index, md, axial, torque, contact, totals, other)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)                !< never decreasing, from the first station to the bit [m]
       real(wp), intent(out) :: axial(:)            !< effective, tension > 0 [N]
       real(wp), intent(out) :: torque(:)           !< [N.m]
-      !> (3, :) force of the string on the wall, across the hole, coils left out [N/m]
+      !> Force of the string on the wall, across the hole, without helical buckling (3, :) [N/m].
       real(wp), intent(out), optional :: contact(:, :)
       type(soft_totals_type), intent(out), optional :: totals
-      type(other_loads_type), intent(in), optional :: other   !< than the load case's
+      type(other_loads_type), intent(in), optional :: other   !< loads that differ from the load case
       type(other_loads_type) :: loads
       type(soft_totals_type) :: sums
       type(layout_type) :: layout
@@ -114,7 +116,7 @@ contains
       if (present(totals)) totals = sums
    end subroutine soft_string_at
 
-   !> Goes on with the piece that ends at a depth [m].
+   !> Enter the piece that ends at a depth [m].
    pure subroutine enter_piece(model, layout, md, loads, piece, place)
       type(model_type), intent(in) :: model
       type(layout_type), intent(in) :: layout
@@ -153,7 +155,7 @@ contains
       normal = piece%climb*normal
    end function pressed
 
-   !> Strain of a compressed piece by compression, and where it coils by bending [-].
+   !> Strain of a compressed piece by compression, and by bending if it is helically buckled [-].
    pure function strain_of(piece, place, compression) result(strain)
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
@@ -164,8 +166,8 @@ contains
          strain = strain + piece%reach*helical_bend(piece%stiffness, compression, piece%clearance)
    end function strain_of
 
-   !> Integrates up a piece of string from `position` to `target`. The weight enters as difference of true
-   !> vertical depth, exact on an arc; friction by the classical Runge-Kutta method, exact where straight.
+   !> Integrate up a piece of string from `position` to `target`. The weight is the difference of true vertical depth, exact on
+   !> an arc. Friction uses the classical Runge-Kutta method, exact where straight.
    pure subroutine integrate_up(piece, target, position, place, force, moment, sums)
       type(piece_type), intent(inout) :: piece
       real(wp), intent(in) :: target             !< [m]
@@ -209,7 +211,7 @@ contains
          if (piece%spans%present) call share_contact(piece, n1, force)
          upper = force + piece%weight*(place%depth - there%depth) + step*piece%drag
          if (.not. bent .and. (.not. piece%coils .or. min(force, upper + step*piece%axial*n1) >= 0.0_wp)) then
-            normal = step*n1      ! the load across a straight hole knows no axial force
+            normal = step*n1      ! the load across a straight hole does not depend on axial force
          else
             n2 = pressed(piece, half_way, middle + 0.5_wp*step*piece%axial*n1)
             n3 = n2
@@ -234,8 +236,8 @@ contains
       end do
    end subroutine integrate_up
 
-   !> A place of the piece. What the load across the hole needs: its square is the sum of T^2 k.k, 2 T k.g and g.g. The curvature
-   !> vector lies across the tangent, so that weight along it adds nothing.
+   !> A place of the piece. The square of the load across the hole is the sum of T^2 k.k, 2 T k.g and g.g. The curvature vector
+   !> is across the tangent, so that weight along it adds nothing.
    pure function place_at(piece, offset) result(place)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
@@ -249,7 +251,7 @@ contains
       place%across = piece%weight**2*(place%tangent(1)**2 + place%tangent(2)**2)
    end function place_at
 
-   !> The place a step up the hole from another one, as place_at has it but for round-off.
+   !> The place a step up the hole from another one, the same as place_at but for round-off.
    pure subroutine go_up(piece, turn, below, place)
       type(piece_type), intent(in) :: piece
       type(turn_type), intent(in) :: turn

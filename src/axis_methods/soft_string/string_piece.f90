@@ -1,5 +1,5 @@
-!> Pieces of a string that lies on the hole axis: between changes of hole, component and fluid all that counts is constant. The soft
-!> and the stiff string are integrated over them.
+!> Pieces of a string on the hole axis. Between changes of hole, component and fluid all properties are constant. The soft and
+!> the stiff string are integrated over them.
 module dg_string_piece
    use dg_kinds, only: wp
    use dg_centralized_contact, only: body_share, spans_of, spans_type
@@ -17,22 +17,21 @@ module dg_string_piece
    private
    public :: layout_type, layout_of, piece_type, piece_above, share_contact, at_offset, climbed, breakpoints
 
-   !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths, and no row of a
-   !> table worth printing.
+   !> Changes closer together than this count as one in `breakpoints` [m]: round-off of depths.
    real(wp), parameter :: shortest_piece = 1.0e-6_wp
 
    !> Data by which a string is cut into pieces, found once for all pieces.
    type :: layout_type
       integer :: case_index = 0
       integer :: string = 0                   !< its number
-      real(wp), allocatable :: heights(:)     !< of the tops of its components, from the bit up: minus their depths [m]
+      real(wp), allocatable :: heights(:)     !< of the tops of its components: minus their depths, from the bit up [m]
       real(wp), allocatable :: fluids(:)      !< depths at which a fluid begins, ascending [m]
    end type layout_type
 
    !> Friction of a contact.
    type :: rubbing_type
       real(wp) :: axial = 0.0_wp    !< f of the balance in dg_soft_string_loads [-]
-      real(wp) :: rotary = 0.0_wp   !< m of it [-]
+      real(wp) :: rotary = 0.0_wp   !< m of that balance [-]
       real(wp) :: radius = 0.0_wp   !< [m]
    end type rubbing_type
 
@@ -42,16 +41,16 @@ module dg_string_piece
       real(wp) :: top = 0.0_wp      !< measured depth of its upper end [m]
       real(wp) :: weight = 0.0_wp   !< buoyed [N/m]
       real(wp) :: radius = 0.0_wp   !< of contact [m]
-      real(wp) :: drag = 0.0_wp     !< of bow springs, signed as f [N/m]
+      real(wp) :: drag = 0.0_wp     !< of bow springs, with the sign of f [N/m]
       real(wp) :: axial = 0.0_wp    !< f of the balance in dg_soft_string_loads [-]
-      real(wp) :: rotary = 0.0_wp   !< m of it [-]
+      real(wp) :: rotary = 0.0_wp   !< m of that balance [-]
       real(wp) :: climb = 1.0_wp    !< contact force over load across the hole: 1/sqrt(1 + m^2) with wall climb, else 1 [-]
-      real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string leaves out [N.m2]
+      real(wp) :: stiffness = 0.0_wp !< E I of the body, which a soft string neglects [N.m2]
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: reach = 0.0_wp    !< of its outside from its axis [m]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
-      real(wp) :: least_helical = 0.0_wp !< helical load of a string that nothing presses [N]
-      logical :: coils = .false.    !< compression presses it on the wall where it snakes or coils
+      real(wp) :: least_helical = 0.0_wp !< helical load without side load [N]
+      logical :: coils = .false.    !< compression presses it on the wall in sinusoidal or helical buckling
       type(spans_type) :: spans     !< between centralizers
       type(rubbing_type) :: rubbing(2) !< of centralizers, of the body between them; set with spans
    end type piece_type
@@ -72,13 +71,13 @@ contains
       end associate
    end function layout_of
 
-   !> The piece of string that ends, or lies, at a depth [m]; it reaches up to the next change of anything.
+   !> The piece of string that ends at, or contains, a depth [m]. It reaches up to the next change of anything.
    pure function piece_above(model, layout, md, friction_scale, coiled, climbs) result(piece)
       type(model_type), intent(in) :: model
       type(layout_type), intent(in) :: layout
       real(wp), intent(in) :: md
       real(wp), intent(in) :: friction_scale
-      logical, intent(in), optional :: coiled, climbs   !< absent: no, and as the model says
+      logical, intent(in), optional :: coiled, climbs   !< absent: false, and as the model says
       type(piece_type) :: piece
       real(wp) :: middle
       logical :: climbing
@@ -123,7 +122,7 @@ contains
       if (climbing) piece%climb = 1.0_wp/sqrt(1.0_wp + piece%rotary**2)
    end function piece_above
 
-   !> Shares the contact of a piece among its centralizers and the body between them: its friction is their mean by force.
+   !> Share the contact of a piece between its centralizers and the body between them. Its friction is their mean by force.
    pure subroutine share_contact(piece, load, axial)
       type(piece_type), intent(inout) :: piece   !< with spans
       real(wp), intent(in) :: load               !< across the hole [N/m]
@@ -148,8 +147,8 @@ contains
       across = piece%weight*([0.0_wp, 0.0_wp, 1.0_wp] - tangent(3)*tangent)
    end subroutine at_offset
 
-   !> Contact force under a load across the hole [N/m]: the load itself, or with wall climb what balances it together
-   !> with its own friction around the hole, load = n + m t x n, where the turning string comes to rest.
+   !> Contact force under a load across the hole [N/m]. It is the load itself, or with wall climb the force that balances it
+   !> together with its own friction around the hole. Then load = n + m t x n, where the turning string comes to rest.
    pure function climbed(piece, tangent, load) result(contact)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: tangent(3)
@@ -160,8 +159,8 @@ contains
       contact = piece%climb**2*(load - piece%rotary*cross(tangent, load))
    end function climbed
 
-   !> Depths between the top of the string and the bit where something changes: first station and bit, survey
-   !> stations, ends of hole sections, components and fluids. Ascending, none twice [m].
+   !> Depths between the top of the string and the bit where something changes, ascending, without doubles [m]. They are first
+   !> station and bit, survey stations, ends of hole sections, components and fluids.
    pure function breakpoints(model, case_index) result(md)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

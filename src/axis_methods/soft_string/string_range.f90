@@ -1,4 +1,4 @@
-!> Where the models that lay the string on the hole axis (soft, rigid, mixed) leave their range.
+!> Places where the models with the string on the hole axis (soft, rigid, mixed) leave their range.
 module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
@@ -17,7 +17,7 @@ module dg_string_range
 
 contains
 
-   !> '' where the string can follow the hole, else what is out of range, where and by how much.
+   !> '' if the string can follow the hole, else the quantity out of range, its depth and excess.
    pure subroutine range_warning(model, case_index, md, axial, hookload, warning)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -47,8 +47,7 @@ contains
       if (is_pushed(hookload, axial)) call add_sentence(warning, push_needed)
    end subroutine range_warning
 
-   !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 where it is below it, or where nothing
-   !> limits it.
+   !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 below that limit, or without a limit.
    pure function share_of_helical(piece, md, compression) result(share)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: md           !< [m]
@@ -57,7 +56,7 @@ contains
       real(wp), dimension(3) :: position, tangent, bend, across
       real(wp) :: vertical, limit
       share = 0.0_wp
-      if (.not. piece%clearance > 0.0_wp) return   ! nowhere to go
+      if (.not. piece%clearance > 0.0_wp) return   ! no clearance to buckle
       call point_on_arc(piece%arc, md - piece%arc%md, position, tangent, bend)
       across = -piece%weight*tangent(3)*tangent
       across(3) = across(3) + piece%weight

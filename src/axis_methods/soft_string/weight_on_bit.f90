@@ -14,22 +14,22 @@ module dg_weight_on_bit
    private
    public :: weight_that_arrives, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
 
-   !> To this part of the bracket [-].
+   !> Accuracy of a load over its bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
-   !> Doublings until something is a bracket: from 1 kN, or from the hook load without weight on bit, which friction leaves less of,
-   !> to more than any string weighs.
+   !> Most doublings until there is a bracket. The first step is 1 kN, or the hook load without weight on bit, which friction
+   !> reduces. The last step is more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
-   !> Depths that are tried from the bit up, and to what part of the bit's depth the one between two of them is found [-].
+   !> Number of depths that are tried from the bit up, and accuracy of the depth between two of them over the bit's depth [-].
    integer, parameter :: depths = 50
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
-   !> Factors of friction that are looked for, and to what part of one [-].
+   !> Range of the factors of friction, and their accuracy [-].
    real(wp), parameter :: scales(2) = [0.1_wp, 4.0_wp], scale_tolerance = 1.0e-4_wp
 
 contains
 
-   !> Largest weight on bit that string weight brings [N], with the friction of coils and the factor that beams have beside the soft
-   !> string; not more than beams bear of a string that locks up.
+   !> Largest weight on bit by string weight [N]. Friction includes helical buckling, and the factor of beams over the soft
+   !> string. For a string that locks up it is at most the load by beams.
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -40,8 +40,9 @@ contains
          most = min(most, max(result%lock_up_load, 0.0_wp))
    end function weight_that_arrives
 
-   !> Greatest weight on bit [N] that leaves a hook load, or with `pushed` that a push at the top brings down which the pipe
-   !> bears; 0 where none does. With `coiled`, friction of a coiled string counts: without it nothing limits a push.
+   !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if there is none. With `pushed` it is the greatest one by a
+   !> push at the top that the pipe carries. With `coiled`, friction includes helical buckling: without it nothing limits a
+   !> push.
    pure function most_weight_on_bit(model, case_index, coiled, pushed, friction_scale) result(wob)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -53,8 +54,8 @@ contains
          wob = most_load_at_bit(model, case_index, coiled, pushed, friction_scale)
    end function most_weight_on_bit
 
-   !> The same load, or minus the pull at the bit that brings the string down where no weight reaches the bit. 0 where the search
-   !> finds neither.
+   !> The same load [N]. If no weight reaches the bit, it is minus the pull at the bit that brings the string down. It is 0 if
+   !> the search finds neither.
    pure function most_load_at_bit(model, case_index, coiled, pushed, friction_scale) result(load)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -94,7 +95,8 @@ contains
       load = bracket%low
    end function most_load_at_bit
 
-   !> True where the string of a load case is lowered and its own weight does not bring it down. Friction of a coiled string counts.
+   !> True if the string of a load case is lowered and its own weight does not bring it down. Friction includes helical
+   !> buckling.
    pure function locks_up(model, case_index) result(locks)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -103,9 +105,9 @@ contains
       if (locks) locks = left_of(model, case_index, model%cases(case_index)%wob, coiled=.true., pushed=.false.) < 0.0_wp
    end function locks_up
 
-   !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction of a coiled string
-   !> counts; 0 where no depth that is tried is possible. Absent where that is the depth of the load case, and for a string that is
-   !> pulled.
+   !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction includes helical
+   !> buckling. It is 0 if no depth of the search is possible. It is absent if the depth of the load case is possible, and for
+   !> a string that is pulled.
    pure subroutine find_reach(model, case_index, reach, friction_scale)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -140,8 +142,8 @@ contains
       reach = given(bracket%low)
    end subroutine find_reach
 
-   !> Factor of all friction with which a weight on bit leaves a hook load of a string that goes down, friction of coils included;
-   !> 0 where none does between a tenth and four times today's.
+   !> Factor of all friction with which a weight on bit leaves a hook load of a string that goes down. Friction includes
+   !> helical buckling. It is 0 if there is no such factor between a tenth and four.
    pure function matching_friction(model, case_index, wob, hookload) result(scale)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -164,7 +166,7 @@ contains
 
    contains
 
-      !> Hook load over the one asked for [N].
+      !> Hook load less the wanted one [N].
       pure function more_than_asked(factor) result(more)
          real(wp), intent(in) :: factor   !< [-]
          real(wp) :: more
@@ -172,7 +174,7 @@ contains
       end function more_than_asked
    end function matching_friction
 
-   !> Axial force that strains the weakest component of a load case's string by bearable_strain [N].
+   !> Axial force that gives the weakest component of a load case's string a strain of bearable_strain [N].
    pure function bearable_force(model, case_index) result(force)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -182,8 +184,8 @@ contains
       end associate
    end function bearable_force
 
-   !> Hook load that a weight on bit [N] leaves [N], < 0 where it does not reach the bit; with `pushed` what is left of the strain
-   !> that pipe bears, as a force.
+   !> Hook load that a weight on bit [N] leaves [N], < 0 if it does not reach the bit. With `pushed` it is the strain that is
+   !> left to bearable_strain, as a force.
    pure function left_of(model, case_index, wob, coiled, pushed, friction_scale) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
