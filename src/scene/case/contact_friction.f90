@@ -1,4 +1,4 @@
-!> Friction where a component rubs on its hole: coefficients of hole, load case and component together.
+!> Friction of a component in its hole: coefficients of hole, load case and component together.
 module dg_contact_friction
    use dg_kinds, only: wp
    use dg_component, only: centralizer_diameter, component_type
@@ -11,7 +11,7 @@ module dg_contact_friction
 
 contains
 
-   !> Axial coefficient of a hole section for an operation [-]: that of trip_in is another where the section gives it.
+   !> Axial coefficient of a hole section for an operation [-]. A section may have another one for trip_in.
    elemental function axial_friction(hole, operation) result(friction)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: operation
@@ -20,9 +20,9 @@ contains
       if (operation == operation_trip_in .and. .not. is_missing(hole%friction_running_in)) friction = hole%friction_running_in
    end function axial_friction
 
-   !> Gives a hole section the axial coefficient that load cases with these operations have; without them that of all operations.
-   !> Operations without axial motion count as trip_out does where no other moves axially. Whatever changes the friction of a hole
-   !> calls this.
+   !> Set the axial coefficient of a hole section for load cases with these operations; absent: for all operations. Operations
+   !> without axial motion count as trip_out if no other one moves axially. All code that changes the friction of a hole calls
+   !> this.
    pure subroutine set_axial_friction(hole, friction, operations)
       type(hole_section_type), intent(inout) :: hole
       real(wp), intent(in) :: friction                    !< [-]
@@ -38,27 +38,27 @@ contains
       if (others) hole%friction_axial = friction
    end subroutine set_axial_friction
 
-   !> Adds to the axial or rotary coefficients of a hole section, or to both; those that would be negative are 0.
+   !> Add to the axial or rotary coefficients of a hole section, or to both. Negative results become 0.
    elemental subroutine shift_friction(hole, change, axial, rotary)
       type(hole_section_type), intent(inout) :: hole
       real(wp), intent(in) :: change                      !< [-]
-      logical, intent(in) :: axial, rotary                !< which
+      logical, intent(in) :: axial, rotary                !< which coefficients
       if (rotary) hole%friction_rotary = max(hole%friction_rotary + change, 0.0_wp)
       if (.not. axial) return
       hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
       if (.not. is_missing(hole%friction_running_in)) hole%friction_running_in = max(hole%friction_running_in + change, 0.0_wp)
    end subroutine shift_friction
 
-   !> Signed shares of friction along and around the hole, as friction_split has them. A load case overrides the coefficients of
-   !> the hole. A component multiplies what these two say; one that has a coefficient of its own keeps it, whatever they say. A
-   !> centralizer does so, too, where it touches.
+   !> Signed shares of friction along and around the hole, as in friction_split. A load case overrides the coefficients of the
+   !> hole. A component multiplies both by a factor, or replaces them by coefficients of its own. So does a centralizer where
+   !> it touches.
    pure subroutine find_friction(hole, component, load_case, centralized, radius, scale, axial, rotary)
       type(hole_section_type), intent(in) :: hole
       type(component_type), intent(in) :: component
       type(load_case_type), intent(in) :: load_case
-      logical, intent(in) :: centralized !< its centralizers touch, not its body
-      real(wp), intent(in) :: radius     !< at which the string touches [m]
-      real(wp), intent(in) :: scale      !< on all coefficients [-]
+      logical, intent(in) :: centralized !< true if its centralizers touch, not its body
+      real(wp), intent(in) :: radius     !< radius at which the string touches [m]
+      real(wp), intent(in) :: scale      !< factor on all coefficients [-]
       real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]
       real(wp), intent(out) :: rotary    !< against the rotation, >= 0 [-]
       real(wp) :: mu_axial, mu_rotary
@@ -77,8 +77,8 @@ contains
       call friction_split(load_case, scale*mu_axial, scale*mu_rotary, radius, axial, rotary)
    end subroutine find_friction
 
-   !> Drag of a bow spring in a hole that is narrower than it [N], signed as `axial` above: its running force. A string that turns
-   !> as it moves has the share of it that an axial friction has.
+   !> Drag of a bow spring in a hole that is narrower than it [N], with the sign of `axial` in find_friction. It is its running
+   !> force. For a string that turns as it moves, it is reduced like an axial friction.
    pure function running_drag(hole, component, load_case) result(drag)
       type(hole_section_type), intent(in) :: hole
       type(component_type), intent(in) :: component

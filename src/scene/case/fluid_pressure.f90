@@ -1,9 +1,9 @@
 !> Pressures of the fluids inside and outside a string at rest, by depth.
 !>
-!> A column of fluids presses at a place by the sum of density times gravity times true vertical extent above it. Air above the
-!> first fluid presses nothing: pressures count from that of the atmosphere. The pressure of the annulus at surface adds to the
-!> column outside. Pump pressure adds to the column inside from the surface down to the first closed collar, else to the bit; what
-!> is lost along the string is left out, so that the bit takes all of it. Below a closed collar the column begins anew.
+!> The pressure of a column of fluids is the sum of density times gravity times true vertical extent above a place. Air above
+!> the first fluid has no pressure, as pressures count from that of the atmosphere. The pressure of the annulus at surface adds
+!> to the column outside. Pump pressure adds to the column inside from the surface down to the first closed collar, else to the
+!> bit. Losses along the string are neglected, so that the bit takes all of it. Below a closed collar the column begins anew.
 module dg_fluid_pressure
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, component_type, tube_area
@@ -25,7 +25,7 @@ module dg_fluid_pressure
       real(wp), allocatable :: gradient(:)   !< density times gravity [Pa/m]
    end type fluid_column_type
 
-   !> A part of a string that is of one component, in one fluid on either side.
+   !> A part of a string of one component, in one fluid on either side.
    type :: stretch_type
       integer :: component = 0     !< of the string
       real(wp) :: upper = 0.0_wp, lower = 0.0_wp   !< measured depths of its ends [m]
@@ -33,7 +33,8 @@ module dg_fluid_pressure
 
 contains
 
-   !> The column of a side. Where the lowest collar is open below, what is beneath it has the pressure of the annulus at the bit.
+   !> Make the column of a side. If the lowest collar is open below, the part beneath it has the pressure of the annulus at the
+   !> bit.
    pure subroutine new_fluid_column(model, load_case, side, column)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -55,7 +56,7 @@ contains
                             - pressure_at(column, load_case%bit_depth, bit_tvd)
    end subroutine new_fluid_column
 
-   !> The pieces of a side, pressures summed from the surface down and anew below each collar.
+   !> Stack the pieces of a side. Pressures are summed from the surface down, and anew below each collar.
    pure subroutine stack_up(model, load_case, side, column)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -97,7 +98,7 @@ contains
                              density_in(model, load_case, side_inside, md), model%gravity)
    end function weight_at
 
-   !> Stretches of a string with its bit at a depth [m], component by component from the bit upwards. What stands above the first
+   !> Parts of a string with its bit at a depth [m], component by component from the bit upwards. String above the first
    !> station is left out.
    pure function stretches_of(model, string, bit) result(stretches)
       type(model_type), intent(in) :: model
@@ -118,7 +119,7 @@ contains
       end do
    end function stretches_of
 
-   !> Density of the fluid of a side in a load case [kg/m3]; where two fluids meet, of the lower one.
+   !> Density of the fluid of a side in a load case [kg/m3]. Where two fluids meet it is that of the lower one.
    pure function density_in(model, load_case, side, md) result(density)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
@@ -132,7 +133,7 @@ contains
       end if
    end function density_in
 
-   !> Which collar stands at the upper end of a piece.
+   !> Collar at the upper end of a piece.
    pure function collar_at(model, md, bit_depth) result(collar)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: md, bit_depth   !< [m]
@@ -151,7 +152,7 @@ contains
    !> Pressure above that of the atmosphere [Pa] at a place of the hole; never negative.
    pure function pressure_at(column, md, tvd) result(pressure)
       type(fluid_column_type), intent(in) :: column
-      real(wp), intent(in) :: md    !< measured depth; where two fluids meet, the lower one's counts [m]
+      real(wp), intent(in) :: md    !< measured depth; where two fluids meet, the lower one counts [m]
       real(wp), intent(in) :: tvd   !< of the same place, below the first station [m]
       real(wp) :: pressure
       integer :: i
@@ -161,8 +162,9 @@ contains
       pressure = max(column%pressure(i) + column%gradient(i)*(tvd - column%tvd(i)), 0.0_wp)
    end function pressure_at
 
-   !> Force by which pressure of a closed annulus pushes pipe out at surface [N]: its area there times that pressure. The hook bears
-   !> the effective tension less this. 0 for tubing in a packer, whose hanger holds it, and where the survey begins below surface.
+   !> Force by which pressure of a closed annulus pushes pipe out at surface [N]: its area there times that pressure. Hook load
+   !> is the effective tension less this. It is 0 for tubing in a packer, whose hanger holds it, and where the survey begins
+   !> below surface.
    pure function surface_push(model, case_index) result(push)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -171,7 +173,7 @@ contains
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp) return
       pressure = model%cases(case_index)%annulus_pressure
-      ! the uppermost fluid of the annulus alone may have one
+      ! only the uppermost fluid of the annulus may have a pressure
       if (allocated(model%mud%fluids)) pressure = pressure + maxval([0.0_wp, model%mud%fluids%surface_pressure])
       if (.not. pressure > 0.0_wp) return
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))

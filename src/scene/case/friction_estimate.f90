@@ -1,4 +1,4 @@
-!> Estimates of the friction of hole sections beyond the deck: found by one study of a run, for use by others.
+!> Estimates of the friction of hole sections besides the deck: found by one study of a run, for use by others.
 module dg_friction_estimate
    use dg_kinds, only: wp
    use dg_contact_friction, only: shift_friction
@@ -11,26 +11,26 @@ module dg_friction_estimate
 
    type :: friction_estimate_type
       character(:), allocatable :: name              !< of the study
-      logical :: applied = .false.                   !< the rest of the run uses the coefficients
-      logical :: axial = .true., rotary = .true.     !< which coefficients it is of
+      logical :: applied = .false.                   !< true if the rest of the run uses the coefficients
+      logical :: axial = .true., rotary = .true.     !< which coefficients are estimated
       logical :: found = .false.
-      real(wp), allocatable :: half_widths(:)        !< of 95 % intervals, one a hole section [-]; missing: not known
-      logical :: known = .false.                     !< the numbers below are
-      real(wp), allocatable :: deviations(:)         !< one a hole section [-]
+      real(wp), allocatable :: half_widths(:)        !< half widths of 95 % intervals, one a hole section [-]; missing: not known
+      logical :: known = .false.                     !< true if the numbers below are known
+      real(wp), allocatable :: deviations(:)         !< standard deviations, one a hole section [-]
       real(wp), allocatable :: correlation(:, :)     !< of two sections [-]
    end type friction_estimate_type
 
    !> Friction at the upper end of its 95 % interval.
    type :: upper_friction_type
       logical :: axial = .false., rotary = .false.      !< coefficients that a study of the run has found and applied
-      logical :: known = .true.                         !< their intervals are
+      logical :: known = .true.                         !< true if their intervals are known
       type(hole_section_type), allocatable :: holes(:)          !< each section at the upper end of its own interval
-      type(friction_estimate_type), allocatable :: estimates(:) !< where the intervals are known
+      type(friction_estimate_type), allocatable :: estimates(:) !< estimates with known intervals
    end type upper_friction_type
 
 contains
 
-   !> The upper end, from hole sections with the friction that was found. Others keep their friction.
+   !> Find the upper end, from hole sections with the estimated friction. Others keep their friction.
    pure subroutine find_upper_friction(holes, estimates, upper)
       type(hole_section_type), intent(in) :: holes(:)
       type(friction_estimate_type), intent(in) :: estimates(:)
@@ -49,7 +49,7 @@ contains
       end do
    end subroutine find_upper_friction
 
-   !> True where the friction of a load case is friction that was found.
+   !> True if the friction of a load case has been estimated.
    elemental function has_upper_friction(upper, load_case) result(has)
       type(upper_friction_type), intent(in) :: upper
       type(load_case_type), intent(in) :: load_case

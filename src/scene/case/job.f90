@@ -1,4 +1,4 @@
-!> Models to run and place of results: the part of a deck that is no mechanics.
+!> Models to run and place of results: the part of a deck outside mechanics.
 module dg_job
    use dg_design_factors, only: design_factors_type
    use dg_missing, only: optional_real
@@ -15,7 +15,7 @@ module dg_job
    integer, parameter :: model_count = 4
    !> Names in decks and files, in the order of the numbers above.
    character(*), parameter :: model_name(model_count) = [character(5) :: 'mcge', 'soft', 'rigid', 'mixed']
-   !> In two or three words.
+   !> Short descriptions.
    character(*), parameter :: model_meaning(model_count) = [character(26) :: 'beams with contact', 'soft string', &
       'stiff string on the axis', 'stiff and soft string']
 
@@ -27,27 +27,27 @@ module dg_job
       type(unit_system_type) :: units
       integer, allocatable :: models(:)        !< numbers of the models to run, in the deck's order
       type(text_type), allocatable :: study_files(:)    !< names of the results that studies write
-      type(text_type), allocatable :: study_records(:)  !< names of the records that they keep of unfinished work
-      type(text_type), allocatable :: study_forms(:)    !< forms of names of results that studies of any deck write: sweep_*.csv
-      type(text_type), allocatable :: study_kinds(:)    !< beginnings of names of records that they keep: sweep
+      type(text_type), allocatable :: study_records(:)  !< names of the records of unfinished work
+      type(text_type), allocatable :: study_forms(:)    !< forms of names of results by studies of any deck: sweep_*.csv
+      type(text_type), allocatable :: study_kinds(:)    !< beginnings of names of such records: sweep
       type(optional_real) :: rig_limit         !< hook load that the rig may carry [N]
-      type(design_factors_type) :: design      !< of strengths
+      type(design_factors_type) :: design      !< on loads, for strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record
-      type(text_type), allocatable :: notes(:) !< what is legal in the deck but hardly meant
+      type(text_type), allocatable :: notes(:) !< legal but unusual settings of the deck
       logical :: profiles = .true.             !< write profiles along the string
       logical :: hdf5 = .true.                 !< write results.h5
-      logical :: plots = .true.                !< write files to look at
+      logical :: plots = .true.                !< write pictures and files for ParaView
       logical :: quiet = .false.
-      integer :: part = 1                      !< of the sweeps, the one that this run solves, from 1 to parts
-      integer :: parts = 0                     !< 0: undivided; else sweeps alone are run, and only this part of them
-      integer :: merge = 0                     !< > 0: so many parts are joined, nothing is solved
+      integer :: part = 1                      !< part of the sweeps that this run solves, from 1 to parts
+      integer :: parts = 0                     !< 0: undivided; else only sweeps are run, and only this part of them
+      integer :: merge = 0                     !< > 0: so many parts are joined, and no case is solved
       logical :: again = .false.               !< points that did not converge are solved again, with other settings of the solver
-      integer :: threads = 0                   !< cases solved at a time; 0: all cores
+      integer :: threads = 0                   !< number of cases solved at a time; 0: all cores
    end type job_type
 
 contains
 
-   !> Number of the model whose answers come first: beams with gap elements where they are asked for, else the first of the deck.
+   !> Number of the model whose results come first: beams with gap elements if the deck has them, else the first of the deck.
    pure function leading_model(job) result(model)
       type(job_type), intent(in) :: job
       integer :: model

@@ -1,4 +1,4 @@
-!> A load case: what is done to the string, at which bit depth, with which loads.
+!> A load case: operation of the string, bit depth, loads.
 module dg_load_case
    use dg_kinds, only: wp
    use dg_key_visitor, only: key_visitor_type
@@ -26,8 +26,8 @@ module dg_load_case
    type :: operation_type
       character(18) :: name = ''      !< in decks and files
       character(18) :: label = ''     !< as the paper's Table 1 writes it
-      integer :: block = 0            !< way of the block: 1 it is raised, -1 lowered, 0 it stands
-      integer :: string = 0           !< way of the string along the hole against friction: 1 up, -1 down, 0 neither
+      integer :: block = 0            !< motion of the block: 1 raised, -1 lowered, 0 still
+      integer :: string = 0           !< motion of the string along the hole against friction: 1 up, -1 down, 0 none
       logical :: turns = .false.      !< the string rotates
    end type operation_type
 
@@ -50,7 +50,7 @@ module dg_load_case
    type :: alias_type
       character(20) :: name = ''
       integer :: operation = 0
-      logical :: is_listed = .false.   !< by the error of an unknown operation
+      logical :: is_listed = .false.   !< the error of an unknown operation names it
    end type alias_type
 
    !> Other names that a deck may use. Letter case, blanks, hyphens and underscores do not count: pick_up, pickup, PICK-UP.
@@ -102,24 +102,24 @@ module dg_load_case
       real(wp) :: angular_speed = 0.0_wp    !< of the string [rad/s], >= 0
       real(wp) :: hours = 0.0_wp            !< time of rotation at that speed [h], >= 0
       real(wp) :: trip_speed = 0.0_wp       !< axial, of the string [m/s], >= 0
-      real(wp) :: toolface = 0.0_wp         !< to which bends of the string point: from the high side (north), clockwise [rad]
-      logical :: bend_stands = .false.      !< a string that turns is seen at this toolface; else without its bends
+      real(wp) :: toolface = 0.0_wp         !< direction of bends of the string: from the high side (north), clockwise [rad]
+      logical :: bend_stands = .false.      !< a string that turns keeps its bends, at this tool face; else it is straight
       real(wp) :: pump_pressure = 0.0_wp    !< added to the pressure inside [Pa], >= 0
       real(wp) :: annulus_pressure = 0.0_wp !< added to the pressure outside [Pa], >= 0
-      type(optional_real) :: inside_density !< of the fluid inside, in place of that of the mud [kg/m3]
+      type(optional_real) :: inside_density !< of the fluid inside, instead of the mud [kg/m3]
       real(wp) :: temperature_change_top = 0.0_wp      !< of the string at surface, since it was run [K]
       real(wp) :: temperature_change_bottom = 0.0_wp   !< the same at the bit; linear in true vertical depth between [K]
       real(wp) :: above_ambient_top = 0.0_wp           !< temperature of the string at surface, >= 0 [K]
       real(wp) :: above_ambient_bottom = 0.0_wp        !< the same at the bit; linear in true vertical depth between [K]
-      integer :: length_reference = 0       !< number of the load case from which a change of length counts; 0: none
+      integer :: length_reference = 0       !< number of the load case from which a change of length counts, 0: none
       type(optional_real) :: measured_hookload  !< [N]
       type(optional_real) :: measured_torque    !< [N.m]
-      type(optional_real) :: reference_hookload !< another calculation's [N]
+      type(optional_real) :: reference_hookload !< of another calculation [N]
    end type load_case_type
 
 contains
 
-   !> Visits all numbers of a load case.
+   !> Visit all numbers of a load case.
    subroutine visit_case(load_case, visitor)
       type(load_case_type), intent(inout) :: load_case
       class(key_visitor_type), intent(inout) :: visitor
@@ -144,7 +144,7 @@ contains
       call visitor%optional('reference_hookload', load_case%reference_hookload)
    end subroutine visit_case
 
-   !> Number of an operation from its name or an alias; 0 where there is none of that name.
+   !> Number of an operation from its name or an alias, 0 for an unknown name.
    pure function operation_from_name(name) result(operation)
       character(*), intent(in) :: name
       integer :: operation
@@ -158,8 +158,7 @@ contains
       end do
    end function operation_from_name
 
-   !> A name of an operation as it is compared: small letters, without blanks, hyphens and underscores; blanks at
-   !> the end.
+   !> Name of an operation for comparison: small letters, without blanks, hyphens and underscores, with trailing blanks.
    pure function alike(name) result(text)
       character(*), intent(in) :: name
       character(len(name)) :: text
@@ -173,17 +172,16 @@ contains
       end do
    end function alike
 
-   !> Friction coefficients that act in an operation, signed by the motion (paper, Eq. 5 with mu1 = 0 or
-   !> mu2 = 0; both in combined motion, where the one Coulomb force lies against the velocity of the
-   !> surface, so that each coefficient acts with its share of it).
-   !>   axial:  friction force on the string along the hole's tangent t per unit contact force;
-   !>           > 0 points down the hole (string moves up)
-   !>   rotary: circumferential friction against the rotation, >= 0
+   !> Friction coefficients of an operation, signed by the motion (paper, Eq. 5 with mu1 = 0 or mu2 = 0). In combined motion
+   !> the one Coulomb force is against the velocity of the surface. Each coefficient then acts with its share of that velocity.
+   !> - axial: friction force on the string along the hole's tangent t per unit contact force, > 0 down the hole (string moves
+   !>   up)
+   !> - rotary: circumferential friction against the rotation, >= 0
    pure subroutine friction_split(load_case, mu_axial, mu_rotary, radius, axial, rotary)
       type(load_case_type), intent(in) :: load_case
       real(wp), intent(in) :: mu_axial   !< mu2 [-]
       real(wp), intent(in) :: mu_rotary  !< mu1 [-]
-      real(wp), intent(in) :: radius     !< at which the string touches [m]
+      real(wp), intent(in) :: radius     !< radius at which the string touches [m]
       real(wp), intent(out) :: axial
       real(wp), intent(out) :: rotary
       type(operation_type) :: operation
@@ -202,7 +200,7 @@ contains
       end if
    end subroutine friction_split
 
-   !> True if friction acts along the hole, so that Table 1 has a frictional resistance. False for no number of an operation.
+   !> True if friction acts along the hole, so that Table 1 has a frictional resistance. False for an invalid number.
    elemental function moves_axially(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes
@@ -210,7 +208,7 @@ contains
       if (operation >= 1 .and. operation <= operation_count) yes = operations(operation)%string /= 0
    end function moves_axially
 
-   !> True if the string turns, so that Table 1 has a torque. False for no number of an operation.
+   !> True if the string turns, so that Table 1 has a torque. False for an invalid number.
    elemental function rotates(operation) result(yes)
       integer, intent(in) :: operation
       logical :: yes

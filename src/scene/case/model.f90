@@ -1,4 +1,4 @@
-!> The whole of what is to be computed, in SI units; built once from a deck. A solution changes copies only.
+!> All data of a computation, in SI units, built once from a deck. A solution only changes copies.
 module dg_model
    use dg_kinds, only: wp
    use dg_constants, only: standard_gravity
@@ -21,34 +21,36 @@ module dg_model
    integer, parameter :: hold_free = 1, hold_landed = 2, hold_fixed = 3
    character(*), parameter :: packer_hold_name(3) = [character(6) :: 'free', 'landed', 'fixed']
 
-   !> Lateral supports of the string's ends; rotations are free at both. The top is held axially and
-   !> against twist, the bit is loaded.
+   !> Lateral supports of the string's ends. Rotations are free at both. The top is held axially and against twist, the bit is
+   !> loaded.
    type :: boundary_type
       logical :: top_centred = .true.
       logical :: bit_centred = .true.
-      real(wp) :: packer_bore = 0.0_wp   !< diameter of the seal bore in which the lower end is [m]; 0: no packer
+      real(wp) :: packer_bore = 0.0_wp   !< diameter of the seal bore around the lower end [m]; 0: no packer
       integer :: packer_hold = hold_free
    end type boundary_type
 
    type :: model_type
       type(trajectory_type) :: trajectory
-      type(text_type), allocatable :: path_notes(:)      !< what the path has beside the stations of the deck, for every report
+      type(text_type), allocatable :: path_notes(:)      !< remarks on the path besides the stations of the deck, for every report
       type(hole_section_type), allocatable :: holes(:)   !< from the top down, abutting
       type(drillstring_type), allocatable :: strings(:)
       type(load_case_type), allocatable :: cases(:)
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
-      type(rig_type) :: rig                               !< acts on no string, only on what is read of it
+      type(rig_type) :: rig                               !< only for the weight indicator and limits, not for forces in the string
       type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
-      type(optional_real) :: hookload                     !< that brings an unknown load to the bit; absent: the load is known [N]
-      real(wp) :: stiff_drag = 0.0_wp                     !< lacks in the soft string of the case being solved (dg_stiff_drag) [N]
-      type(unit_system_type) :: units                     !< in which messages speak; all numbers are SI
+      type(optional_real) :: hookload                     !< given hook load with an unknown load at the bit; absent: the load is
+                                                          !< known [N]
+      real(wp) :: stiff_drag = 0.0_wp                     !< friction that the soft string of the present case lacks (dg_stiff_drag)
+                                                          !< [N]
+      type(unit_system_type) :: units                     !< units of messages; all numbers are SI
    end type model_type
 
 contains
 
-   !> Index of the string of that name, 0 where there is none.
+   !> Index of the string of that name, 0 for an unknown name.
    pure function string_index(strings, name) result(index)
       type(drillstring_type), intent(in) :: strings(:)
       character(*), intent(in) :: name
@@ -59,7 +61,7 @@ contains
       index = 0
    end function string_index
 
-   !> The model with room for one load case of somebody's own.
+   !> Copy a model without its load cases, with room for one.
    subroutine copy_without_cases(model, copy)
       type(model_type), intent(in) :: model
       type(model_type), intent(out) :: copy

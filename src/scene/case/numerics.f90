@@ -1,4 +1,5 @@
-!> Settings of the solution that a deck may change. Ranges stand in dg_deck_keys, all other numbers of the iteration in dg_tuning.
+!> Settings of the solution that a deck may change. Ranges are in dg_deck_keys, all other numbers of the iteration in
+!> dg_tuning.
 module dg_numerics
    use dg_kinds, only: wp
    use dg_key_visitor, only: key_visitor_type
@@ -20,21 +21,20 @@ module dg_numerics
    character(*), parameter :: gap_location_name(gap_location_count) = [character(8) :: 'extremum', 'nodes']
 
    integer, parameter :: fidelity_count = 4
-   !> Names in decks. auto lets elements be as long as the local scale bears; fast the same with
-   !> fixed gaps and a loose tolerance; standard and reference ask for a fine mesh everywhere.
-   !> All but fast find moments on elements short enough for them; reference proves these by halving the elements.
+   !> Names in decks. With auto the local scale limits elements. fast is the same with fixed gaps and a loose tolerance.
+   !> standard and reference have a fine mesh everywhere. All but fast find moments on elements short enough for them.
+   !> reference proves these by halving the elements.
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
    real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
    !> Tolerance of `fast` [-]: a hook load of 700 kN to a newton.
    real(wp), parameter :: fast_tolerance = 1.0e-6_wp
 
-   !> Relative compression over which the wall yields elastically before it counts as rigid, where neither
-   !> deck nor mud sheath say otherwise [-]: 5 % of the clearance, 2 mm in a usual hole.
+   !> Relative compression over which the wall yields elastically before it counts as rigid [-]. It holds without a setting of
+   !> the deck and without a mud sheath. 5 % of the clearance is 2 mm in a usual hole.
    real(wp), parameter :: default_elastic_share = 0.05_wp
 
-   !> Stiffness of a wall [N/m2]: half of solid steel's, as good as rigid. Ten times more changes the largest moment of nine in ten
-   !> wells by less than 0.3 %.
+   !> Default stiffness of a wall [N/m2]: half of solid steel's, as good as rigid.
    real(wp), parameter :: default_wall = 1.0e11_wp
 
    type :: numerics_type
@@ -44,9 +44,9 @@ module dg_numerics
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
-      logical :: moments = .false.             !< moments along the string are found on elements short enough for them
-      logical :: halve_moments = .false.       !< these elements are halved until moments change no more, which proves them
-      logical :: friction_range = .true.       !< sliding coils are solved from a second start, too
+      logical :: moments = .false.             !< moments are found on elements short enough for them
+      logical :: halve_moments = .false.       !< these elements are halved until moments do not change, which proves them
+      logical :: friction_range = .true.       !< sliding strings in helical buckling are also solved from a second start
       integer :: linear_solver = solver_block  !< number of one of solver_name
       integer :: max_iterations = 1300         !< of all attempts at a case together
       integer :: load_steps = 1                !< increments of friction and bit loads
@@ -56,19 +56,19 @@ module dg_numerics
       real(wp) :: eps_n0 = 1.0e-8_wp           !< threshold of relative compression [-]: Eqs. 7-8
       real(wp) :: eps_nmax = default_elastic_share !< relative compression at which elastic turns to rigid [-]: Eq. 8
       real(wp) :: r_n0 = 1.0e-3_wp             !< threshold of contact force [N]: Eqs. 7-8
-      real(wp) :: relocation = 0.5_wp          !< a closed MCGE moves when its element is deeper elsewhere by this part of c [-]
+      real(wp) :: relocation = 0.5_wp          !< least gain in depth, over c, for which a closed MCGE moves [-]
       real(wp) :: step_limit = 2.0_wp          !< lateral step over the clearance above which damping is raised [-]
       real(wp) :: imperfection = 1.0e-3_wp     !< seeded lateral offset of compressed parts over the clearance [-]
       logical :: wall_climb = .false.          !< soft, rigid, mixed: a turning string climbs the wall
       logical :: mixed_elements = .false.      !< mixed: finite elements next to the bit, not a rigid string
       logical :: history = .false.             !< keep and write the iteration history
-      type(tuning_type) :: tuning              !< of start and iteration: no deck changes it
+      type(tuning_type) :: tuning              !< numbers of start and iteration that no deck changes
       character(50) :: unknown_fidelity = ''   !< a name that settings_of does not know, in quotes; new_model refuses it
    end type numerics_type
 
 contains
 
-   !> Visits the numbers that a deck may set.
+   !> Visit the numbers that a deck may set.
    subroutine visit_numerics(numerics, visitor)
       type(numerics_type), intent(inout) :: numerics
       class(key_visitor_type), intent(inout) :: visitor
@@ -87,15 +87,15 @@ contains
       call visitor%number('imperfection', numerics%imperfection)
    end subroutine visit_numerics
 
-   !> Settings of a fidelity by its name, letter case aside. new_model refuses those of an unknown one.
+   !> Settings of a fidelity by its name, in any letter case. new_model refuses settings of an unknown name.
    pure function settings_of(fidelity) result(numerics)
       character(*), intent(in) :: fidelity
       type(numerics_type) :: numerics
       call set_fidelity(numerics, fidelity)
    end function settings_of
 
-   !> Length of an attempt, and of a stall in it, over the usual [-]: all attempts together make use of max_iterations. Where that
-   !> is less than usual, attempts are no shorter: fewer of them are made.
+   !> Length of an attempt, and of a stall in it, over the default [-]. All attempts together use max_iterations. If that is
+   !> below its default, fewer attempts are made, which are not shorter.
    pure function patience(numerics) result(times)
       type(numerics_type), intent(in) :: numerics
       type(numerics_type) :: usual
@@ -107,7 +107,7 @@ contains
    pure function settings_of_attempt(numerics, number, coils) result(settings)
       type(numerics_type), intent(in) :: numerics   !< of the case
       integer, intent(in) :: number                 !< of the attempt
-      logical, intent(in) :: coils                  !< the string is compressed beyond the helical load
+      logical, intent(in) :: coils                  !< true if the string is compressed above the helical load
       type(numerics_type) :: settings
       real(wp) :: times
       settings = numerics
@@ -121,14 +121,14 @@ contains
       end associate
    end function settings_of_attempt
 
-   !> The place of the gaps that is not asked for.
+   !> The other place of the gaps.
    elemental function other_location(location) result(other)
       integer, intent(in) :: location
       integer :: other
       other = merge(gap_at_extremum, gap_at_nodes, location == gap_at_nodes)
    end function other_location
 
-   !> Gives settings what a fidelity decides, and leaves the others as they are.
+   !> Change the settings that a fidelity decides, and keep the others.
    pure subroutine set_fidelity(numerics, fidelity)
       type(numerics_type), intent(inout) :: numerics
       character(*), intent(in) :: fidelity   !< an unknown one is noted, and changes no number

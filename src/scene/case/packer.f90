@@ -1,9 +1,10 @@
 !> Load at the lower end of a string that is sealed in the bore of a packer.
 !>
 !> Lubinski, Althouse & Logan (1962), Helical buckling of tubing sealed in packers, J. Pet. Technol. 14(6), SPE-178-PA.
-!> Pressure p_i acts below the seal and in the string, p_o above the seal. With the areas A_p of the bore, A_i and A_o of the
-!> string, the true axial force just above the packer is a compression of (A_p - A_i) p_i - (A_p - A_o) p_o. The effective
-!> compression there is then A_p (p_i - p_o), whatever the size of the string. It is a load of the lower end beside weight on bit.
+!> Pressure p_i acts below the seal and in the string, p_o above the seal. The areas are A_p of the bore, A_i and A_o of the
+!> string. The true axial force just above the packer is a compression of (A_p - A_i) p_i - (A_p - A_o) p_o. The effective
+!> compression there is then A_p (p_i - p_o), for any size of the string. It is a load of the lower end in addition to weight
+!> on bit.
 module dg_packer
    use dg_kinds, only: wp
    use dg_component, only: tube_area
@@ -34,7 +35,7 @@ contains
                                                             - pressure_at(outside, load_case%bit_depth, tvd))
    end function packer_push
 
-   !> Effective compression of the lower end [N]: weight on bit and what the pressures at a packer add to it.
+   !> Effective compression of the lower end [N]: weight on bit plus packer_push.
    pure function end_compression(model, load_case) result(compression)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

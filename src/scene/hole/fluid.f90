@@ -1,10 +1,9 @@
 !> The fluids inside and outside the string, by measured depth.
 !>
-!> Fluids are listed from the top down. Each fills its side of the wall from its upper end down to the upper end of the next
-!> fluid of that side, the last one down to the bit. Above the first one there is air, which weighs and presses nothing: so a
-!> first fluid that begins below the surface leaves an air gap.
-!> A fluid inside may begin at a place of the string instead of a depth: it then moves with the string, as what a float collar
-!> holds does.
+!> Fluids are listed from the top down. Each fills its side of the wall from its upper end down to the next fluid of that side.
+!> The last one reaches down to the bit. Above the first one there is air without weight and pressure. A first fluid that
+!> begins below the surface thus leaves an air gap. A fluid inside may begin at a place of the string instead of a depth. It
+!> then moves with the string, like the fluid held by a float collar.
 module dg_fluid
    use dg_kinds, only: wp
    implicit none
@@ -17,9 +16,9 @@ module dg_fluid
    integer, parameter :: side_outside = 2
 
    !> Separation of a fluid inside from the one above it.
-   integer, parameter :: collar_none = 1        !< nothing: pressure goes through
-   integer, parameter :: collar_closed = 2      !< a closed collar; below it begins at no pressure, as filled at surface
-   integer, parameter :: collar_open_below = 3  !< a closed collar; below it has the pressure of the hole at the bit
+   integer, parameter :: collar_none = 1        !< no collar: pressure goes through
+   integer, parameter :: collar_closed = 2      !< a closed collar; the fluid below it begins at no pressure, as filled at surface
+   integer, parameter :: collar_open_below = 3  !< a closed collar; the fluid below it has the pressure of the hole at the bit
    character(*), parameter :: collar_name(3) = [character(10) :: 'none', 'closed', 'open_below']
 
    type :: fluid_type
@@ -54,7 +53,7 @@ contains
       yes = merge(fluid%inside, fluid%outside, side == side_inside)
    end function fills
 
-   !> Measured depth of the upper end of a fluid [m]; at surface where its place of the string is not in the hole yet.
+   !> Measured depth of the upper end of a fluid [m]. It is at surface if its place of the string is not in the hole yet.
    elemental function fluid_top(fluid, bit_depth) result(md)
       type(fluid_type), intent(in) :: fluid
       real(wp), intent(in) :: bit_depth   !< [m]
@@ -63,7 +62,7 @@ contains
       if (fluid%above_bit > 0.0_wp) md = max(bit_depth - fluid%above_bit, 0.0_wp)
    end function fluid_top
 
-   !> Number of the fluid at a measured depth, 0 for air: the last one listed that begins there or above.
+   !> Number of the fluid at a measured depth, the last one listed that begins there or above; 0 for air.
    pure function fluid_at(mud, side, md, bit_depth) result(index)
       type(mud_type), intent(in) :: mud
       integer, intent(in) :: side
@@ -78,7 +77,7 @@ contains
       index = 0
    end function fluid_at
 
-   !> Density at a measured depth [kg/m3]; where two fluids meet, of the lower one.
+   !> Density at a measured depth [kg/m3]. Where two fluids meet it is that of the lower one.
    pure function density_at(mud, side, md, bit_depth) result(density)
       type(mud_type), intent(in) :: mud
       integer, intent(in) :: side         !< side_inside or side_outside
@@ -121,7 +120,7 @@ contains
       if (size(mud%fluids) > 0) density = maxval(mud%fluids%density)
    end function heaviest_fluid
 
-   !> Counts from a new lower end of the string, `off` above the old one: fluids that began below it are gone.
+   !> Count from a new lower end of the string, `off` above the old one. Fluids that began below it are removed.
    pure subroutine cut_mud(mud, off)
       type(mud_type), intent(inout) :: mud
       real(wp), intent(in) :: off   !< > 0 [m]
@@ -130,7 +129,7 @@ contains
       where (mud%fluids%above_bit > 0.0_wp) mud%fluids%above_bit = mud%fluids%above_bit - off
    end subroutine cut_mud
 
-   !> Moves the fluids that begin at depths down a hole [m].
+   !> Move the fluids that begin at depths down a hole [m].
    pure subroutine shift_mud(mud, by)
       type(mud_type), intent(inout) :: mud
       real(wp), intent(in) :: by   !< [m]

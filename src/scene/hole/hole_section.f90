@@ -8,10 +8,9 @@ module dg_hole_section
    public :: hole_section_type, hole_section_at, last_shoe, wall_of
    public :: visit_hole
 
-   !> Stiffness of a mud sheath where none is given: that of stiff clay [N/m2].
+   !> Default stiffness of a mud sheath: that of stiff clay [N/m2].
    real(wp), parameter :: sheath_stiffness = 1.0e8_wp
-   !> Walls that are given stiffer than this count as this stiff: fifty times solid steel, beyond which nothing changes but
-   !> round-off [N/m2].
+   !> Largest stiffness of a wall [N/m2]: fifty times solid steel. Beyond it only round-off changes.
    real(wp), parameter :: hardest = 1.0e13_wp
 
    type :: hole_section_type
@@ -23,16 +22,16 @@ module dg_hole_section
       real(wp) :: friction_rotary = 0.0_wp !< mu1 of Eq. 5 [-]
       real(wp) :: wall_stiffness = 0.0_wp  !< per metre of contact and of penetration [N/m2]; 0: gk_contact of the solver
       real(wp) :: mud_sheath = 0.0_wp      !< thickness t [m]; > 0 sets eps_nmax = 2 t/(D - d) here
-      logical :: cased = .false.           !< for sweeps by friction cased and open, and for tools that open
+      logical :: cased = .false.           !< for sweeps of cased and open friction, and for tools that open
       real(wp) :: friction_running_in = missing !< mu2 of trip_in alone [-]; missing: friction_axial
       real(wp) :: casing_od = missing      !< outside diameter of the casing, for wear [m]
-      real(wp) :: casing_yield = missing   !< its yield strength, for what wear leaves [Pa]
+      real(wp) :: casing_yield = missing   !< its yield strength, for the wall that wear leaves [Pa]
       real(wp) :: wear_factor = missing    !< volume worn off it over the work of sliding [1/Pa]
    end type hole_section_type
 
 contains
 
-   !> Visits all numbers of a section.
+   !> Visit all numbers of a section.
    subroutine visit_hole(hole, visitor)
       type(hole_section_type), intent(inout) :: hole
       class(key_visitor_type), intent(inout) :: visitor
@@ -49,8 +48,9 @@ contains
       call visitor%number_or_missing('wear_factor', hole%wear_factor)
    end subroutine visit_hole
 
-   !> Stiffness of a section's wall, elastic and rigid [N/m2]. Where the section has none of its own the solver's holds. Where mud
-   !> covers the wall the elastic one is that of the mud, no more than clay's where none is given, and the rigid one the solver's.
+   !> Stiffness of a section's wall, elastic and rigid [N/m2]. Without a stiffness of the section the solver's is used. Where
+   !> mud covers the wall the elastic one is that of the mud, by default at most that of clay. The rigid one is then the
+   !> solver's.
    pure subroutine wall_of(hole, gk_contact, gk_max, elastic, rigid)
       type(hole_section_type), intent(in) :: hole
       real(wp), intent(in) :: gk_contact, gk_max   !< of the solver [N/m2]
@@ -66,8 +66,8 @@ contains
       rigid = min(rigid, hardest)
    end subroutine wall_of
 
-   !> Index of the section that holds a depth [m]; at a boundary the lower one. Sections are ordered and
-   !> abut; depths outside belong to the nearest.
+   !> Index of the section that holds a depth [m]; at a boundary the lower one. Sections are ordered and abut. Depths outside
+   !> belong to the nearest.
    pure function hole_section_at(sections, md) result(index)
       type(hole_section_type), intent(in) :: sections(:)
       real(wp), intent(in) :: md
@@ -78,7 +78,7 @@ contains
       index = size(sections)
    end function hole_section_at
 
-   !> Measured depth of the lower end of the last cased section [m]; missing where no section is cased.
+   !> Measured depth of the lower end of the last cased section [m]; missing without a cased section.
    pure function last_shoe(sections) result(md)
       type(hole_section_type), intent(in) :: sections(:)   !< from the top down
       real(wp) :: md

@@ -1,4 +1,4 @@
-!> Load cases: what their operation needs, and whether hole and string reach where the bit is and the string passes the hole.
+!> Checks of load cases: numbers that their operation needs, reach of hole and string to the bit, and passage of the string.
 module dg_case_check
    use dg_component, only: closed_diameter, component_type, is_bit, is_open, is_pipe
    use dg_hole_check, only: depth_round_off
@@ -16,12 +16,12 @@ module dg_case_check
 
 contains
 
-   !> Reaming needs both speeds, whose ratio divides the friction. Hours of rotation need its speed.
+   !> Check speeds. Reaming needs both, whose ratio divides the friction. Hours of rotation need its speed.
    subroutine check_operation(load_case, place, found, speed)
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
       type(error_list_type), intent(inout) :: found
-      character(*), intent(in), optional :: speed  !< what the caller calls the speed of rotation; absent: rpm, as decks do
+      character(*), intent(in), optional :: speed  !< the caller's name of the speed of rotation; absent: rpm, as in decks
       if (load_case%hours > 0.0_wp .and. .not. load_case%angular_speed > 0.0_wp) &
          call add_part_fault(found, 'load_case', place, 'rpm', 'hours needs rpm > 0')
       if (.not. (rotates(load_case%operation) .and. moves_axially(load_case%operation))) return
@@ -41,7 +41,7 @@ contains
       end subroutine need
    end subroutine check_operation
 
-   !> The bit is not below `what`. A depth beyond its end by round-off becomes its end.
+   !> Check that the bit is not below `what`. A depth beyond its end by round-off becomes its end.
    subroutine check_reach(depth, place, key, what, bottom, units, found)
       real(wp), intent(inout) :: depth             !< of the bit [m]
       integer, intent(in) :: place                 !< of the load case
@@ -59,7 +59,7 @@ contains
       end if
    end subroutine check_reach
 
-   !> A string of that name is there.
+   !> Check that there is a string of that name.
    subroutine check_string_name(string, place, names, found)
       character(*), intent(in) :: string
       integer, intent(in) :: place                 !< of the load case
@@ -70,7 +70,8 @@ contains
                           suggestion(string, names))
    end subroutine check_string_name
 
-   !> A string whose uppermost component has a length reaches from the bit to surface. Pipe may be longer, a tool may not.
+   !> Check that a string whose uppermost component has a length reaches from the bit to surface. Pipe may be longer, a tool
+   !> may not.
    subroutine check_string_length(components, uppermost, load_case, place, key, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards, one at least
       integer, intent(in) :: uppermost                    !< place of the last one
@@ -87,14 +88,14 @@ contains
       do k = 1, size(components)
          length = length + components(k)%length
       end do
-      if (.not. all(components%length > 0.0_wp)) return       ! one that may reach to surface, or has its own fault
+      if (.not. all(components%length > 0.0_wp)) return       ! one may reach to surface, or have its own fault
       if (.not. length < load_case%bit_depth*(1.0_wp - depth_round_off)) return
       words = 'string '//quoted(load_case%string)//' is '//depth_words(units, length)// &
               ' long and does not reach surface from '//key//' = '//depth_words(units, load_case%bit_depth)//': '// &
               depth_words(units, load_case%bit_depth - length)//' of pipe are missing; '
       associate (last => components(size(components)))
          goes_up = is_pipe(last)
-         if (goes_up .and. allocated(last%kind)) goes_up = last%kind /= 'hwdp'      ! heavy weight pipe stays below
+         if (goes_up .and. allocated(last%kind)) goes_up = last%kind /= 'hwdp'      ! heavy weight pipe does not reach surface
       end associate
       if (goes_up) then
          call add_part_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
@@ -107,14 +108,14 @@ contains
       end if
    end subroutine check_string_length
 
-   !> Every component is thinner than each hole section that it has passed on its way down; a bit may fill its hole. A tool that
+   !> Check that every component is thinner than each hole section that it has passed. A bit may fill its hole. A tool that
    !> opens passes with its closed diameter down to where it opens.
    subroutine check_passage(components, places, holes, bit_depth, whose, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards
       integer, intent(in) :: places(:)                    !< of each
       type(hole_section_type), intent(in) :: holes(:)     !< from the top down
       real(wp), intent(in) :: bit_depth                   !< [m]
-      character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
+      character(*), intent(in) :: whose                   !< owner of the depth: "case 'up'"
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       character(:), allocatable :: part
@@ -126,7 +127,7 @@ contains
          narrowest(h) = min(narrowest(h), narrowest(h - 1))
       end do
       lower_end = bit_depth
-      lowest = size(holes)                                ! section that the lower end of the component has come to
+      lowest = size(holes)                                ! section of the lower end of the component
       do k = 1, size(components)
          if (lower_end <= 0.0_wp) return
          upper_end = 0.0_wp

@@ -1,5 +1,5 @@
-!> Makes a model of parts that a program has filled in, and checks load cases of it: all that a deck's reading checks, and that
-!> everything is there. Messages are in SI units and name the component that is wrong: holes(2), strings(1)%components(3).
+!> Make a model of parts that a program has filled in, and check load cases of it. All checks of a deck are made, and that
+!> nothing is missing. Messages are in SI units and name the wrong component: holes(2), strings(1)%components(3).
 module dg_checked_model
    use dg_case_check, only: check_operation, check_passage, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
@@ -27,14 +27,14 @@ module dg_checked_model
    private
    public :: build_checked_model, check_load_case
 
-   !> Faults that a message tells; the rest are counted.
+   !> Most faults that a message names; the rest are counted.
    integer, parameter :: most_told = 20
-   !> Stands for the length of a section whose end is not known [m].
+   !> Length of a section whose end is not known [m].
    real(wp), parameter :: some_depth = 1.0_wp
 
 contains
 
-   !> Makes the model, without load cases. Every part is checked; `error` tells all that is wrong, and then the model is none.
+   !> Make the model, without load cases. Every part is checked. `error` names all faults, and then the model is not valid.
    subroutine build_checked_model(parts, model, error)
       type(model_parts_type), intent(in) :: parts
       type(model_type), intent(out) :: model
@@ -57,8 +57,8 @@ contains
       call report_error(report, error)
    end subroutine build_checked_model
 
-   !> Checks a load case of a model, and fills in what it may leave out. A depth of the bit that is off by round-off becomes the
-   !> end of the hole.
+   !> Check a load case of a model, and set its defaults. A depth of the bit that is off by round-off becomes the end of the
+   !> hole.
    subroutine check_load_case(model, load_case, error)
       type(model_type), intent(in) :: model            !< from build_checked_model or from a deck
       type(load_case_type), intent(inout) :: load_case
@@ -98,7 +98,7 @@ contains
       call report_error(report, error)
    end subroutine check_load_case
 
-   !> The path; a vertical hole is added above a survey that begins below surface.
+   !> Set the path. A vertical hole is added above a survey that begins below surface.
    subroutine take_survey(survey, model, report, sound)
       type(survey_type), intent(in) :: survey
       type(model_type), intent(inout) :: model
@@ -238,7 +238,7 @@ contains
       end do
    end subroutine take_strings
 
-   !> Checks one component, and gives it the names that it has not.
+   !> Check one component, and set its missing names.
    subroutine take_component(fluids, sound_fluids, name, string, place, components, report)
       type(fluid_type), allocatable, intent(in) :: fluids(:)
       logical, intent(in) :: sound_fluids
@@ -279,7 +279,7 @@ contains
       end associate
    end subroutine take_component
 
-   !> Gives tools that open their depth. Everything else of holes and strings is right.
+   !> Set the depth of tools that open. All else of holes and strings must be right.
    subroutine set_openings(model, report)
       type(model_type), intent(inout) :: model
       type(error_list_type), intent(inout) :: report
@@ -311,11 +311,11 @@ contains
       call report_all(found, 'model', 0, report)
    end subroutine check_settings
 
-   !> Tells what was found of the part `where`, and empties the list.
+   !> Report all faults of the part `where`, and empty the list.
    subroutine report_all(found, where, string, report)
       type(error_list_type), intent(inout) :: found
       character(*), intent(in) :: where
-      integer, intent(in) :: string           !< whose components are meant; 0: none
+      integer, intent(in) :: string           !< string whose components are meant; 0: none
       type(error_list_type), intent(inout) :: report
       integer :: i
       do i = 1, found%count
@@ -324,7 +324,7 @@ contains
       call clear_errors(found)
    end subroutine report_all
 
-   !> Tells faults each of which names its own part.
+   !> Report faults each of which names its own part.
    subroutine report_each(found, parts, report)
       type(error_list_type), intent(in) :: found
       character(*), intent(in) :: parts       !< component of model_parts_type: 'holes'
@@ -353,7 +353,7 @@ contains
       call add_fault(report, where, 0, words)
    end subroutine report_one
 
-   !> Tells of a name that a file could not hold as a cell.
+   !> Report a name that a file could not hold as a cell.
    subroutine check_text(text, called, where, report)
       character(*), intent(in) :: text, called, where
       type(error_list_type), intent(inout) :: report

@@ -18,7 +18,7 @@ module dg_deck_schema
    integer, parameter :: kind_integer = 3
    integer, parameter :: kind_logical = 4
 
-   !> Part of the end of a range by which a number may lie beyond it [-]: --convert writes numbers to 1e-7.
+   !> Part of the end of a range by which a number may be beyond it [-]: --convert writes numbers to 1e-7.
    real(wp), parameter :: range_round_off = 2.0e-7_wp
 
    integer, parameter :: name_length = 32
@@ -48,7 +48,7 @@ module dg_deck_schema
       character(words_length) :: meaning = ''
    end type key_rule_type
 
-   !> Significant digits of a bound in a message: a rounded bound is kinder than 15 digits of feet.
+   !> Significant digits of a bound in a message: a rounded bound is easier to read than 15 digits of feet.
    integer, parameter :: bound_digits = 5
 
    !> A group with its keys.
@@ -59,7 +59,7 @@ module dg_deck_schema
 
 contains
 
-   !> Puts a group to those that a deck may have.
+   !> Add a group to those that a deck may have.
    subroutine add_group(groups, rule, keys)
       type(group_keys_type), allocatable, intent(inout) :: groups(:)
       type(group_rule_type), intent(in) :: rule
@@ -74,7 +74,7 @@ contains
       call move_alloc(longer, groups)
    end subroutine add_group
 
-   !> Place of a group among those that a deck may have, 0 where there is none of that name.
+   !> Place of a group among those that a deck may have, 0 for an unknown name.
    pure function group_place(groups, name) result(place)
       type(group_keys_type), intent(in) :: groups(:)
       character(*), intent(in) :: name
@@ -85,7 +85,7 @@ contains
       place = 0
    end function group_place
 
-   !> Place of a key in a table of rules, 0 where the table has no key of that name.
+   !> Place of a key in a table of rules, 0 for an unknown name.
    pure function rule_place(rules, key) result(place)
       type(key_rule_type), intent(in) :: rules(:)
       character(*), intent(in) :: key

@@ -1,4 +1,4 @@
-!> Fluids: where each may begin, and that none takes all of another's place.
+!> Checks of fluids: where each may begin, and that none is hidden by another.
 module dg_fluid_check
    use dg_fluid, only: collar_none, fills, fluid_top, fluid_type, side_inside, side_outside
    use dg_kinds, only: wp
@@ -26,7 +26,7 @@ contains
          'outside, which begins at surface')
    end subroutine check_fluid
 
-   !> Fluids of a side are listed from the top down: none is hidden by those that come after it.
+   !> Check that fluids of a side are listed from the top down: none is hidden by later ones.
    subroutine check_fluid_order(fluids, bottom, found)
       type(fluid_type), intent(in) :: fluids(:)
       real(wp), intent(in) :: bottom               !< of the hole: the lowest place of the bit [m]
@@ -39,8 +39,7 @@ contains
                              'of a side from the top down, each with the md_top, tvd_top or above_bit where it begins')
       end do
    contains
-      !> The last of those fluids listed later, none of them beginning deeper, that fill every side that a fluid fills; 0 where a
-      !> side is left.
+      !> Last of the later fluids that together fill every side of a fluid, none of them beginning deeper; 0 if a side is left.
       pure function hidden_by(number) result(hider)
          integer, intent(in) :: number
          integer :: hider
@@ -57,8 +56,8 @@ contains
          if (any(left)) hider = 0
       end function hidden_by
 
-      !> True if a fluid begins deeper than the one listed before it. Between a fixed and a moving fluid: a moving one comes in
-      !> deeper. A fixed one after a moving one is compared at the lowest place of the bit.
+      !> True if a fluid begins deeper than the one listed before it. A moving one after a fixed one counts as deeper. A fixed
+      !> one after a moving one is compared at the lowest place of the bit.
       pure function begins_deeper(later, earlier) result(yes)
          type(fluid_type), intent(in) :: later, earlier
          logical :: yes

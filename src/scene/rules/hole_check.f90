@@ -1,4 +1,4 @@
-!> Hole sections: each goes down, and together they reach from surface on without a gap.
+!> Checks of hole sections: each goes down, and together they reach from surface on without a gap.
 module dg_hole_check
    use dg_component, only: shortest_contact
    use dg_hole_section, only: hole_section_type
@@ -11,14 +11,14 @@ module dg_hole_check
    private
    public :: check_section, join_sections, depth_round_off
 
-   !> Part of a depth that is only round-off of a conversion or of a survey table [-].
+   !> Part of a depth that is round-off of a conversion or of a survey table [-].
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
-   !> Part of the shortest section that is only round-off of two depths [-].
+   !> Part of the shortest section that is round-off of two depths [-].
    real(wp), parameter :: part_of_millimetre = 1.0e-3_wp
 
 contains
 
-   !> A section ends below its beginning, by the shortest contact at least.
+   !> Check that a section ends below its beginning, by at least the shortest contact.
    subroutine check_section(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
@@ -42,7 +42,7 @@ contains
       end if
    end subroutine check_section
 
-   !> Sections from the top down begin at surface and abut. Ends that are off by round-off are made one.
+   !> Check that sections from the top down begin at surface and abut. Ends that differ by round-off become equal.
    subroutine join_sections(holes, units, found)
       type(hole_section_type), intent(inout) :: holes(:)   !< one at least
       type(unit_system_type), intent(in) :: units

@@ -1,4 +1,4 @@
-!> A model as a program fills it in, before it is checked. SI units.
+!> Parts of a model as a program fills them in, before they are checked. SI units.
 module dg_model_parts
    use dg_constants, only: standard_gravity
    use dg_drillstring, only: drillstring_type
@@ -27,7 +27,7 @@ module dg_model_parts
       type(drillstring_type), allocatable :: strings(:)  !< each from the bit upwards
       type(fluid_type), allocatable :: fluids(:)         !< from the top down; not allocated: air
       type(boundary_type) :: boundary
-      type(numerics_type), allocatable :: numerics       !< not allocated: settings_of('auto'), as a deck without &solver has
+      type(numerics_type), allocatable :: numerics       !< not allocated: settings_of('auto'), as for a deck without &solver
       type(rig_type) :: rig
       real(wp) :: gravity = standard_gravity             !< [m/s2]
    end type model_parts_type

@@ -1,4 +1,4 @@
-!> Tools that open: the depth from which on they are open, and whether they pass the hole from there.
+!> Checks of tools that open: the depth below which they are open, and whether they pass the hole from there.
 module dg_opening_check
    use dg_component, only: closed_diameter, component_type, opens
    use dg_hole_section, only: hole_section_type, last_shoe
@@ -14,7 +14,7 @@ module dg_opening_check
 
 contains
 
-   !> Gives a tool that opens its default depth: the lower end of the last cased section.
+   !> Set the default depth of a tool that opens: the lower end of the last cased section.
    subroutine set_opened_depth(component, place, holes, found)
       type(component_type), intent(inout) :: component
       integer, intent(in) :: place                     !< of the component
@@ -27,14 +27,14 @@ contains
          'are cased')
    end subroutine set_opened_depth
 
-   !> A tool that is open is no wider than each hole section between the depth where it opened and where it stands. It may be as
+   !> Check that an open tool is no wider than each hole section between the depth where it opened and its place. It may be as
    !> wide: under-reamers cut their hole, packers fill it.
    subroutine check_open_passage(component, place, holes, lower_end, whose, units, found)
-      type(component_type), intent(in) :: component       !< that is open
+      type(component_type), intent(in) :: component       !< an open component
       integer, intent(in) :: place
       type(hole_section_type), intent(in) :: holes(:)     !< from the top down
       real(wp), intent(in) :: lower_end                   !< measured depth of the component's lower end [m]
-      character(*), intent(in) :: whose                   !< what has the depth: "case 'up'"
+      character(*), intent(in) :: whose                   !< owner of the depth: "case 'up'"
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       character(:), allocatable :: other
@@ -52,12 +52,12 @@ contains
       end do
    end subroutine check_open_passage
 
-   !> Advice on a component that is too wide for a section above its own but fits its own: it may be a tool that opens. Empty where
-   !> that does not help.
+   !> Advice on a component that is too wide for a section above its own but fits its own: it may be a tool that opens. Empty
+   !> if that does not help.
    function opening_advice(component, holes, lowest, units) result(text)
       type(component_type), intent(in) :: component
       type(hole_section_type), intent(in) :: holes(:)     !< from the top down
-      integer, intent(in) :: lowest                       !< section that its lower end has come to
+      integer, intent(in) :: lowest                       !< section of its lower end
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
       character(:), allocatable :: key

@@ -1,5 +1,5 @@
-!> Ranges of the numbers of a model. They are those of the table of keys (dg_deck_keys), which a deck's reading goes by, too:
-!> they keep out what cannot be meant, as a diameter in millimetres, not what is unusual.
+!> Ranges of the numbers of a model. They are those of the table of keys (dg_deck_keys), which a deck's reading also uses. They
+!> exclude numbers that cannot be meant, as a diameter in millimetres, not unusual ones.
 module dg_range_check
    use dg_centralizer, only: centralizer_type
    use dg_component, only: component_type, visit_forces, visit_ratings
@@ -27,10 +27,10 @@ module dg_range_check
    !> Digits of a number that is out of range.
    integer, parameter :: digits = 9
 
-   !> Ranges of a group's numbers, and of which part of its kind the numbers are.
+   !> Ranges of a group's numbers, and the part to which the numbers belong.
    type :: ranges_type
       character(12) :: part                          !< name of the group
-      integer :: place = 0                           !< of the part among those of its kind; 0: the kind has one
+      integer :: place = 0                           !< number of the part among those of its kind; 0: there is one
       type(unit_system_type) :: units                !< of messages
       type(key_rule_type), allocatable :: rules(:)
    end type ranges_type
@@ -45,11 +45,11 @@ module dg_range_check
 
 contains
 
-   !> A number of the part that is visited.
+   !> Check a number of the visited part.
    subroutine check_visited(self, key, value)
       class(range_checker_type), intent(inout) :: self
       character(*), intent(in) :: key
-      real(wp), intent(inout) :: value              !< stays as it is
+      real(wp), intent(inout) :: value              !< not changed
       if (key == 'rpm') then
          call check_range(self%ranges, key, value, self%found, called='angular_speed')
       else
@@ -57,7 +57,7 @@ contains
       end if
    end subroutine check_visited
 
-   !> The ranges of the group `part`.
+   !> Set the ranges of the group `part`.
    subroutine take_ranges(part, place, units, ranges)
       character(*), intent(in) :: part              !< name of a group, and of one of its keys
       integer, intent(in) :: place
@@ -69,13 +69,13 @@ contains
       allocate (ranges%rules, source=keys_of(part))
    end subroutine take_ranges
 
-   !> One number against the ranges of its group.
+   !> Check one number against the ranges of its group.
    subroutine check_range(ranges, key, number, found, called)
       type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
       real(wp), intent(in) :: number                !< [SI]
       type(error_list_type), intent(inout) :: found
-      character(*), intent(in), optional :: called  !< name of the number in its type, where that is not the key
+      character(*), intent(in), optional :: called  !< name of the number in its type, if it is not the key
       real(wp) :: held
       integer :: k
       logical :: holds
@@ -90,7 +90,7 @@ contains
          return
       end if
       associate (rule => ranges%rules(k), units => ranges%units)
-         ! by its bits first: to compare a NaN is an operation that may be trapped
+         ! checked by its bits first, as comparing a NaN may be trapped
          holds = is_shown(number)
          if (holds) then
             held = number
@@ -111,7 +111,7 @@ contains
       call add_part_fault(found, ranges%part, ranges%place, key, name//fault//needed)
    end subroutine check_range
 
-   !> A number that may be missing.
+   !> Check a number that may be missing.
    subroutine check_where_there(ranges, key, number, found)
       type(ranges_type), intent(in) :: ranges
       character(*), intent(in) :: key
@@ -120,7 +120,7 @@ contains
       if (.not. is_mark(number)) call check_range(ranges, key, number, found)
    end subroutine check_where_there
 
-   !> Notes numbers of a hole section beyond the ranges of dg_deck_keys. `place` is its number, `units` are the message's.
+   !> Report numbers of a hole section outside the ranges of dg_deck_keys. `place` is its number, `units` are the message's.
    subroutine check_section_ranges(hole, place, units, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
@@ -134,7 +134,7 @@ contains
       call visit_hole(visited, checker)
    end subroutine check_section_ranges
 
-   !> The same for a component.
+   !> Check a component in the same way.
    subroutine check_component_ranges(component, place, units, found)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
@@ -151,10 +151,10 @@ contains
       call check_fatigue_ranges(checker%ranges, 'joint_', component%joint_fatigue, found)
    end subroutine check_component_ranges
 
-   !> The same for a fatigue curve of a component.
+   !> Check a fatigue curve of a component in the same way.
    subroutine check_fatigue_ranges(ranges, prefix, fatigue, found)
       type(ranges_type), intent(in) :: ranges
-      character(*), intent(in) :: prefix                !< of its keys: 'joint_' of connections, '' of the body
+      character(*), intent(in) :: prefix                !< prefix of its keys: 'joint_' of connections, '' of the body
       type(fatigue_curve_type), intent(in) :: fatigue
       type(error_list_type), intent(inout) :: found
       if (fatigue%curve < 1 .or. fatigue%curve > size(fatigue_curve_name)) call add_part_fault(found, ranges%part, ranges%place, &
@@ -166,7 +166,7 @@ contains
       call check_range(ranges, prefix//'fatigue_turns', fatigue%turns, found)
    end subroutine check_fatigue_ranges
 
-   !> The same for the centralizers of a component.
+   !> Check the centralizers of a component in the same way.
    subroutine check_centralizer_ranges(centralizer, place, units, found)
       type(centralizer_type), intent(in) :: centralizer    !< that is present
       integer, intent(in) :: place
@@ -186,7 +186,7 @@ contains
       call check_where_there(ranges, 'friction_rotary', centralizer%friction_rotary, found)
    end subroutine check_centralizer_ranges
 
-   !> The same for a fluid.
+   !> Check a fluid in the same way.
    subroutine check_fluid_ranges(fluid, place, units, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
@@ -202,7 +202,7 @@ contains
          call add_part_fault(found, 'fluid', place, 'float_collar', 'collar = '//to_text(fluid%collar)//' is not a valid collar')
    end subroutine check_fluid_ranges
 
-   !> The same for a load case.
+   !> Check a load case in the same way.
    subroutine check_case_ranges(load_case, place, units, found)
       type(load_case_type), intent(in) :: load_case
       integer, intent(in) :: place
@@ -219,7 +219,7 @@ contains
       call visit_case(visited, checker)
    end subroutine check_case_ranges
 
-   !> The same for the settings of the solver.
+   !> Check the settings of the solver in the same way.
    subroutine check_numerics_ranges(numerics, units, found)
       type(numerics_type), intent(in) :: numerics
       type(unit_system_type), intent(in) :: units
@@ -244,7 +244,8 @@ contains
       end subroutine check_choice
    end subroutine check_numerics_ranges
 
-   !> A free gap yields more than a wall, an elastic wall no less than a rigid one, and contact begins before the wall is rigid.
+   !> Check that a free gap yields more than a wall, and an elastic wall at least as much as a rigid one. Contact must begin
+   !> before the wall is rigid.
    subroutine check_numerics(numerics, found)
       type(numerics_type), intent(in) :: numerics
       type(error_list_type), intent(inout) :: found
@@ -258,7 +259,7 @@ contains
       end subroutine fault
    end subroutine check_numerics
 
-   !> Notes numbers of the rig beyond the ranges.
+   !> Report numbers of the rig outside the ranges.
    subroutine check_rig_ranges(rig, units, found)
       type(rig_type), intent(in) :: rig
       type(unit_system_type), intent(in) :: units

@@ -1,4 +1,4 @@
-!> Drillstrings: what goes together within a component, and of components one above the other.
+!> Checks of drillstrings: numbers within a component, and of components one above the other.
 module dg_string_check
    use dg_centralizer, only: centralizer_type
    use dg_component, only: closed_diameter, component_type, has_blades, is_eccentric, opens, shortest_contact
@@ -13,14 +13,14 @@ module dg_string_check
    private
    public :: check_component, check_in_string, check_centralizer
 
-   !> Part of a length that is only round-off of a conversion [-].
+   !> Part of a length that is round-off of a conversion [-].
    real(wp), parameter :: round_off = 1.0e-4_wp
    integer, parameter :: longest_name = 20
    integer, parameter :: advised_digits = 4
 
 contains
 
-   !> Diameters and lengths of one component, each within its range.
+   !> Check diameters and lengths of one component, each within its range.
    subroutine check_component(component, place, units, found)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
@@ -57,7 +57,7 @@ contains
          call add_part_fault(found, 'component', place, key, message)
       end subroutine fault
 
-      !> A place above the lower end of the component lies within it.
+      !> Check that a place above the lower end of the component is within it.
       subroutine check_within(key, position)
          character(*), intent(in) :: key
          real(wp), intent(in) :: position    !< [m]
@@ -90,7 +90,7 @@ contains
       end function long
    end subroutine check_component
 
-   !> A component has a length unless it is the uppermost, and it sinks in the mud.
+   !> Check that a component has a length unless it is the uppermost, and that it sinks in the mud.
    subroutine check_in_string(component, place, string, uppermost, units, found, heaviest)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
@@ -112,7 +112,7 @@ contains
          text = in_units(units, unit_density, density, diameter_digits)
       end function dense
 
-      !> Advice on a mud in a smaller unit than that of the deck.
+      !> Advice on a mud in a smaller unit than the deck's.
       function advice() result(text)
          character(:), allocatable :: text
          character(longest_name) :: smaller
@@ -124,8 +124,8 @@ contains
       end function advice
    end subroutine check_in_string
 
-   !> Check that centralizers fit their component. A rigid one is wider than the body, it may be narrower than couplings. A bow is
-   !> wider than both, also in the hole where it was rated.
+   !> Check that centralizers fit their component. A rigid one is wider than the body, but may be narrower than couplings. A
+   !> bow is wider than both, also in the hole where it was rated.
    subroutine check_centralizer(centralizer, component, place, units, found)
       type(centralizer_type), intent(in) :: centralizer
       type(component_type), intent(in) :: component

@@ -1,4 +1,4 @@
-!> Surveys: stations in order, from surface on or from where the hole is still vertical.
+!> Checks of surveys: stations in order, from surface on or from where the hole is still vertical.
 module dg_survey_check
    use dg_constants, only: degree
    use dg_kinds, only: wp
@@ -13,14 +13,14 @@ module dg_survey_check
 
    !> Depth within which the first station is at surface [m].
    real(wp), parameter :: at_surface = 1.0e-6_wp
-   !> Inclination of a first station that is still vertical: what tools show in vertical holes [rad].
+   !> Largest inclination of a first station that counts as vertical: readings of tools in vertical holes [rad].
    real(wp), parameter :: still_vertical = 0.5_wp*degree
-   !> Curvature of a hole above a first station from which on that hole is hardly meant, 6 deg/30 m [rad/m].
+   !> Largest plausible curvature of a hole above a first station, 6 deg/30 m [rad/m].
    real(wp), parameter :: sharpest_tie = 6.0_wp*degree/30.0_wp
 
 contains
 
-   !> Numbers of stations: as many angles as depths, each in its range.
+   !> Check numbers of stations: as many angles as depths, each in its range.
    subroutine check_station_numbers(md, inclination, azimuth, units, found)
       real(wp), intent(in) :: md(:)                          !< [m]
       real(wp), intent(in) :: inclination(:), azimuth(:)     !< [rad]
@@ -40,7 +40,7 @@ contains
          call check_range(ranges, 'md', md(i), found)
          call check_range(ranges, 'inc', inclination(i), found, 'inclination')
          call check_range(ranges, 'azi', azimuth(i), found, 'azimuth')
-         if (found%count > 0) return       ! one such fault makes many
+         if (found%count > 0) return       ! one such fault leads to many
       end do
    contains
       subroutine count_of(key, number)
@@ -51,7 +51,7 @@ contains
       end subroutine count_of
    end subroutine check_station_numbers
 
-   !> Every station lies below the one before it; the first that does not is told.
+   !> Check that every station is below the one before it. Only the first fault is reported.
    subroutine check_station_order(md, units, found)
       real(wp), intent(in) :: md(:)          !< [m]
       type(unit_system_type), intent(in) :: units
@@ -66,7 +66,7 @@ contains
       end do
    end subroutine check_station_order
 
-   !> True if a survey leaves out the hole next to surface.
+   !> True if a survey lacks the hole next to surface.
    elemental function begins_below(md) result(below)
       real(wp), intent(in) :: md             !< of the first station [m]
       logical :: below

@@ -7,19 +7,19 @@ module dg_centralizer
    private
    public :: centralizer_type, contact_length, bow_stiffness, bow_opening, at_centralizer, centralizer_ends
 
-   !> Length of string at which a centralizer touches [m]. It acts at the middle, as at a point. On elements of 0.2 m, round-off in
-   !> the places of nodes leaves lateral forces of a millinewton.
+   !> Length of string at which a centralizer touches [m]. It acts at the middle, as at a point. With elements of 0.2 m,
+   !> round-off in the places of nodes leaves lateral forces of a millinewton.
    real(wp), parameter :: contact_length = 0.5_wp
-   !> Part of the clearance by which a body is off the axis at a standoff of 67 % (API 10D), at which a restoring force is told [-].
+   !> Offset of a body over the clearance at a standoff of 67 %, for which API 10D states a restoring force [-].
    real(wp), parameter :: rated_offset = 0.33_wp
-   !> A bow that fills its hole presses from this offset on [m]: a gap has a direction only where the string is off the axis.
+   !> Offset at which a bow that fills its hole begins to press [m]. A gap only has a direction if the string is off the axis.
    real(wp), parameter :: least_opening = 1.0e-6_wp
 
    !> The centralizers of one component, all alike.
    type :: centralizer_type
       logical :: present = .false.
       logical :: bow = .false.                 !< a bow spring, else rigid
-      real(wp) :: od = 0.0_wp                  !< of blades, or of bows that nothing presses [m]
+      real(wp) :: od = 0.0_wp                  !< of blades, or of unloaded bows [m]
       real(wp) :: spacing = 0.0_wp             !< from one to the next [m]
       real(wp) :: first = 0.0_wp               !< of the lowest above the lower end of its component [m]
       real(wp) :: restoring_force = 0.0_wp     !< of a bow at 67 % standoff [N]
@@ -31,7 +31,7 @@ module dg_centralizer
 
 contains
 
-   !> Force of a bow per length that it is pressed in [N/m]: as much as its rating tells, for a body of that diameter.
+   !> Force of a bow per length that it is pressed in [N/m], by its rating, for a body of that diameter.
    elemental function bow_stiffness(centralizer, od) result(stiffness)
       type(centralizer_type), intent(in) :: centralizer
       real(wp), intent(in) :: od           !< of the body [m]
@@ -39,7 +39,7 @@ contains
       stiffness = centralizer%restoring_force/(rated_offset*0.5_wp*(centralizer%rated_hole - od))
    end function bow_stiffness
 
-   !> Offset of the body at which a bow begins to press [m]; next to nothing in a hole that its bows fill.
+   !> Offset of the body at which a bow begins to press [m]; almost 0 in a hole that its bows fill.
    elemental function bow_opening(centralizer, hole) result(opening)
       type(centralizer_type), intent(in) :: centralizer
       real(wp), intent(in) :: hole         !< its diameter [m]

@@ -1,5 +1,5 @@
-!> One component of a drillstring: a length of pipe, collar or tool of constant section.
-!> All quantities SI. Section properties are those of the tube body, as it is new.
+!> One component of a drillstring: a length of pipe, collar or tool of constant section. All quantities SI. Section properties
+!> are those of the new tube body.
 module dg_component
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
@@ -19,19 +19,19 @@ module dg_component
 
    !> Beginning of the kind of a stabilizer, in either spelling or short.
    character(*), parameter :: stabilizer = 'stab'
-   !> Room all round a bit that is as wide as its hole [m]: what API lets new bits be under their size.
+   !> Clearance around a bit that is as wide as its hole [m]: API's tolerance of new bits.
    real(wp), parameter :: least_clearance = 0.25e-3_wp
-   !> Tilt that a bit's own cut leaves room for [-]: more than the largest bend, 5 deg, tilts it.
+   !> Largest tilt of a bit in its own cut [-]: more than by the largest bend, 5 deg.
    real(wp), parameter :: most_tilt = 0.1_wp
-   !> A tool whose upper end stands higher than its depth of opening by less than this is open: round-off of depths [m].
+   !> Round-off of depths [m]: a tool whose upper end is higher than its depth of opening by less is open.
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
-   !> Shortest component, tool joint or hole section [m]: each has its contact and its nodes.
+   !> Shortest component, tool joint or hole section [m], as each has its contact and its nodes.
    real(wp), parameter :: shortest_contact = 1.0e-3_wp
-   !> Length of a tool joint where none is given [m]: pin and box of API drill pipe together.
+   !> Default length of a tool joint [m]: pin and box of API drill pipe together.
    real(wp), parameter :: usual_joint_length = 0.5_wp
 
-   !> Part of the yield strength of low alloy steel that a degree takes [1/K]: 0.03 %/degF, of quenched and tempered steel up to
-   !> 232 degC (API work item 2351, Temperature effect on performance properties, for TR 5C3).
+   !> Part of the yield strength of low alloy steel that a degree takes [1/K]: 0.03 %/degF. It holds for quenched and tempered
+   !> steel up to 232 degC (API work item 2351, Temperature effect on performance properties, for TR 5C3).
    real(wp), parameter :: usual_yield_loss = 5.4e-4_wp
 
    type :: component_type
@@ -50,24 +50,24 @@ module dg_component
       real(wp) :: joint_spacing = 9.5_wp     !< [m]
       real(wp) :: joint_id = 0.0_wp          !< bore of its tool joints [m]; 0: not given
       real(wp) :: yield = 0.0_wp             !< yield strength [Pa]; 0: not given
-      real(wp) :: yield_loss = usual_yield_loss   !< by each degree above ambient temperature [1/K]
+      real(wp) :: yield_loss = usual_yield_loss   !< loss per degree above ambient temperature [1/K]
       real(wp) :: makeup_torque = 0.0_wp     !< of its connections [N.m]; 0: not given
-      real(wp) :: friction_axial = missing   !< mu2 of its own, in any hole [-]; missing: that of the hole
-      real(wp) :: friction_rotary = missing  !< mu1 of its own, in any hole [-]; missing: that of the hole
-      real(wp) :: scale_axial = 1.0_wp       !< on mu2 of the hole [-]
-      real(wp) :: scale_rotary = 1.0_wp      !< on mu1 of the hole [-]
+      real(wp) :: friction_axial = missing   !< own mu2, in any hole [-]; missing: that of the hole
+      real(wp) :: friction_rotary = missing  !< own mu1, in any hole [-]; missing: that of the hole
+      real(wp) :: scale_axial = 1.0_wp       !< factor on mu2 of the hole [-]
+      real(wp) :: scale_rotary = 1.0_wp      !< factor on mu1 of the hole [-]
       real(wp) :: joint_torsion = 0.0_wp     !< torque at which a connection yields [N.m]; 0: not known
       real(wp) :: wall_left = 1.0_wp         !< wall of the worn body over that of the new one [-]
       real(wp) :: bend = 0.0_wp              !< angle of a bent housing [rad]; 0: straight
       real(wp) :: bend_position = 0.0_wp     !< of the bend above the component's lower end [m]
-      real(wp) :: pad_force = 0.0_wp         !< across the hole on the string by pads that press on its wall [N]; 0: none
+      real(wp) :: pad_force = 0.0_wp         !< force on the string across the hole by pads on its wall [N]; 0: none
       real(wp) :: pad_clock = 0.0_wp         !< its direction [rad], from the high side, clockwise looking down the hole
       real(wp) :: pad_position = 0.0_wp      !< of the pads above the component's lower end [m]
-      real(wp) :: blade_offset = 0.0_wp      !< of the centre of its blades off the axis of the string [m]; 0: centred
+      real(wp) :: blade_offset = 0.0_wp      !< of the centre of its blades from the axis of the string [m]; 0: centred
       real(wp) :: blade_clock = 0.0_wp       !< direction of that offset [rad], clockwise from the tool face, looking down the hole
       real(wp) :: sensor = missing           !< of a survey sensor above the component's lower end [m]; missing: none
-      real(wp) :: opened_od = 0.0_wp         !< outside diameter of a tool that is open [m]; 0: it does not open
-      real(wp) :: opened_below = missing     !< measured depth from which on it is open [m]; missing: not known yet
+      real(wp) :: opened_od = 0.0_wp         !< outside diameter of an open tool [m]; 0: it does not open
+      real(wp) :: opened_below = missing     !< measured depth below which it is open [m]; missing: not known yet
       type(connection_rating_type) :: rating !< of its connections
       type(fatigue_curve_type) :: fatigue    !< of its body
       type(fatigue_curve_type) :: joint_fatigue   !< of its connections: an own curve or none
@@ -76,7 +76,7 @@ module dg_component
 
 contains
 
-   !> Visits the numbers of a component that forces depend on.
+   !> Visit the numbers of a component that determine forces.
    subroutine visit_forces(part, visitor)
       type(component_type), intent(inout) :: part
       class(key_visitor_type), intent(inout) :: visitor
@@ -105,7 +105,7 @@ contains
       call visitor%number('blade_clock', part%blade_clock)
    end subroutine visit_forces
 
-   !> Visits the other numbers of a component: strength, expansion, sensor. Those of its fatigue curves stand apart.
+   !> Visit the other numbers of a component: strength, expansion, sensor. Numbers of its fatigue curves are not visited.
    subroutine visit_ratings(part, visitor)
       type(component_type), intent(inout) :: part
       class(key_visitor_type), intent(inout) :: visitor
@@ -138,8 +138,8 @@ contains
       inertia = pi/64.0_wp*(od**4 - id**4)
    end function tube_inertia
 
-   !> Outside diameter of the body as it is worn [m]: pipe wears outside, the bore stays. Strength goes by it, weight and stiffness
-   !> do not.
+   !> Outside diameter of the worn body [m]: pipe wears outside, the bore stays. Only strength depends on it, weight and
+   !> stiffness do not.
    elemental function worn_od(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
@@ -175,16 +175,15 @@ contains
       gj = bending_stiffness(component)/(1.0_wp + component%poisson)
    end function torsional_stiffness
 
-   !> Diameter with which the component passes the hole before it opens, if it does [m]: the joint's where there is one, else the
-   !> body's.
+   !> Diameter with which the component passes the hole, before it opens if it does [m]: the larger one of joint and body.
    elemental function closed_diameter(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
       diameter = max(component%joint_od, component%od)
    end function closed_diameter
 
-   !> Diameter that touches the wall first where the component stands [m]: that of a tool that is open there, else the closed one.
-   !> It is also twice the radius at which friction turns into torque.
+   !> Diameter that touches the wall first at the component's place [m]: that of a tool that is open there, else the closed
+   !> one. It is also twice the radius at which friction gives torque.
    elemental function contact_diameter(component, upper_end) result(diameter)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
@@ -200,7 +199,7 @@ contains
       does = component%opened_od > 0.0_wp
    end function opens
 
-   !> True if a tool is open. It opens as a whole, where no part of it stands above the depth at which it opens.
+   !> True if a tool is open. It opens as a whole, once no part of it is above the depth at which it opens.
    elemental function is_open(component, upper_end) result(is)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
@@ -209,8 +208,8 @@ contains
       if (is) is = upper_end >= component%opened_below - depth_round_off
    end function is_open
 
-   !> Diameter at which the component rubs where its centralizers touch [m]: that of rigid ones, or of wider couplings. Within a
-   !> bow spring the pipe turns. Tools that open have no centralizers.
+   !> Diameter at which the component touches at its centralizers [m]: that of rigid ones, or of wider couplings. Within a bow
+   !> spring the pipe turns. Tools that open have no centralizers.
    elemental function centralizer_diameter(component) result(diameter)
       type(component_type), intent(in) :: component
       real(wp) :: diameter
@@ -226,7 +225,7 @@ contains
       has = component%joint_od > component%od .and. .not. (has_blades(component) .or. is_bit(component))
    end function has_joints
 
-   !> Clearance of a component [m] from half the difference of diameters: a bit that leaves no room has a little.
+   !> Clearance of a component [m] from half the difference of diameters. A bit without clearance gets a little.
    elemental function room_of(half_difference) result(room)
       real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
       real(wp) :: room
@@ -234,9 +233,9 @@ contains
       if (.not. room > 0.0_wp) room = least_clearance
    end function room_of
 
-   !> The same of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its gauge:
-   !> drilling ahead with a tilt it makes a hole wider by tilt times gauge. So its gauge does not hold it against the wall, and
-   !> it may tilt.
+   !> Clearance [m] of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its
+   !> gauge. Drilling ahead with a tilt it makes a hole wider by tilt times gauge. Its gauge therefore does not hold it against
+   !> the wall, and it may tilt.
    elemental function room_of_held_bit(component, half_difference) result(room)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
@@ -281,8 +280,8 @@ contains
       if (allocated(component%kind)) is = lower_case(component%kind) == 'bit'
    end function is_bit
 
-   !> True if the component has blades, which touch along its whole length. It is a stabilizer at its joint_od, at its od where it
-   !> has none, or another tool that opens, open or closed. A bit has none.
+   !> True if the component has blades, which touch along its whole length. It is a stabilizer, with its joint_od or without,
+   !> or another tool that opens, open or closed. A bit has none.
    elemental function has_blades(component) result(has)
       type(component_type), intent(in) :: component
       logical :: has
@@ -305,14 +304,14 @@ contains
       has = component%pad_force > 0.0_wp
    end function has_pad
 
-   !> True if the blades of a stabilizer stand off the axis of the string.
+   !> True if the blades of a stabilizer are off the axis of the string.
    elemental function is_eccentric(component) result(is)
       type(component_type), intent(in) :: component
       logical :: is
       is = component%blade_offset > 0.0_wp
    end function is_eccentric
 
-   !> Bore of the tool joints [m]. Where it is not given it is the wider one of the body, so that stresses are on the safe side.
+   !> Bore of the tool joints [m]. By default it is the wider one of the body, so that stresses are on the safe side.
    elemental function joint_bore(component) result(bore)
       type(component_type), intent(in) :: component
       real(wp) :: bore
@@ -329,11 +328,11 @@ contains
       length = min(length, component%joint_spacing)
    end function effective_joint_length
 
-   !> Weight in fluid per length [N/m], the effective (buoyed) one that goes with effective axial force: that of the pipe and of
-   !> the fluid in its bore, less that of the fluid which both displace. With A_i the bore and m/rho the steel's area, tool joints
-   !> and upsets included, the displaced area is A_i + m/rho, so that
-   !>     w = g (m + rho_i A_i - rho_o (A_i + m/rho)) = m g (1 - rho_o/rho) + (rho_i - rho_o) g A_i,
-   !> whose second term vanishes with one fluid on both sides. Negative where the string floats.
+   !> Effective (buoyed) weight in fluid per length [N/m], which belongs to effective axial force. It is that of the pipe and
+   !> of the fluid in its bore, less that of the fluid which both displace. A_i is the bore and m/rho the steel's area, with
+   !> tool joints and upsets. The displaced area is A_i + m/rho, so that
+   !>     w = g (m + rho_i A_i - rho_o (A_i + m/rho)) = m g (1 - rho_o/rho) + (rho_i - rho_o) g A_i.
+   !> The second term is zero with one fluid on both sides. The weight is negative if the string floats.
    elemental function buoyed_weight(component, outside, inside, gravity) result(weight)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: outside, inside  !< densities of the fluids [kg/m3]

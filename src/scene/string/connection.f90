@@ -6,7 +6,7 @@ module dg_connection
    private
    public :: connection_name, find_connection, connection_torsion, makeup_share
 
-   !> Dimensions [m] but the taper.
+   !> Dimensions [m], except the taper [-].
    type :: connection_type
       real(wp) :: pitch_diameter = 0.0_wp   !< C, of the thread at the gauge point
       real(wp) :: taper = 0.0_wp            !< of the diameter over the length [-]
@@ -66,8 +66,8 @@ contains
       connection%root_truncation = merge(truncation_fh, truncation_nc, number >= first_full_hole)
    end function find_connection
 
-   !> Torque [N.m] at which pin or box yields: Y A (p/(2 pi) + R_t f/cos(30 deg) + R_s f) with A the lesser area, of the pin
-   !> 3/4 in, of the box 3/8 in from the shoulder (API RP 7G, A.8.2). 0 where the bore leaves no pin or the outside no box.
+   !> Torque [N.m] at which pin or box yields: Y A (p/(2 pi) + R_t f/cos(30 deg) + R_s f). A is the lesser area, of the pin 3/4
+   !> in, of the box 3/8 in from the shoulder (API RP 7G, A.8.2). It is 0 if the bore leaves no pin or the outside no box.
    elemental function connection_torsion(connection, od, bore, yield) result(torque)
       type(connection_type), intent(in) :: connection
       real(wp), intent(in) :: od      !< of the tool joint [m]

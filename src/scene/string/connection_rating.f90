@@ -1,5 +1,5 @@
-!> Ratings of premium connections: makers give the strength of a connection as a share of that of the pipe body, its efficiency, in
-!> tension, compression, burst and collapse, and the largest dogleg that it takes.
+!> Ratings of premium connections. Makers give the strength of a connection as a share of that of the pipe body, its
+!> efficiency. They rate tension, compression, burst and collapse, and the largest dogleg.
 module dg_connection_rating
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing

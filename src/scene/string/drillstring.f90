@@ -13,14 +13,14 @@ module dg_drillstring
       type(component_type), allocatable :: components(:) !< from the bit upwards
    end type drillstring_type
 
-   !> Length of the piece over which a bent housing bends, or pads press [m]: short beside the distances to bit and stabilizers,
-   !> longer than depths that are made one.
+   !> Length of the piece over which a bent housing bends, or pads press [m]. It is short compared with the distances to bit
+   !> and stabilizers, but longer than the distance at which depths are joined.
    real(wp), parameter :: piece_length = 0.1_wp
 
 contains
 
-   !> Distance of each component's upper end from the bit [m]; the last one ends at `length`, the depth of
-   !> the bit. Components that lie above the surface (string longer than the hole) get tops at `length`.
+   !> Distance of each component's upper end from the bit [m]. The last one ends at `length`, the depth of the bit. Components
+   !> above the surface (string longer than the hole) get tops at `length`.
    pure function component_tops(string, length) result(tops)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: length  !< of the string in the hole: the bit's measured depth [m]
@@ -52,14 +52,15 @@ contains
       end do
    end function component_at
 
-   !> Index of the component at the top of what is in the hole.
+   !> Index of the uppermost component in the hole.
    pure function topmost(tops) result(index)
       real(wp), intent(in) :: tops(:)    !< from component_tops
       integer :: index
       index = findloc(tops >= tops(size(tops)), .true., dim=1)
    end function topmost
 
-   !> Length of a joint of that component with joints which makes most of the string; of pipe of range 2 where none has any [m].
+   !> Length of a joint of pipe [m]: of the component with joints that makes most of the string. Without joints it is that of
+   !> range 2.
    pure function pipe_joint(string, length) result(joint)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: length         !< of the string in the hole [m]
@@ -75,7 +76,7 @@ contains
       if (longest > 0) joint = string%components(longest)%joint_spacing
    end function pipe_joint
 
-   !> Ends of all tool joints, as distances above the bit [m]; components with centralizers have none. Joints stand every
+   !> Ends of all tool joints, as distances above the bit [m]. Components with centralizers have none. Joints are every
    !> joint_spacing from a component's lower end, half a joint at its ends.
    pure function joint_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
@@ -119,7 +120,7 @@ contains
       end do
    end function all_centralizer_ends
 
-   !> Ends of the pieces that are bent, or that pads press, as distances above the bit [m].
+   !> Ends of the pieces that are bent, or pressed by pads, as distances above the bit [m].
    pure function tool_ends(string, tops) result(ends)
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: tops(:)    !< from component_tops
@@ -166,7 +167,7 @@ contains
       end do
    end function pad_within
 
-   !> Part of a piece that lies between two distances above the bit [-].
+   !> Part of a piece between two distances above the bit [-].
    pure function share_within(piece, low, high) result(share)
       real(wp), intent(in) :: piece(2)   !< its ends, as distances above the bit [m]
       real(wp), intent(in) :: low, high  !< [m]

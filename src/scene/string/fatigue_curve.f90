@@ -1,13 +1,14 @@
-!> Fatigue of pipe that turns in a bend: the bending stress that it bears without end under a tension, and for how many turns it
-!> bears more.
+!> Fatigue of pipe that turns in a bend: the bending stress with endless life under a tension, and the number of turns above
+!> it.
 !>
-!> The curves E75 and S135 are those of API RP 7G, 16th ed., A.11 (Lubinski 1961; stresses in psi, s_t the buoyed tension per area):
+!> The curves E75 and S135 are those of API RP 7G, 16th ed., A.11 (Lubinski 1961). Stresses are in psi, and s_t is the buoyed
+!> tension per area:
 !>
 !>   E75    s_b = 19500 - 10/67 s_t - 0.6/670^2 (s_t - 33500)^2
 !>   S135   s_b = 20000 (1 - s_t/145000)
 !>
-!> An own curve has an amplitude without tension and Goodman's line to the tensile strength. All end at a number of turns; above
-!> it the amplitude falls with the turns to the power -1/m, m the exponent that a test gives (Basquin).
+!> An own curve has an amplitude without tension and Goodman's line to the tensile strength. All curves end at a number of
+!> turns. Above the curve the number of turns falls with the amplitude to the power -m, m the exponent of a test (Basquin).
 module dg_fatigue_curve
    use dg_kinds, only: wp
    use dg_constants, only: psi
@@ -20,24 +21,24 @@ module dg_fatigue_curve
    !> Names in decks, in the order of the numbers above.
    character(*), parameter :: fatigue_curve_name(4) = [character(4) :: 'none', 'E75', 'S135', 'own']
 
-   !> Least amplitude that counts as borne [Pa]: a pipe under more tension than its curve reaches bears next to none.
+   !> Least permitted amplitude [Pa], for a pipe under more tension than its curve covers.
    real(wp), parameter :: least = 100.0_wp*psi
 
    type :: fatigue_curve_type
       integer :: curve = fatigue_none
-      real(wp) :: limit = 0.0_wp       !< amplitude that an own curve bears without tension [Pa]
-      real(wp) :: tensile = 0.0_wp     !< tensile strength of an own curve [Pa]; 0: tension does not count
-      real(wp) :: share = 1.0_wp       !< of the amplitude, in corrosive mud [-]
+      real(wp) :: limit = 0.0_wp       !< amplitude of an own curve with endless life, without tension [Pa]
+      real(wp) :: tensile = 0.0_wp     !< tensile strength of an own curve [Pa]; 0: tension has no effect
+      real(wp) :: share = 1.0_wp       !< part of the amplitude in corrosive mud [-]
       real(wp) :: exponent = 0.0_wp    !< m [-]; 0: not known
-      real(wp) :: turns = 1.0e6_wp     !< at which the limit begins [-]
+      real(wp) :: turns = 1.0e6_wp     !< number of turns at which the limit begins [-]
    end type fatigue_curve_type
 
 contains
 
-   !> Amplitude of bending stress that the pipe bears without end [Pa].
+   !> Amplitude of bending stress with endless life [Pa].
    elemental function permitted_amplitude(curve, tension) result(amplitude)
       type(fatigue_curve_type), intent(in) :: curve    !< not fatigue_none
-      real(wp), intent(in) :: tension                  !< effective, per area of steel; compression counts as none [Pa]
+      real(wp), intent(in) :: tension                  !< effective, per area of steel; compression counts as zero [Pa]
       real(wp) :: amplitude
       real(wp) :: pulled
       pulled = max(tension, 0.0_wp)/psi
@@ -53,7 +54,7 @@ contains
       amplitude = max(curve%share*amplitude, least)
    end function permitted_amplitude
 
-   !> Turns until failure, one at least [-]; 0 for an amplitude that is borne without end, or without a known exponent.
+   !> Turns to failure, at least one [-]; 0 for an amplitude with endless life, or without a known exponent.
    elemental function turns_to_failure(curve, amplitude, permitted) result(turns)
       type(fatigue_curve_type), intent(in) :: curve
       real(wp), intent(in) :: amplitude, permitted     !< [Pa]

@@ -1,8 +1,8 @@
-!> One circular arc of the hole axis, a straight line being the arc of curvature zero, in closed form.
+!> One circular arc of the hole axis in closed form. A straight line is the arc of curvature zero.
 !>
-!> Positions are relative to the start of the arc: near the bit of a long well absolute coordinates have lost
-!> five digits that gaps of micrometres need. Every formula below is free of cancellation: the chord of an arc
-!> of angle 2 h has the length s sin(h)/h and points along the tangent turned by h.
+!> Positions are relative to the start of the arc. Near the bit of a long well absolute coordinates have lost five digits,
+!> which gaps of micrometres need. No formula below has cancellation. The chord of an arc of angle 2 h has the length s
+!> sin(h)/h and points along the tangent turned by h.
 module dg_arc
    use dg_kinds, only: wp
    use dg_vector, only: cross
@@ -20,26 +20,27 @@ module dg_arc
       real(wp) :: curvature = 0.0_wp     !< >= 0 [1/m]
       real(wp) :: lateral_1(3) = 0.0_wp  !< rotation-minimising frame at its start, unit
       real(wp) :: lateral_2(3) = 0.0_wp  !< tangent x lateral_1
-      ! what follows from these: finish_arc
+      ! derived from these: finish_arc
       real(wp) :: binormal(3) = 0.0_wp   !< tangent x normal
       real(wp) :: chord(3) = 0.0_wp      !< from its start to its end [m]
-      real(wp) :: end_sine = 0.0_wp, end_cosine = 1.0_wp   !< of the angle that it turns by
+      real(wp) :: end_sine = 0.0_wp, end_cosine = 1.0_wp   !< of the angle of the arc
    end type arc_type
 
-   !> A step along an arc towards its start, for those who go along it in equal ones: tangent t and normal n become
-   !> cosine t - sine n and cosine n + sine t.
+   !> A step along an arc towards its start, to be repeated. Tangent t and normal n become cosine t - sine n and cosine n +
+   !> sine t.
    type :: turn_type
       real(wp) :: sine = 0.0_wp, cosine = 1.0_wp   !< of the angle turned
-      real(wp) :: along = 0.0_wp, inward = 0.0_wp  !< chord, from its end to its begin; by tangent and normal there [m]
+      real(wp) :: along = 0.0_wp, inward = 0.0_wp  !< chord of the step, from its end to its begin, along tangent and normal there
+                                                   !< [m]
    end type turn_type
 
-   !> Angle [rad], curvature [1/m] or ratio [-] under which sin(x)/x and atan(x)/x are one to the last bit and
-   !> a quotient of two such numbers might underflow. Above it the plain quotients are accurate to round-off.
+   !> Angle [rad], curvature [1/m] or ratio [-] below which sin(x)/x and atan(x)/x are one to the last bit. A quotient of two
+   !> such numbers might underflow. Above it the plain quotients are accurate to round-off.
    real(wp), parameter :: vanishing = 1.0e-100_wp
 
 contains
 
-   !> Fills in what follows from an arc's length, curvature, tangent and normal.
+   !> Set the components that follow from an arc's length, curvature, tangent and normal.
    pure subroutine finish_arc(arc)
       type(arc_type), intent(inout) :: arc
       real(wp) :: tangent(3), curvature(3)
@@ -49,8 +50,7 @@ contains
       arc%end_cosine = cos(arc%curvature*arc%length)
    end subroutine finish_arc
 
-   !> Point, unit tangent and curvature vector dt/ds of an arc.
-   !> `offset` may lie outside the arc: the circle goes on.
+   !> Point, unit tangent and curvature vector dt/ds of an arc. `offset` may be outside the arc: the circle goes on.
    pure subroutine point_on_arc(arc, offset, position, tangent, curvature)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: offset         !< along the arc from its start [m]
@@ -74,8 +74,8 @@ contains
       curvature = arc%curvature*(full_cosine*arc%normal - full_sine*arc%tangent)
    end subroutine point_on_arc
 
-   !> The step of some length of an arc, whose angle is 0.02 or less: sine and cosine of its half are a few terms of their series,
-   !> and what is left out is under 0.01^8/8! < 3e-21.
+   !> Step of a given length of an arc, whose angle is 0.02 or less. Sine and cosine of its half are a few terms of their
+   !> series. The error is below 0.01^8/8 factorial, which is 3e-21.
    pure function turn_of(arc, length) result(turn)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: length   !< > 0 [m]
@@ -92,8 +92,8 @@ contains
       turn%inward = -length*ratio*sine
    end function turn_of
 
-   !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly. Where it is asked for, the
-   !> point too, as by point_on_arc.
+   !> Rotation-minimising frame of an arc: its frame at the start turned about the binormal, exactly. Also the point, as by
+   !> point_on_arc, if present.
    pure subroutine frame_on_arc(arc, offset, tangent, lateral_1, lateral_2, position)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: offset         !< along the arc from its start [m]
@@ -129,17 +129,17 @@ contains
       if (abs(half) > vanishing) chord = offset*(sine/half)
    end function chord_of
 
-   !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends).
-   !> With a, b the point's components along tangent and normal and k the curvature, the foot lies at the angle whose
-   !> sine and cosine are k a/r and (1 - k b)/r, and the point off the foot towards the centre by
-   !> (1 - r)/k = (2 b - k (a^2 + b^2))/(1 + r),  r = hypot(k a, 1 - k b), which holds down to k = 0.
+   !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends). Let a, b be the point's components
+   !> along tangent and normal, k the curvature and r = hypot(k a, 1 - k b). The foot is at the angle with sine k a/r and
+   !> cosine (1 - k b)/r. The distance of the point from the foot, towards the centre, is (1 - r)/k = (2 b - k (a^2 + b^2))/(1
+   !> + r). This holds down to k = 0.
    pure subroutine foot_on_arc(arc, point, gap, tangent, curvature, beyond)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]
       real(wp), intent(out) :: gap(3)        !< from the foot to the point, across the tangent [m]
       real(wp), intent(out) :: tangent(3)    !< unit, at the foot
       real(wp), intent(out) :: curvature(3)  !< dt/ds at the foot [1/m]
-      integer, intent(out) :: beyond         !< -1: the foot lies above the arc's start; 1: below its end; else 0
+      integer, intent(out) :: beyond         !< -1: the foot is above the arc's start; 1: below its end; else 0
       real(wp) :: along, inward, across, sine, cosine, radius, rise, reciprocal
       along = point(1)*arc%tangent(1) + point(2)*arc%tangent(2) + point(3)*arc%tangent(3)
       inward = point(1)*arc%normal(1) + point(2)*arc%normal(2) + point(3)*arc%normal(3)
@@ -159,7 +159,7 @@ contains
             reciprocal = 1.0_wp/radius
             sine = sine*reciprocal
             cosine = cosine*reciprocal
-         else                       ! on the arc's centre line every point is as near: take the start
+         else                       ! on the arc's centre line all points are equally near: take the start
             sine = 0.0_wp
             cosine = 1.0_wp
          end if
@@ -172,7 +172,7 @@ contains
       if (along < 0.0_wp) beyond = -1
    end subroutine foot_on_arc
 
-   !> Where on an arc the foot of a point lies, along the arc from its start [m].
+   !> Place of the foot of a point on an arc, along the arc from its start [m].
    pure function foot_offset(arc, point) result(offset)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]

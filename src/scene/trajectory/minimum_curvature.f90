@@ -9,13 +9,13 @@ module dg_minimum_curvature
    private
    public :: dogleg_between, chain_arcs
 
-   !> Dogleg under which two tangents differ by round-off only and the arc is straight [rad].
+   !> Dogleg below which two tangents differ only by round-off and the arc is straight [rad].
    real(wp), parameter :: straight_dogleg = 8.0_wp*epsilon(1.0_wp)
 
 contains
 
-   !> Angle between two unit vectors [rad], 0 to pi; accurate at both ends of that range, where the arc cosine
-   !> of their product is not (W. Kahan's half-angle form).
+   !> Angle between two unit vectors [rad], 0 to pi. It is accurate at both ends of that range, where the arc cosine of their
+   !> product is not (half-angle form of W. Kahan).
    pure function dogleg_between(t1, t2) result(angle)
       real(wp), intent(in) :: t1(3), t2(3)
       real(wp) :: angle
@@ -48,7 +48,7 @@ contains
       end do
    end subroutine chain_arcs
 
-   !> Sets curvature and normal of an arc from the tangent at its end.
+   !> Set curvature and normal of an arc from the tangent at its end.
    pure subroutine bend(arc, end_tangent)
       type(arc_type), intent(inout) :: arc
       real(wp), intent(in) :: end_tangent(3)

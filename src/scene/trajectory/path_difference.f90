@@ -9,14 +9,14 @@ module dg_path_difference
 
    type :: path_difference_type
       real(wp) :: direction = 0.0_wp      !< largest angle between the tangents [rad]
-      real(wp) :: direction_md = 0.0_wp   !< where [m]
+      real(wp) :: direction_md = 0.0_wp   !< depth of that angle [m]
       real(wp) :: position = 0.0_wp       !< largest distance [m]
-      real(wp) :: turns(2) = 0.0_wp       !< what each turns by in all [rad]
+      real(wp) :: turns(2) = 0.0_wp       !< total angle by which each turns [rad]
    end type path_difference_type
 
 contains
 
-   !> Looks where arcs of the first path begin, and at the end. The first should have the shorter arcs.
+   !> Compare two paths at the beginnings of arcs of the first one, and at its end. The first should have the shorter arcs.
    pure function find_difference(one, other) result(difference)
       type(trajectory_type), intent(in) :: one, other
       type(path_difference_type) :: difference

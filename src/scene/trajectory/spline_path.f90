@@ -1,6 +1,6 @@
-!> Hole axis from a cubic spline of the tangent: curvature and its rate of change are continuous through the
-!> stations, where minimum curvature jumps. The spline is handed on as closely spaced tangents, between which
-!> minimum curvature is as good as exact, so that everything downstream sees arcs only.
+!> Hole axis from a cubic spline of the tangent. Curvature and its rate of change are continuous through the stations, where
+!> minimum curvature jumps. The spline is converted to closely spaced tangents, between which minimum curvature is as good as
+!> exact. All other code then has arcs only.
 module dg_spline_path
    use dg_kinds, only: wp
    use dg_minimum_curvature, only: dogleg_between
@@ -9,20 +9,20 @@ module dg_spline_path
    private
    public :: resample_spline, second_derivatives
 
-   !> Longest arc of the resampled path [m]. An arc in place of a curve whose curvature changes at the rate q
-   !> strays by q h^3/72/sqrt(3); for a build rate of 3 deg/30 m reached within 30 m that is 4 micrometres at
-   !> h = 2 m, far under any clearance, and a 15 km well still needs no more than 7500 arcs.
+   !> Longest arc of the resampled path [m]. An arc in place of a curve whose curvature changes at the rate q deviates by q
+   !> h^3/72/sqrt(3). For a build rate of 3 deg/30 m reached within 30 m that is 4 micrometres at h = 2 m. That is far below
+   !> any clearance, and a 15 km well needs no more than 7500 arcs.
    real(wp), parameter :: longest_arc = 2.0_wp
    !> Largest angle of a resampled arc [rad], for strong bends between close stations.
    real(wp), parameter :: largest_angle = 0.02_wp
-   !> Shortest interpolated tangent that is still worth normalising [-]; a path that turns by less than 90 deg
-   !> from station to station stays above 0.7.
+   !> Shortest interpolated tangent that may be normalised [-]. A path that turns by less than 90 deg from station to station
+   !> stays above 0.7.
    real(wp), parameter :: shortest_tangent = 0.05_wp
 
 contains
 
-   !> Tangents of the spline through station tangents, at the stations and between. `usable` is false where the
-   !> stations turn so sharply that the spline passes near zero.
+   !> Tangents of the spline through station tangents, at the stations and between. `usable` is false if the stations turn so
+   !> sharply that the spline passes near zero.
    pure subroutine resample_spline(md, tangents, fine_md, fine_tangents, usable)
       real(wp), intent(in) :: md(:)                            !< increasing [m]
       real(wp), intent(in) :: tangents(:, :)                   !< (3, size(md)), unit
@@ -64,8 +64,8 @@ contains
       fine_tangents(:, k + 1) = tangents(:, size(md))
    end subroutine resample_spline
 
-   !> Second derivatives at the knots of the natural cubic spline through (x, y): a symmetric, diagonally
-   !> dominant tridiagonal system, eliminated without exchange of rows (de Boor 1978, ch. IV).
+   !> Second derivatives at the knots of the natural cubic spline through (x, y). The system is symmetric, diagonally dominant
+   !> and tridiagonal, and is eliminated without exchange of rows (de Boor 1978, chapter IV).
    pure function second_derivatives(x, y) result(bend)
       real(wp), intent(in) :: x(:)  !< increasing
       real(wp), intent(in) :: y(:)

@@ -1,6 +1,6 @@
-!> Survey angles and directions. Frame: x north, y east, z down; a tangent points down the hole.
-!> Everything downstream works with unit vectors, so that a vertical hole, a hole past 90 deg and an azimuth
-!> passing north need no special cases; angles exist in decks and tables only.
+!> Survey angles and directions. Frame: x north, y east, z down; a tangent points down the hole. All other code works with unit
+!> vectors. A vertical hole, a hole past 90 deg and an azimuth passing north thus need no special cases. Only decks and tables
+!> have angles.
 module dg_survey
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use dg_kinds, only: wp
@@ -13,8 +13,8 @@ module dg_survey
 
    !> Unit vector to the north.
    real(wp), parameter :: north(3) = [1.0_wp, 0.0_wp, 0.0_wp]
-   !> Sine of the inclination under which a hole has no high side [-]. Well above the round-off of a tangent
-   !> (1e-16), far below what any survey tool resolves (1e-3).
+   !> Sine of the inclination below which a hole has no high side [-]. It is well above the round-off of a tangent (1e-16), and
+   !> far below the resolution of survey tools (1e-3).
    real(wp), parameter :: vertical_sine = 1.0e-9_wp
    !> Angles closer than this to a full turn are printed as 0: ten digits show them as one turn [rad].
    real(wp), parameter :: no_angle = 1.0e-9_wp
@@ -23,8 +23,8 @@ module dg_survey
 
 contains
 
-   !> Refuses stations that are no survey: fewer than two, sizes that differ, numbers that are not finite,
-   !> measured depths that do not increase, inclinations outside 0 to pi.
+   !> Refuse invalid stations: fewer than two, sizes that differ, numbers that are not finite. Measured depths must increase,
+   !> and inclinations be from 0 to pi.
    pure subroutine check_stations(md, inclination, azimuth, error)
       real(wp), intent(in) :: md(:)           !< [m]
       real(wp), intent(in) :: inclination(:)  !< [rad]
@@ -85,8 +85,8 @@ contains
       azimuth = positive_angle(atan2(tangent(2), tangent(1)))
    end function azimuth_of
 
-   !> Unit vector across the hole from which clock angles count: to the high side; to the north where the
-   !> hole is vertical.
+   !> Unit vector across the hole from which clock angles count. It points to the high side, or to the north where the hole is
+   !> vertical.
    pure function high_side(tangent) result(direction)
       real(wp), intent(in) :: tangent(3)
       real(wp) :: direction(3)
@@ -100,9 +100,8 @@ contains
       direction = unit(direction)
    end function high_side
 
-   !> Where a vector across the hole points: angle from the high side (north where vertical), clockwise
-   !> looking down the hole [rad], 0 <= angle < 2 pi; 0 for a vector without length, and for one that round-off lets
-   !> point just before the high side.
+   !> Clock angle of a vector across the hole, from the high side (north where vertical), clockwise looking down the hole
+   !> [rad]. 0 <= angle < 2 pi. It is 0 for a vector without length, and for one that round-off puts just before the high side.
    pure function clock_angle(tangent, vector) result(angle)
       real(wp), intent(in) :: tangent(3)
       real(wp), intent(in) :: vector(3)
@@ -116,7 +115,7 @@ contains
       if (2.0_wp*pi - angle < no_angle) angle = 0.0_wp
    end function clock_angle
 
-   !> An angle of -pi to pi as one of 0 to 2 pi [rad]; a tiny negative one becomes 0, never 2 pi.
+   !> Angle of -pi to pi as one of 0 to 2 pi [rad]. A tiny negative one becomes 0, never 2 pi.
    pure function positive_angle(angle) result(positive)
       real(wp), intent(in) :: angle
       real(wp) :: positive

@@ -1,5 +1,5 @@
-!> Tortuosity laid on a planned path: drilled holes bend to and fro where plans are smooth, and drag grows with that. The direction
-!> of the plan is changed at stations that are added for it, by a sine or at random, after the habit of planning programs.
+!> Tortuosity added to a planned path. Drilled holes undulate where plans are smooth, and drag grows with that. The direction
+!> of the plan is changed at added stations, by a sine or at random, as in planning programs.
 module dg_tortuosity
    use dg_kinds, only: wp
    use dg_constants, only: pi
@@ -9,30 +9,30 @@ module dg_tortuosity
    private
    public :: tortuosity_type, lay_tortuosity, lower_end, turning
 
-   !> Stations in a period of a sine. A multiple of four: so the sine's extremes are stations.
+   !> Stations in a period of a sine. A multiple of four, so that the sine's extremes are stations.
    integer, parameter :: stations_a_period = 16
-   !> A station of the plan that is nearer to an added one than this part of their spacing gives way to it: the added one lies on
-   !> the plan as well.
+   !> Least distance of a station of the plan from an added one, over their spacing [-]. Closer stations are replaced by the
+   !> added one, which is on the plan as well.
    real(wp), parameter :: near = 0.1_wp
-   !> Sine of the inclination below which the hole takes its azimuth from where it is inclined.
+   !> Sine of the inclination below which the azimuth is taken from an inclined part of the hole [-].
    real(wp), parameter :: vertical_sine = 1.0e-6_wp
-   !> Part of a period that is round-off of two depths.
+   !> Part of a period that is round-off of two depths [-].
    real(wp), parameter :: round_off = 1.0e-9_wp
 
    !> One section of tortuosity.
    type :: tortuosity_type
       logical :: random = .false.         !< at random; else a sine
       real(wp) :: amplitude = 0.0_wp      !< largest change of an angle [rad]
-      real(wp) :: period = 0.0_wp         !< of the sine; spacing of what is drawn at random [m]
+      real(wp) :: period = 0.0_wp         !< of the sine; distance of random directions [m]
       real(wp) :: md_top = 0.0_wp         !< where it begins [m]
       real(wp) :: md_bottom = 0.0_wp      !< it ends with the last whole half period (sine) or period (random) above this [m]
-      integer :: seed = 1                 !< of what is drawn, >= 0
-      integer :: number = 1               !< of the section: those of one seed differ
+      integer :: seed = 1                 !< seed of the random directions, >= 0
+      integer :: number = 1               !< number of the section: sections with one seed differ
    end type tortuosity_type
 
 contains
 
-   !> Depth where a section ends: there and at md_top the hole has the direction of its plan [m].
+   !> Depth where a section ends [m]. There and at md_top the hole has the direction of its plan.
    elemental function lower_end(section) result(md)
       type(tortuosity_type), intent(in) :: section
       real(wp) :: md
@@ -48,7 +48,7 @@ contains
       if (.not. section%random) step = section%period/stations_a_period
    end function step_of
 
-   !> Steps from md_top to the end of a section.
+   !> Number of steps from md_top to the end of a section.
    elemental function number_of_steps(section) result(steps)
       type(tortuosity_type), intent(in) :: section
       integer :: steps
@@ -61,11 +61,13 @@ contains
       end if
    end function number_of_steps
 
-   !> Adds the stations of a section to those of a plan and changes the directions there. Sine: inclination and azimuth both change
-   !> by amplitude*sin(2 pi (md - md_top)/period), in a vertical hole the inclination alone. Random: each period the direction
-   !> is drawn anew, up to the amplitude upwards or
-   !> downwards and as much sideways (so the azimuth changes by up to amplitude/sin(inclination)), evenly distributed; between two
-   !> of them stations of the plan take what lies between. Stations outside the section stay as they are.
+   !> Add the stations of a section to those of a plan and change the directions there.
+   !> - Sine: inclination and azimuth both change by amplitude*sin(2 pi (md - md_top)/period). In a vertical hole only the
+   !>   inclination changes.
+   !> - Random: each period has a new direction, up to the amplitude upwards or downwards and as much sideways, evenly
+   !>   distributed. The azimuth thus changes by up to amplitude/sin(inclination). Stations of the plan between two periods are
+   !>   interpolated.
+   !> Stations outside the section stay.
    subroutine lay_tortuosity(plan, section, md, inclination, azimuth)
       type(trajectory_type), intent(in) :: plan              !< without tortuosity
       type(tortuosity_type), intent(in) :: section           !< within the plan, two periods long at least
@@ -103,7 +105,7 @@ contains
 
    contains
 
-      !> A station of the plan, as it is.
+      !> Keep a station of the plan.
       subroutine keep(station)
          integer, intent(in) :: station
          k = k + 1
@@ -112,7 +114,7 @@ contains
          new_azimuth(k) = azimuth(station)
       end subroutine keep
 
-      !> A station with the direction of plan and tortuosity.
+      !> Add a station with the direction of plan and tortuosity.
       subroutine put(depth)
          real(wp), intent(in) :: depth
          k = k + 1
@@ -159,7 +161,7 @@ contains
       azimuth = plan%azimuth(i)
    end function azimuth_below
 
-   !> Angle drawn for a depth [rad], between the two that are drawn above and below it; 0 at both ends of the section.
+   !> Random angle at a depth [rad], between the two angles above and below it; 0 at both ends of the section.
    pure function drawn(section, md, direction) result(angle)
       type(tortuosity_type), intent(in) :: section
       real(wp), intent(in) :: md          !< [m]
@@ -181,7 +183,7 @@ contains
       end function at
    end function drawn
 
-   !> Angle by which a path turns between two depths, however it turns [rad].
+   !> Angle by which a path turns between two depths, in any direction [rad].
    pure function turning(path, md_top, md_bottom) result(angle)
       type(trajectory_type), intent(in) :: path
       real(wp), intent(in) :: md_top, md_bottom   !< [m]

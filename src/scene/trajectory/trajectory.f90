@@ -1,5 +1,5 @@
-!> The hole axis as a chain of circular arcs, whatever the interpolation between survey stations.
-!> Frame: x north, y east, z down, origin at the first station; measured depth s grows down the hole.
+!> The hole axis as a chain of circular arcs, for any interpolation between survey stations. Frame: x north, y east, z down,
+!> origin at the first station. Measured depth s grows down the hole.
 module dg_trajectory
    use dg_kinds, only: wp
    use dg_constants, only: degree
@@ -13,17 +13,17 @@ module dg_trajectory
    public :: trajectory_type, new_trajectory, interpolation_minimum_curvature, interpolation_spline
    public :: cut_trajectory, arc_at, closest_point, gap_to_axis, position_at
    public :: true_vertical_depth, measured_depth_at, top_md, bottom_md
-   ! Public names of this folder that users of a trajectory need besides.
+   ! Public names of this folder that users of a trajectory also need.
    public :: arc_type, point_on_arc, frame_on_arc, foot_offset, turn_type, turn_of
    public :: tangent_of, inclination_of, azimuth_of, high_side, clock_angle
 
    integer, parameter :: interpolation_minimum_curvature = 1
    integer, parameter :: interpolation_spline = 2
 
-   !> Largest angle between two stations [rad]: towards 180 deg the plane of the arc is lost.
+   !> Largest angle between two stations [rad]. Towards 180 deg the plane of the arc is lost.
    real(wp), parameter :: largest_dogleg = 170.0_wp*degree
 
-   !> Parts of an arc in which a true vertical depth is looked for.
+   !> Number of parts of an arc in the search of a true vertical depth.
    integer, parameter :: pieces = 16
 
    type :: trajectory_type
@@ -35,8 +35,8 @@ module dg_trajectory
 
 contains
 
-   !> A trajectory through survey stations. Refused (bad input): faults of check_stations, a dogleg beyond
-   !> 170 deg between two stations.
+   !> Make a trajectory through survey stations. Refused (bad input): faults of check_stations, a dogleg above 170 deg between
+   !> two stations.
    pure subroutine new_trajectory(self, md, inclination, azimuth, interpolation, error)
       type(trajectory_type), intent(out) :: self
       real(wp), intent(in) :: md(:)           !< increasing [m]
@@ -79,8 +79,8 @@ contains
       end if
    end subroutine new_trajectory
 
-   !> The part of a trajectory below a depth, where its first station then lies. Positions still count from the first station of the
-   !> whole.
+   !> The part of a trajectory below a depth, at which its first station then is. Positions still count from the first station
+   !> of the whole.
    pure subroutine cut_trajectory(trajectory, md, below)
       type(trajectory_type), intent(in) :: trajectory
       real(wp), intent(in) :: md                       !< between its first and its last station [m]
@@ -121,7 +121,7 @@ contains
    pure function arc_at(trajectory, md, near) result(index)
       type(trajectory_type), intent(in) :: trajectory
       real(wp), intent(in) :: md
-      integer, intent(in), optional :: near   !< an arc that is not far: it is looked for from there
+      integer, intent(in), optional :: near   !< a near arc, from which the search starts
       integer :: index
       integer :: above, middle
       if (present(near)) then
@@ -147,7 +147,7 @@ contains
       end do
    end function arc_at
 
-   !> Foot of the perpendicular from a point on the hole axis, as of gap_to_axis, and where along the hole it lies.
+   !> Foot of the perpendicular from a point on the hole axis, as by gap_to_axis, and its place along the hole.
    pure subroutine closest_point(trajectory, index, point, offset, gap, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(inout) :: index
@@ -158,9 +158,9 @@ contains
       offset = foot_offset(trajectory%arcs(index), point)
    end subroutine closest_point
 
-   !> Offset of a point from the hole axis: across the tangent at the foot of the perpendicular. Beyond its ends the axis goes on as
-   !> the circles (or lines) of its first and last arc. Works from the arc `index` outwards, so that a caller who keeps the index
-   !> pays for one arc.
+   !> Offset of a point from the hole axis: across the tangent at the foot of the perpendicular. Beyond its ends the axis goes
+   !> on as the circles (or lines) of its first and last arc. The search starts at the arc `index`, so that a caller who keeps
+   !> the index needs one arc.
    pure subroutine gap_to_axis(trajectory, index, point, gap, tangent, curvature)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(inout) :: index           !< arc to start from; on return the one that holds the foot
@@ -172,8 +172,8 @@ contains
       direction = 0
       do
          call foot_on_arc(trajectory%arcs(index), point, gap, tangent, curvature, beyond)
-         ! A foot within round-off of a joint, or a point beyond the centre of a bend, would be handed to and
-         ! fro: once moved one way never go back.
+         ! A foot within round-off of a joint, or a point beyond the centre of a bend, would alternate between two arcs. Once
+         ! moved one way, never go back.
          if (beyond == 0 .or. beyond*direction < 0) return
          if (index + beyond < 1 .or. index + beyond > size(trajectory%arcs)) return
          direction = beyond
@@ -210,7 +210,8 @@ contains
       tvd = position(3)
    end function true_vertical_depth
 
-   !> Least measured depth [m] at which the hole reaches a true vertical depth below the first station [m]; huge where it does not.
+   !> Least measured depth [m] at which the hole reaches a true vertical depth below the first station [m]; huge if it does
+   !> not.
    pure function measured_depth_at(trajectory, tvd) result(md)
       type(trajectory_type), intent(in) :: trajectory
       real(wp), intent(in) :: tvd
