@@ -2,9 +2,9 @@
 !>
 !> D_n <- D_n - L_(n-1) V_(n-1), V_n = D_n^-1 U_n, and on the way back x_n = z_n - V_n x_(n+1).
 !>
-!> A third of the time of a band LU, at a price: no row is exchanged between nodes, so that a nearly singular block may let
-!> numbers grow. The caller checks the solution against the matrix itself, refines it where that asks for it, and takes the band
-!> solver where that does not help.
+!> It takes a third of the time of a band LU. No row is exchanged between nodes, however, so that a nearly singular block may
+!> let numbers grow. The caller checks the solution against the matrix itself, and refines it if needed. If that does not help,
+!> it uses the band solver.
 module dg_block_solver
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size

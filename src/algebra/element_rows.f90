@@ -1,5 +1,5 @@
-!> Rows by the unknowns of an element's two nodes, those of the upper node first, and what they do to the matrix and the vectors of
-!> a chain of nodes.
+!> Rows by the unknowns of an element's two nodes, those of the upper node first. Products of such rows with the matrix and the
+!> vectors of a chain of nodes.
 module dg_element_rows
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, u => block_size

@@ -1,5 +1,5 @@
-!> Interfaces of LDL, the sparse factors L D L^T of SuiteSparse (Davis 2005, ACM TOMS 31, algorithm 849): matrices by columns,
-!> indices from 0, of which what stands on and above the diagonal is read. All room is the caller's.
+!> Interfaces of LDL, the sparse factors L D L^T of SuiteSparse (Davis 2005, ACM TOMS 31, algorithm 849). Matrices are by
+!> columns, with indices from 0. Only entries on and above the diagonal are read. The caller allocates all arrays.
 module dg_ldl
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
    implicit none

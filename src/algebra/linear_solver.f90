@@ -1,5 +1,5 @@
-!> One small interface to the linear solvers. Whatever solves, the solution is checked against the matrix: it is
-!> refined once where the residual asks for it, and where that does not help the pivoted band LU takes over.
+!> One small interface to the linear solvers. The solution of any of them is checked against the matrix, and refined once if
+!> its residual is too large. If that does not help, the pivoted band LU is used.
 module dg_linear_solver
    use dg_kinds, only: wp
    use dg_band_solver, only: band_factor, band_solve, band_solver_type, new_band_solver
@@ -15,8 +15,8 @@ module dg_linear_solver
    public :: linear_solver_type, new_linear_solver, solve_linear
    public :: solver_block, solver_banded, solver_sparse, solver_count, solver_name
 
-   !> Residual of a solution over the largest right-hand side at which it is refined [-]: Newton's next step corrects what
-   !> is left, so that four digits would do; eight keep its convergence quadratic to the end.
+   !> Residual of a solution over the largest right-hand side, above which it is refined [-]. Newton's next step corrects the
+   !> rest, so that four digits would be enough. Eight digits keep its convergence quadratic to the end.
    real(wp), parameter :: refine_above = 1.0e-8_wp
 
    type :: linear_solver_type

@@ -1,6 +1,6 @@
-!> Sparse solution of a chain of nodes by KLU: LU that stores no zeros. Nodes stay in their order, which for a chain leaves
-!> hardly any fill. Rows are exchanged where a diagonal entry is below KLU's thousandth of the largest in its column: with
-!> full exchange factors grew by a quarter and took twice as long, and the residual was worse.
+!> Sparse solution of a chain of nodes by KLU: LU without zeros. Nodes stay in their order, which for a chain leaves hardly any
+!> fill. Rows are exchanged if a diagonal entry is below KLU's thousandth of the largest in its column. With full exchange
+!> factors are larger, take longer and have larger residuals.
 !>
 !> Factors live in memory of the library. They are given back by sparse_release, which the next sparse_factor calls itself;
 !> a solver that holds factors must not be copied.

@@ -1,7 +1,7 @@
-!> Sparse solution of a chain of nodes whose matrix is symmetric, by LDL: half the entries of an LU, and by Sylvester's law of
-!> inertia as many negative pivots in D as the matrix has negative eigenvalues: the number of ways in which what it describes is
-!> unstable. Nothing is exchanged, so that only a positive definite matrix is solved safely. Nodes stay in their order, which for
-!> a chain leaves hardly any fill.
+!> Sparse solution of a chain of nodes with a symmetric matrix, by LDL, which has half the entries of an LU. By Sylvester's law
+!> of inertia D has as many negative pivots as the matrix has negative eigenvalues. That is the number of unstable modes. Rows
+!> are not exchanged, so that only a positive definite matrix is solved safely. Nodes stay in their order, which for a chain
+!> leaves hardly any fill.
 module dg_symmetric_solver
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_null_ptr
    use dg_kinds, only: wp

@@ -1,9 +1,9 @@
 !> drillgap for other programs: `use drillgap` is all that they name.
 !>
-!> A program fills in `model_parts_type`, in SI units, by hand or by add_hole, add_component and add_fluid; new_model checks all of
-!> it and makes a model, which can be made in no other way but by read_deck. solve and solve_cases solve load cases of a model by
-!> any method: 'mcge', 'soft', 'rigid', 'mixed'. What cannot be meant comes back as an error; a case that finds no equilibrium
-!> is a result with that status. Nothing stops the program, prints, or keeps anything between calls.
+!> A program fills in `model_parts_type`, in SI units, by hand or by add_hole, add_component and add_fluid. new_model checks
+!> all of it and makes a model. Only new_model and read_deck make models. solve and solve_cases solve load cases of a model by
+!> any method: 'mcge', 'soft', 'rigid', 'mixed'. Invalid data give an error. A case without equilibrium is a result with that
+!> status. No procedure stops the program, prints, or keeps data between calls.
 !>
 !> Threads of OpenMP may call solve at the same time, with one model or several: a model is only read. A program that does so
 !> must itself be built with OpenMP (`openmp = "*"` in its fpm.toml), so that this library is, too.
@@ -127,9 +127,9 @@ contains
       !$omp end critical (drillgap_words)
    end subroutine read_deck
 
-   !> Solves one load case. Error (status_bad_input): the model was not made, no such method, or a load case that cannot be meant;
-   !> more memory than there is; (status_failure): anything else. Without an error `result%status` tells whether the numbers are a
-   !> solution. Example: the first program there.
+   !> Solve one load case. The error is status_bad_input if the model was not made, the method is unknown, the load case is
+   !> invalid, or memory is too small. It is status_failure for anything else. Without an error `result%status` says if the
+   !> numbers are valid. Example: the first program there.
    subroutine solve(model, load_case, method, result, error, totals_only)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case

@@ -1,5 +1,5 @@
-!> Parts of a model, one a call: what a line of code can say of a hole section, a component or a fluid, with the defaults that a
-!> deck has. All else is set in the type afterwards. SI units. Nothing is checked here: new_model does that.
+!> Parts of a model, one a call. One line of code sets a hole section, a component or a fluid, with the defaults of a deck. All
+!> else is set in the type afterwards. SI units. Nothing is checked here: new_model does that.
 module dg_parts_by_call
    use dg_component, only: component_type, tube_area
    use dg_drillstring, only: drillstring_type

@@ -22,8 +22,8 @@ module dg_case_result
    character(*), parameter :: push_needed = 'The hook load is below zero. The string must be pushed at surface'
    real(wp), parameter :: pushed_from = 1.0e-6_wp
 
-   !> Judgement of a step of the iteration, and names in files. In order: no step yet; the whole step, as the string is not damped;
-   !> accepted by the slope of the energy; accepted by a smaller residual; refused.
+   !> Judgement of a step of the iteration, and names in files. In order: no step yet; whole step, without damping; accepted by
+   !> the slope of the energy; accepted by a smaller residual; refused.
    integer, parameter :: judged_start = 1, judged_whole = 2, judged_energy = 3, judged_residual = 4, judged_refused = 5
    character(*), parameter :: judged_name(5) = [character(8) :: 'start', 'whole', 'energy', 'residual', 'refused']
 
@@ -113,8 +113,8 @@ module dg_case_result
       integer :: states(0:2) = 0
       integer :: flips = 0
       integer :: moves = 0
-      !> Part by which compression could still grow before the equilibrium is lost (dg_stability): until the tangent is indefinite,
-      !> contact forces as they are; 1 stands for more, missing where the string is not compressed enough [-].
+      !> Part by which compression could still grow until the tangent is indefinite, at constant contact forces (dg_stability)
+      !> [-]. 1 stands for more. It is missing if the string is not compressed enough.
       real(wp) :: stability_margin = missing
       logical :: coiled = .false.              !< the string is compressed beyond its helical load: it may lie in more than one way
       !> Greatest weight on bit that a push brings down which the pipe bears, or minus the pull at the bit that is needed; missing
@@ -127,8 +127,8 @@ module dg_case_result
       real(wp) :: moment_error = missing
       !> Where the contact force of that beam differs most from that of the analysis.
       type(unlike_contact_type) :: unlike_contact
-      !> The bit held on the axis by the formation: force of the bit on it across the hole [N] and its clock angle [rad]; missing
-      !> where nothing holds it, and without elements.
+      !> Force of a bit that the formation holds on the axis, across the hole [N], and its clock angle [rad]. Missing if the
+      !> bit is not held, and without elements.
       real(wp) :: bit_side_force = missing
       real(wp) :: bit_side_clock = missing
       !> Angle between bit and hole axis, and the clock angle to which it points [rad]; missing without elements.

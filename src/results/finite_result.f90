@@ -12,8 +12,8 @@ module dg_finite_result
 
 contains
 
-   !> Marks a result that holds a NaN or an infinity as not converged, and takes the numbers from every result that has not
-   !> converged or is locked up. Every model ends with it: nothing else decides that such a case shows no numbers.
+   !> Mark a result with a NaN or an infinity as not converged. Remove the numbers of every result that has not converged or is
+   !> locked up. Every model ends with it, so that such a case shows no numbers.
    pure subroutine finish_result(result)
       type(case_result_type), intent(inout) :: result
       if (result%status /= result_locked_up .and. .not. is_finite(result)) then

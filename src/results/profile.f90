@@ -1,8 +1,8 @@
 !> Results along the string, surface to bit: one type for every model, so that tables and files need no
 !> special cases. SI units; conversion happens in the report.
 !>
-!> A row stands for one depth. Where a component, hole section or fluid changes two rows stand at the same depth: the first for
-!> the upper side, the second for the lower side (dg_profile_rows lays them). Depths never decrease from row to row.
+!> Each row has one depth. Where a component, hole section or fluid changes there are two rows at that depth (see
+!> dg_profile_rows). The first is for the upper side, the second for the lower side. Depths never decrease from row to row.
 module dg_profile
    use dg_kinds, only: wp
    use dg_missing, only: missing

@@ -1,6 +1,6 @@
-!> The root of a function of one number that falls, between two numbers on either side of it: by inverse quadratic interpolation
-!> where the last three values allow it, else by a secant at first and by halving later (Chandrupatla 1997, A new hybrid
-!> quadratic/bisection algorithm, Adv. Eng. Softw. 28). A jump or a kink costs halvings, nothing else.
+!> Root of a falling function of one number, between two numbers on either side of it. The method is inverse quadratic
+!> interpolation if the last three values allow it, else a secant at first and halving later. It is by Chandrupatla 1997, A new
+!> hybrid quadratic/bisection algorithm, Adv. Eng. Softw. 28. A jump or a kink only costs halvings.
 !>
 !> The caller computes the values:
 !>     bracket = new_bracket(low, value_low, high, value_high)

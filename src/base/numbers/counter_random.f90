@@ -1,6 +1,6 @@
-!> Random numbers that are a function of where they are used, not of what was drawn before: Philox 4x32-10 of Salmon, Moraes,
+!> Random numbers that depend on their place of use, not on earlier numbers: Philox 4x32-10. The method is by Salmon, Moraes,
 !> Dror & Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011). The same seed, sample, quantity and index give the
-!> same number in any order, on any number of threads, in any part of a divided run.
+!> same number in any order. This holds on any number of threads, and in any part of a divided run.
 module dg_counter_random
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp

@@ -1,5 +1,4 @@
-!> The first decimal digits of a number, at a small part of what the run-time library takes; where it is not certain of them it says
-!> so.
+!> First decimal digits of a number, much faster than by the run-time library. The result says if they are uncertain.
 module dg_decimal_digits
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -32,7 +31,7 @@ contains
       real(wp) :: scaled, rest
       integer(int64) :: bits, whole, hundredth
       integer :: power, place
-      ! by its bits; at most one too small; of an infinite number or a NaN it is enormous, so that no operation is done with those
+      ! by its bits, at most one too small; an infinite number or a NaN gives an enormous one, and needs no operation
       bits = transfer(x, bits)
       exponent = shifta(log10_of_2*(int(shiftr(bits, 52)) - 1023), 18)
       certain = bits == 0

@@ -7,8 +7,8 @@ module dg_markup
 
 contains
 
-   !> A text as HTML or XML shows it. Control bytes become blanks; bytes that make no UTF-8 become '?'. Put in place piece by piece:
-   !> lines of a hundred kilobytes are legal in a deck, and a text that grows by a byte at a time takes the square of its length.
+   !> Text for HTML or XML. Control bytes become blanks, and invalid bytes of UTF-8 become '?'. It is filled piece by piece. A
+   !> deck may have lines of a hundred kilobytes, and a text that grows by bytes takes the square of its length.
    pure function html_safe(text) result(safe)
       character(*), intent(in) :: text
       character(:), allocatable :: safe

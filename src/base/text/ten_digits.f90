@@ -1,5 +1,5 @@
-!> A real number as text of ten significant digits, letter by letter what `write (text, '(g0.10)')` makes of it, at a
-!> twenty-fifth of the cost: result files are mostly numbers.
+!> Text of a real number with ten significant digits, equal to `write (text, '(g0.10)')`. It takes a twenty-fifth of the time:
+!> result files are mostly numbers.
 module dg_ten_digits
    use dg_kinds, only: wp
    use dg_decimal_digits, only: digits_wanted => most_digits, find_digits

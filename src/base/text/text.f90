@@ -27,9 +27,9 @@ module dg_text
 
    !> A number as text: integers plainly, reals with the fewest digits that give the number back.
    !>
-   !> These functions, `quoted` and `either` tell the length of their result instead of leaving it to the result. Threads call them,
-   !> and gfortran keeps the length of a deferred-length result in one static variable for each call in the source (TREE_STATIC in
-   !> its trans-expr.c, seen with 12.2). Two threads at the same call then take each other's lengths and spoil the heap.
+   !> These functions, `quoted` and `either` declare the length of their result. Threads call them. gfortran keeps a deferred
+   !> length in one static variable for each call in the source (TREE_STATIC in its trans-expr.c, seen with 12.2). Two threads
+   !> at one call would then exchange lengths and corrupt the heap.
    interface to_text
       module procedure integer_text
       module procedure real_text
@@ -54,8 +54,8 @@ contains
       call move_alloc(longer, list)
    end subroutine append_text
 
-   !> Up to four texts as a list. An array of structure constructors would do the same in one line, but gfortran 12 allots one byte
-   !> for a text whose length it does not know there.
+   !> List of up to four texts. Do not use an array of structure constructors: gfortran 12 allots one byte for a text whose
+   !> length it does not know there.
    pure function text_list(first, second, third, fourth) result(list)
       character(*), intent(in), optional :: first, second, third, fourth
       type(text_type), allocatable :: list(:)
@@ -148,8 +148,8 @@ contains
       end do
    end function plain_utf8
 
-   !> Last byte of the letter in UTF-8 that begins at byte `first`; 0 where none does (table 3-7 of the Unicode standard, less
-   !> the two that are no characters, U+FFFE and U+FFFF).
+   !> Last byte of the letter in UTF-8 that begins at byte `first`; 0 if none does. See table 3-7 of the Unicode standard,
+   !> without U+FFFE and U+FFFF.
    pure function letter_end(text, first) result(last)
       character(*), intent(in) :: text
       integer, intent(in) :: first
@@ -200,8 +200,8 @@ contains
       if (.not. so) text = second
    end function either
 
-   !> Least number of letters put in, left out, changed or swapped with a neighbour that turns `a` into
-   !> `b` (optimal string alignment; Damerau 1964: these four slips make up nearly all misspellings).
+   !> Least number of letters to insert, delete, change or swap with a neighbour that turns `a` into `b`. This is optimal
+   !> string alignment (Damerau 1964).
    pure function edit_distance(a, b) result(distance)
       character(*), intent(in) :: a, b
       integer :: distance
@@ -227,8 +227,8 @@ contains
       end function swapped
    end function edit_distance
 
-   !> The candidate most like `name` (letter case aside), or '' where none is near: one that goes on where the
-   !> name ends, or differs by at most two slips or a third of the letters.
+   !> Candidate most like `name` (letter case aside), or '' if none is near. A near one continues `name`, or differs by at most
+   !> two slips or a third of its letters.
    pure function nearest_name(name, candidates) result(nearest)
       character(*), intent(in) :: name
       character(*), intent(in) :: candidates(:)
@@ -299,8 +299,8 @@ contains
       write (text, '(i0)') number
    end function integer_text
 
-   !> A finite real as text with the fewest digits that give it back to 15 significant ones: plain where it is short, with an
-   !> exponent else.
+   !> Text of a finite real with the fewest digits that give it back to 15 significant ones: plain if short, else with an
+   !> exponent.
    pure function real_text(number) result(text)
       real(wp), intent(in) :: number
       character(real_length(number, safe_digits)) :: text

@@ -1,5 +1,5 @@
-!> Faults of a user's text that would show or run as something else: bytes that are no UTF-8, letters that turn the direction of
-!> writing, a first letter by which a spreadsheet takes a cell for a formula.
+!> Faults of a user's text that would show or run as something else. They are invalid bytes of UTF-8, letters that turn the
+!> direction of writing, and a first letter that makes a cell a formula.
 module dg_text_fault
    use dg_printable, only: turning_code
    use dg_text, only: letter_end, to_text

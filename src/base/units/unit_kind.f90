@@ -36,8 +36,8 @@ contains
       label = units%label_of(quantity)
    end function unit_label
 
-   !> A smaller unit that people write in place of a quantity's own: the first in which the number is at most the greatest of the
-   !> quantity. Blanks stand behind its name; '' where there is none.
+   !> A smaller unit that is used for a quantity: the first in which the number is at most the greatest of the quantity. It has
+   !> trailing blanks, and is '' if there is none.
    pure subroutine smaller_unit(units, quantity, number, name, count)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity

@@ -1,5 +1,5 @@
-!> Files that appear whole or not at all: written under another name in the same folder, then renamed
-!> (POSIX rename replaces in one step, and replaces a link instead of following it).
+!> Files that appear whole or not at all. They are written under another name in the same folder, then renamed. POSIX rename
+!> replaces in one step, and replaces a link instead of following it.
 module dg_file_system
    use, intrinsic :: iso_c_binding, only: c_char, c_int
    use, intrinsic :: iso_fortran_env, only: int64
@@ -37,8 +37,8 @@ module dg_file_system
 
 contains
 
-   !> Writes `lines` as the whole content of the file `path`. On any error (no such folder, no right to
-   !> write, disk full) a file of that name stays as it was and nothing unfinished is left.
+   !> Write `lines` as the whole content of the file `path`. On any error (no such folder, no right to write, disk full) a file
+   !> of that name stays, and no unfinished file is left.
    subroutine write_text_file(path, lines, error)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
@@ -136,8 +136,8 @@ contains
       finished = name(:dot - 1)
    end function finished_name
 
-   !> The run-time library's reason without the path that it repeats; without one the file was shorter at its end than what was
-   !> written, and nothing else is known.
+   !> The run-time library's reason without the path that it repeats. Without a reason the file was shorter at its end than the
+   !> data written.
    pure function system_words(reason) result(words)
       character(*), intent(in) :: reason
       character(:), allocatable :: words

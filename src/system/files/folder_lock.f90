@@ -1,9 +1,9 @@
 !> Holds a folder for one run, so that no two write their results into it side by side.
 !>
-!> The kernel holds the lock: it goes with the process, whatever ends that. It lies on a file in the folder; a whole run locks
-!> all of it, a part of a divided run one byte of its own, so that parts share the folder. Such locks (POSIX, lockf) work over
-!> NFS, are not handed on to child processes, and are lost when this process closes any descriptor of the file: nothing else
-!> here may open it. The lines of the file say who holds the folder.
+!> The kernel holds the lock, which ends with the process in any case. It is on a file in the folder. A whole run locks all of
+!> it. A part of a divided run locks one byte of its own, so that parts share the folder. Such locks (POSIX, lockf) work over
+!> NFS, and are not inherited by child processes. They are lost when this process closes any descriptor of the file, so that no
+!> other code may open it. The lines of the file name the holder of the folder.
 module dg_folder_lock
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_long, c_null_char, c_null_ptr, c_ptr, c_size_t
    use dg_c_calls, only: c_fopen, c_fclose, c_errno_location, c_getpid

@@ -1,6 +1,6 @@
-!> Another program, run without a shell: found on PATH, started in a folder of its own with what it prints kept in a file,
-!> waited for, and ended with all that it has started itself. It does not outlive this program. POSIX calls; numbers of
-!> constants are those of Linux.
+!> Another program, run without a shell. It is found on PATH, and started in a folder of its own. Its output is kept in a file.
+!> The program waits for it, and ends it with all processes that it has started. It does not outlive this program. POSIX calls;
+!> numbers of constants are those of Linux.
 module dg_child_process
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funptr, c_int, c_loc, c_long, &
                                           c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t

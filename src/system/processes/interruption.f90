@@ -15,8 +15,8 @@ module dg_interruption
    !> A file grows beyond what the shell allows (ulimit -f): number of Linux. Ignored, it is an error of writing like others.
    integer(c_int), parameter :: file_too_large = 25_c_int
 
-   !> The signal that came, 0 while none has: C's sig_atomic_t. A signal comes at any moment in any thread and has no
-   !> argument to leave word in, hence the one variable of a module in this program.
+   !> The signal that came, 0 for none: C's sig_atomic_t. A signal comes at any moment in any thread and has no argument for a
+   !> result. Hence this is the only variable of a module in this program.
    integer(c_int), volatile :: arrived = 0_c_int
 
 contains

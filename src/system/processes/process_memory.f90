@@ -11,8 +11,8 @@ module dg_process_memory
    character(*), parameter :: status_file = '/proc/self/status', wish_file = '/proc/self/clear_refs'
    character, parameter :: forget_peak = '5'
    real(wp), parameter :: kilobyte = 1024.0_wp
-   !> Parameters of mallopt(3), and what they are set to [bytes]: free memory is kept up to the first size, and pieces up to
-   !> the second, the greatest that the library takes, come from it.
+   !> Parameters of mallopt(3), and their values [bytes]. Free memory is kept up to the first size. Pieces up to the second,
+   !> the greatest that the library allows, come from it.
    integer(c_int), parameter :: trim_threshold = -1_c_int, map_threshold = -3_c_int
    integer(c_int), parameter :: kept = 268435456_c_int, greatest_piece = 33554432_c_int
    !> Heaps of the library; each that a thread has of its own reserves addresses, 128 MB at first.
@@ -58,8 +58,8 @@ module dg_process_memory
 
 contains
 
-   !> Keeps what is freed for the next solution, instead of giving it back to the system and asking for it again, page by page:
-   !> a tenth of the time of short cases. Where addresses are limited threads share one heap.
+   !> Keep freed memory for the next solution. Giving it back to the system and requesting it again, page by page, takes a
+   !> tenth of the time of short cases. If addresses are limited threads share one heap.
    subroutine keep_freed_memory()
       integer(c_int) :: done
       done = c_mallopt(map_threshold, greatest_piece)
@@ -67,8 +67,8 @@ contains
       if (address_room() < huge(1.0_wp)) done = c_mallopt(most_heaps, 1_c_int)
    end subroutine keep_freed_memory
 
-   !> Memory that the shell lets this process have beside what it has (ulimit -v) [bytes]; huge where it sets no limit, so that
-   !> allocations do not fail.
+   !> Memory that the shell still allows this process (ulimit -v) [bytes]; huge without a limit, so that allocations do not
+   !> fail.
    function address_room() result(bytes)
       real(wp) :: bytes
       integer(c_long) :: limits(2)

@@ -7,8 +7,8 @@ module dg_threads
 
 contains
 
-   !> Threads for `tasks` independent pieces of work: as many as asked for, 0 being all cores (or what OMP_NUM_THREADS says),
-   !> but no more than there are pieces. One where the program was built without OpenMP.
+   !> Number of threads for `tasks` independent pieces of work: the wanted number, with 0 for all cores (or OMP_NUM_THREADS).
+   !> It is at most the number of pieces. It is one if the program was built without OpenMP.
    function thread_count(wanted, tasks) result(threads)
       integer, intent(in) :: wanted
       integer, intent(in) :: tasks

@@ -47,8 +47,8 @@ module dg_process
          integer(c_size_t) :: written
       end function c_write
 
-      !> Options of gfortran's run-time library (its manual, "Non-Fortran main program"): the first four are standards that
-      !> are warned of, those that are allowed, pedantry, and tracebacks.
+      !> Options of gfortran's run-time library (its manual, "Non-Fortran main program"). The first four are standards with
+      !> warnings, allowed standards, pedantry, and tracebacks.
       subroutine gfortran_set_options(number, options) bind(c, name='_gfortran_set_options')
          import :: c_int
          implicit none
@@ -66,9 +66,9 @@ module dg_process
 
 contains
 
-   !> To be called first. Where memory is limited, so that any allocation may fail, the run-time library's word on it is not
-   !> followed by a traceback, which takes memory itself. Libraries that do not look whether they got memory then end by SIGSEGV:
-   !> that is told in the same words.
+   !> Call this first. If memory is limited, any allocation may fail. The run-time library's message then has no traceback,
+   !> which needs memory itself. Libraries that do not check their allocations end by SIGSEGV, which is reported in the same
+   !> words.
    subroutine begin_process()
       integer(c_int), parameter :: warned = 66_c_int, allowed = 32767_c_int, plain(4) = [warned, allowed, 0_c_int, 0_c_int]
       type(c_funptr) :: before
@@ -91,8 +91,8 @@ contains
       if (written >= 0) call c_exit_now(int(status_failure, c_int))
    end subroutine say_last_word
 
-   !> Ends the program with an exit status. C's _exit instead of STOP: a `stop` with a number prints 'STOP 2'
-   !> and notes on floating-point flags to standard error, which is kept for diagnostics.
+   !> End the program with an exit status. This is C's _exit instead of STOP. A `stop` with a number prints 'STOP 2' and notes
+   !> on floating-point flags to standard error, which is for diagnostics only.
    subroutine end_process(status)
       integer, intent(in) :: status
       flush (error_unit)

@@ -1,5 +1,5 @@
-!> Standard output, through C's buffer: gfortran's runtime library (12) tells nothing of a write that failed, neither when its
-!> own buffer is written nor by `flush`; C's remembers it.
+!> Standard output, through C's buffer. gfortran's run-time library (12) does not report a failed write, neither when its own
+!> buffer is written nor by `flush`. C's library does.
 module dg_standard_output
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_long, c_null_ptr, c_ptr, c_short, c_size_t
    use dg_c_calls, only: c_dlsym, c_fopen
@@ -60,9 +60,9 @@ module dg_standard_output
 
 contains
 
-   !> To be called before any file is opened. Standard descriptors that whoever started the program has closed are taken: the
-   !> next file of results would get the number, and what is printed would go into it. What is printed fails then, and is told.
-   !> A reader who goes away is not the end of the program.
+   !> Call this before any file is opened. Standard descriptors that were closed before the program started are taken.
+   !> Otherwise the next file of results would get the number, and printed text would go into it. Printing then fails, and is
+   !> reported. A reader who goes away does not end the program.
    subroutine guard_descriptors()
       type(identity_type) :: found
       type(c_ptr) :: file
