@@ -150,8 +150,8 @@ contains
       end do
    end subroutine put_string
 
-   !> A bit that is wider than the hole is made as wide, as 216 mm in a hole of 8 1/2 in; any other component 1 mm narrower. A
-   !> remark tells of it.
+   !> A bit that is wider than the hole gets the hole's diameter, as 216 mm in a hole of 8 1/2 in. Any other component becomes
+   !> 1 mm narrower. A remark says so.
    function fitted(given, narrowest) result(part)
       type(imported_part_type), intent(in) :: given
       real(wp), intent(in) :: narrowest            !< diameter of the hole [m]

@@ -1,4 +1,4 @@
-!> The case in an EDM export (Landmark): each row of a table is an element, its values are attributes in feet, inches, lbm/gal,
+!> The case in an EDM export (Landmark). Each row of a table is an element. Its values are attributes in feet, inches, lbm/gal,
 !> lbm/ft, psi and ft.lbf, without a unit beside them.
 module dg_edm_case
    use dg_constants, only: degree, foot, gallon, inch, pound, pound_force, psi

@@ -1,5 +1,5 @@
-!> The catalogue of pipe: a table whose columns are keys of &component with their unit, one row per entry. Rows of kind
-!> 'grade' are steels: the name of a pipe followed by that of a grade is the pipe with the yield strength of the grade.
+!> The catalogue of pipe: a table whose columns are keys of &component with their unit, one row per entry. Rows of kind 'grade'
+!> are steels. The name of a pipe followed by that of a grade is the pipe with the yield strength of the grade.
 module dg_catalogue
    use dg_kinds, only: wp
    use dg_catalogue_lines, only: catalogue_lines
@@ -21,8 +21,8 @@ module dg_catalogue
    public :: catalogue_type, entry_type, read_catalogue, find_catalogue, find_entry, number_of, numeric_keys
    public :: catalogue_within, kind_of_grades, place_of_name
 
-   !> Looked for beside the deck, then where the variable of the environment says, then in input/ of the working folder; else
-   !> the one within the program, under a name that no file of a user has.
+   !> It is searched beside the deck, then at the variable of the environment, then in input/ of the working folder. Otherwise
+   !> it is the one within the program, under a name that no file of a user has.
    character(*), parameter :: catalogue_name = 'catalogue.csv'
    character(*), parameter :: catalogue_variable = 'DRILLGAP_CATALOGUE'
    character(*), parameter :: catalogue_within = '(catalogue of the program)'

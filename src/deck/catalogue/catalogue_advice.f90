@@ -1,5 +1,5 @@
-!> Advice on a name that the catalogue does not have: entries of the same kind, size and weight, however they are written, in the
-!> grade that was meant. 'DP 5 19.5 S-135' means 'DP 5 19.50 NC50 S135'.
+!> Advice on a name that the catalogue does not have: entries of the same kind, size, weight and grade in any spelling. 'DP 5
+!> 19.5 S-135' means 'DP 5 19.50 NC50 S135'.
 module dg_catalogue_advice
    use dg_catalogue, only: catalogue_type, kind_of_grades
    use dg_deck_number, only: read_fraction, read_real

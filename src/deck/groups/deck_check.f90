@@ -1,6 +1,6 @@
-!> Checks the parts of a deck against each other, as those of any model are (room model_check/), and tells what is found with the
-!> lines of the deck: holes cover the depths of the cases, strings reach surface and pass the hole, names are unique. Only parts
-!> that are legal in themselves take part, so that one slip gives one message.
+!> Checks of the parts of a deck against each other, as for any model (src/scene/rules). Faults have the lines of the deck.
+!> Holes must cover the depths of the cases, strings must reach surface and pass the hole, and names must be unique. Only parts
+!> that are legal in themselves are checked, so that one slip gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
    use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name

@@ -1,5 +1,5 @@
-!> Comments of a deck that is converted to the other units, as --template writes them: ranges '[0 to 50000 m]', and keys of a group
-!> that wait for their mark to be taken off, '! joint_spacing = 9.5'.
+!> Comments of a deck that is converted to other units, in the form of --template. They are ranges '[0 to 50000 m]', and keys
+!> of a group with a comment mark before them, '! joint_spacing = 9.5'.
 module dg_deck_comment
    use dg_kinds, only: wp
    use dg_deck_number, only: read_real
@@ -11,8 +11,8 @@ module dg_deck_comment
    private
    public :: convert_comments, shortest
 
-   !> A number is written with the fewest digits that are this near to it [-]: 0.3 mm in 3000 m, and 1500 m is 1500 m again after a
-   !> conversion to and fro.
+   !> A number is written with the fewest digits that are this near to it [-]. Examples are 0.3 mm in 3000 m, and 1500 m, which
+   !> is 1500 m again after two conversions.
    real(wp), parameter :: near = 1.0e-7_wp
    integer, parameter :: most_digits = 9
    !> Digits of the ends of a range.

@@ -1,5 +1,5 @@
-!> The fluids of a deck: what one group &fluid says, where its fluid begins, and what is worth saying of them: a string that floats,
-!> and what must hold pressures apart at the bit.
+!> The fluids of a deck: the data of one group &fluid, and the place where its fluid begins. Remarks say if a string floats,
+!> and what must separate pressures at the bit.
 module dg_deck_fluid
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, real_of, text_of

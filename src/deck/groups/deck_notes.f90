@@ -34,11 +34,11 @@ module dg_deck_notes
    real(wp), parameter :: deepest = 16.0e3_wp
    !> To compare with: water [kg/m3] and steel [Pa].
    real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
-   !> Threshold of Eqs. 7-8 from which on the contact force that it hides shows in the hook load [-] (a build of 900 m: 1e-4 at
-   !> this, 2 % where it is as large as the deck may have it).
+   !> Threshold of Eqs. 7-8 above which the contact force that it hides shows in the hook load [-]. In a build of 900 m it is
+   !> 1e-4 at this threshold, 2 % at the largest legal one.
    real(wp), parameter :: large_eps_n0 = 0.01_wp
-   !> Angle between the directions of a spline and of minimum curvature from which on stations are too sparse for a spline [rad].
-   !> 160 random wells: with stations every 9 to 30 m it is less in all but sharp bends, and drag differs by 1 to 17 %; with
+   !> Angle between the directions of a spline and of minimum curvature, above which stations are too sparse for a spline
+   !> [rad]. With stations every 9 to 30 m random wells have less in all but sharp bends, and drag differs by 1 to 17 %. With
    !> stations only where the plan changes it is 8 to 44 deg, and drag differs by 17 to 540 %.
    real(wp), parameter :: sparse = 3.0_wp*degree
    !> Notes on components that are told.

@@ -1,5 +1,5 @@
-!> A survey that begins below surface is tied on: the hole above its first station is taken as vertical, as vertical down to a
-!> kick-off and one arc from there, or as straight.
+!> Tie-on of a survey that begins below surface. The hole above its first station is vertical, or vertical down to a kick-off
+!> with one arc from there, or straight.
 module dg_deck_tie_on
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, real_of, text_of
@@ -18,10 +18,9 @@ module dg_deck_tie_on
 
 contains
 
-   !> Adds stations, at surface and at the kick-off, to a survey that begins below surface, and notes what was added. They are
-   !> vertical, or with tie_on = 'straight' have the direction of the first one.
-   !> Those of the survey stay as they are; between the lowest one added and the first of the survey the hole is the arc that
-   !> `interpolation` makes of them.
+   !> Add stations, at surface and at the kick-off, to a survey that begins below surface, and note what was added. They are
+   !> vertical, or with tie_on = 'straight' have the direction of the first one. Stations of the survey stay. Between the
+   !> lowest added one and the first of the survey the hole is the arc of `interpolation`.
    subroutine tie_on(group, draft, faults)
       type(checked_group_type), intent(in) :: group      !< &trajectory
       type(draft_type), intent(inout) :: draft           !< with stations that are without fault

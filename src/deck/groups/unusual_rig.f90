@@ -21,12 +21,12 @@ module dg_unusual_rig
    !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
    !> klbf read as kN 0.22; kN read as klbf are 4.4.
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
-   !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]: sharp PDC bits
-   !> in soft rock 2; reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times too large.
-   !> Usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
+   !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]. Sharp PDC
+   !> bits in soft rock have 2, and reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times
+   !> too large. Then usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
    real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
-   !> Weight of string and block over the largest hook load of the rig from which on a unit is asked for [-]: less is a plan that
-   !> cannot be done.
+   !> Weight of string and block over the largest hook load of the rig, above which a wrong unit is likely [-]. Less is an
+   !> impossible plan.
    real(wp), parameter :: most_overload = 2.0_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
@@ -128,8 +128,8 @@ contains
       end associate
    end subroutine note_rig_limit
 
-   !> A torque on bit that is too large for its weight on bit, which would be usual in tonnes: the first load case where
-   !> it is so.
+   !> Note a torque on bit that is too large for its weight on bit, but usual if that is in tonnes. Only the first such load
+   !> case is named.
    subroutine note_torque_on_bit(model, units, notes)
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units

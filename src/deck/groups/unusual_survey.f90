@@ -14,8 +14,8 @@ module dg_unusual_survey
    !> Largest usual dogleg of a hole of 8 1/2 in [rad/m]. It goes with 1 over the cube of the diameter. Medium radius in 8 1/2 in:
    !> 16 to 20 deg/30 m, short radius in 6 in: 60.
    real(wp), parameter :: usual_dogleg = 24.0_wp*degree/30.0_wp, usual_hole = 0.2159_wp, least_dogleg = 20.0_wp*degree/30.0_wp
-   !> Inclination that changes slowly by much between two stations, or falls by more than it does in planned wells: a mistyped
-   !> angle, or a station left out [rad, rad/m].
+   !> Inclination that changes slowly by much between two stations, or falls by more than in planned wells [rad, rad/m]. It is
+   !> a mistyped angle, or a missing station.
    real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 0.6_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
    !> Angle to both neighbours from which a station that points another way is a slip [rad].
    real(wp), parameter :: spike = 25.0_wp*degree
@@ -30,9 +30,9 @@ module dg_unusual_survey
    real(wp), parameter :: alike = 0.01_wp*degree
    !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
    real(wp), parameter :: long_turn = 100.0_wp*degree, inclined = 10.0_wp*degree
-   !> Swapped columns: the hole is inclined at surface by more than `slant` and keeps its inclination within `kept`, or begins with
-   !> more than a slant rig drills, while its azimuth begins at zero, stays below `lying` and changes by more than `bent`, as an
-   !> inclination does [m, rad].
+   !> Thresholds of swapped columns [m, rad]. The hole is inclined at surface by more than `slant` and keeps its inclination
+   !> within `kept`, or begins with more than a slant rig drills. Its azimuth begins at zero, stays below `lying` and changes
+   !> by more than `bent`, like an inclination.
    real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 10.0_wp*degree, steepest_rig = 50.0_wp*degree
    real(wp), parameter :: zero = 0.5_wp*degree, lying = 120.0_wp*degree, bent = 15.0_wp*degree
    integer, parameter :: few_digits = 3, digits = 4, depth_digits = 6

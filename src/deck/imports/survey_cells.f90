@@ -56,8 +56,8 @@ contains
       if (.not. allocated(row)) allocate (row(0))
    end subroutine part_phrases
 
-   !> First and last letters of the columns of rows that have as many fields as the first one; none where fields of neighbours
-   !> stand one above the other, or tabs stand between them.
+   !> First and last letters of the columns of rows that have as many fields as the first one. None if fields of neighbours are
+   !> one above the other, or if tabs separate them.
    pure subroutine find_extents(lines, first_line, width, extent)
       type(text_type), intent(in) :: lines(:)
       integer, intent(in) :: first_line      !< of the rows
@@ -118,8 +118,8 @@ contains
       has = n == width
    end subroutine find_fields
 
-   !> Cells of a row. Between blanks, a row that has fewer fields than columns is read by the places of its fields, where each
-   !> stands below one column; one that has more because a name at its begin has several words is read from its end.
+   !> Split a row into cells. A row between blanks with fewer fields than columns is read by the places of its fields, if each
+   !> is below one column. One with more fields, because a name at its begin has several words, is read from its end.
    pure subroutine split_cells(text, layout, row)
       character(*), intent(in) :: text
       type(layout_type), intent(in) :: layout

@@ -173,8 +173,8 @@ contains
       if (advice /= '') advice = ". Did you mean '"//advice//"'?"
    end function nearest_heading
 
-   !> Sets the unit of a column, if the text names one ('MD (RKB)' does not). One that is unknown, or another than was told
-   !> before, is kept for a fault where the column is needed; a position in such a unit is not compared.
+   !> Set the unit of a column, if the text names one ('MD (RKB)' does not). An unknown unit, or one that contradicts an
+   !> earlier one, is kept for a fault if the column is needed. A position in such a unit is not compared.
    pure subroutine take_unit(layout, column, name)
       type(layout_type), intent(inout) :: layout
       integer, intent(in) :: column

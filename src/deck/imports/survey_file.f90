@@ -1,5 +1,6 @@
-!> Reads stations from a table as other programs export it: CSV (comma or semicolon), tabs or blanks, decimal comma, headings in
-!> any order with or without units, lines above the header, rows of units above or below it; or a LAS file, or a WITSML document.
+!> Read stations from a table as other programs export it, a LAS file, or a WITSML document. Tables may be CSV (comma or
+!> semicolon), tabs or blanks, with decimal comma. Headings may be in any order with or without units. Lines above the header,
+!> and rows of units above or below it, are allowed.
 module dg_survey_file
    use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_kind, only: foreign_kind, is_xml

@@ -20,8 +20,8 @@ module dg_survey_header
 
 contains
 
-   !> Header, columns and their units. `line` is the last one of the header. Where no line names md and inc (those that the deck
-   !> names, or others) `found` is false, and the layout is that of the line that looks most like a header.
+   !> Find header, columns and their units. `line` is the last one of the header. If no line names md and inc (those that the
+   !> deck names, or others) `found` is false. The layout is then that of the line most like a header.
    subroutine find_header(lines, names, units, layout, line, found)
       type(text_type), intent(in) :: lines(:)     !< marks of comments taken off where the header stands in one
       type(column_names_type), intent(in) :: names

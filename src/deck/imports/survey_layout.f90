@@ -240,8 +240,8 @@ contains
       is = verify(text, '-=_*+~|:. ,;'//achar(9)) == 0 .and. scan(text, '-=_*~') > 0
    end function is_rule
 
-   !> True if a line holds the units of the columns: (m), deg, ... Two of the columns wanted look like units. One is enough where
-   !> the others are empty, where the separator is no blank, or where the line has as many cells as there are headings.
+   !> True if a line holds the units of the columns: (m), deg, ... Two of the wanted columns must look like units. One is
+   !> enough if the others are empty, the separator is not a blank, or the line has as many cells as headings.
    pure function is_unit_row(line, layout) result(is)
       character(*), intent(in) :: line
       type(layout_type), intent(in) :: layout

@@ -33,8 +33,8 @@ module dg_survey_rows
 
 contains
 
-   !> The rows below the header. A row whose depth, inclination or azimuth is what stands for no value has no station; where the
-   !> hole is vertical the azimuth may be absent.
+   !> Read the rows below the header. A row whose depth, inclination or azimuth has the value for no data gives no station. The
+   !> azimuth may be absent where the hole is vertical.
    subroutine read_rows(lines, layout, stations, n, marks, skipped, sound, faults)
       type(text_type), intent(in) :: lines(:)
       type(layout_type), intent(in) :: layout
@@ -209,8 +209,8 @@ contains
       if (lacks) lacks = any(remarks == layout%headings(layout%width)%name)
    end function lacks_remark
 
-   !> Positions of a station as the file lists them, and what other columns show for md, inc and azi; `missing` where a cell holds
-   !> no number.
+   !> Take the positions of a station from the file, and the values of other columns for md, inc and azi. They are `missing` if
+   !> a cell has no number.
    subroutine take_others(row, layout, stations, n)
       type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout

@@ -13,8 +13,8 @@ module dg_survey_stack
 
 contains
 
-   !> The row below the header by which its columns are counted: one with as many fields as the header has words, or phrases; else
-   !> the longest that holds nothing but numbers; else the next.
+   !> Find the row below the header whose columns are counted. It has as many fields as the header has words, or phrases. Else
+   !> it is the longest with numbers only, else the next.
    subroutine find_example(lines, first_line, words, phrases, line)
       type(text_type), intent(in) :: lines(:)
       integer, intent(in) :: first_line           !< the next row; 0: none
@@ -73,8 +73,8 @@ contains
       end if
    end subroutine put_beside
 
-   !> Headings between blanks. By their number where it is that of the row below, with blanks inside of names where two blanks
-   !> separate them; else by the place of each word above the numbers.
+   !> Stack headings between blanks. If their number is that of the row below, they are taken in order, with blanks inside of
+   !> names if two blanks separate them. Else each word goes by its place above the numbers.
    subroutine stack_by_place(lines, first_line, last, next_line, layout, texts)
       type(text_type), intent(in) :: lines(:)
       integer, intent(in) :: first_line, last, next_line

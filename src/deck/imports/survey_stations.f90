@@ -102,9 +102,9 @@ contains
       end do
    end function same_station
 
-   !> Which heading was taken for a quantity that it does not surely name; and, of two columns for md, inc or azi, which was taken
-   !> and how far they differ. '' where there is nothing to tell. `doubt` is a fault: two columns differ, and their headings do not
-   !> tell which is meant.
+   !> Remark on a heading that was taken for a quantity that it does not surely name. Of two columns for md, inc or azi it
+   !> names the one taken and their difference. '' without a remark. `doubt` is a fault: two columns differ, and their headings
+   !> do not decide.
    pure subroutine rival_words(stations, layout, words, doubt)
       type(station_list_type), intent(in) :: stations
       type(layout_type), intent(in) :: layout

@@ -1,7 +1,7 @@
 !> Numbers in the cells of tables: decimal points and decimal commas, marks between thousands.
 !>
-!> A cell by itself may be read in two ways: 1,234 is one and a quarter or one thousand. Each is read in the more likely way, and
-!> what the other cells show is kept, so that a table which contradicts that reading, or leaves it open, can be refused.
+!> A cell by itself may be read in two ways: 1,234 is one and a quarter or one thousand. Each is read in the more likely way,
+!> and the evidence of other cells is kept. A table that contradicts that reading, or leaves it open, can then be refused.
 module dg_table_number
    use dg_kinds, only: wp
    use dg_deck_number, only: read_real
@@ -66,9 +66,9 @@ contains
       end if
    end subroutine read_cell
 
-   !> Line of the first cell of which the table does not tell what its mark is; 0 where all are clear. A comma before three digits
-   !> is clear where other cells have decimal commas and none has a decimal point; between `groups` it parts thousands unless
-   !> another cell has a decimal comma. A point is decimal unless other cells have decimal commas.
+   !> Line of the first cell whose mark the table leaves open; 0 if all are clear. A comma before three digits is clear if
+   !> other cells have decimal commas and none has a decimal point. Between `groups` it separates thousands unless another cell
+   !> has a decimal comma. A point is decimal unless other cells have decimal commas.
    pure function doubtful_line(marks, groups) result(line)
       type(marks_type), intent(in) :: marks
       logical, intent(in) :: groups

@@ -131,8 +131,8 @@ contains
       text = line(:content_length(line))
    end function without_comment
 
-   !> Length of a line without its comment; 0 where nothing but blanks, tabs and separators stands before it, as in the rows of
-   !> empty cells that spreadsheets leave.
+   !> Length of a line without its comment. It is 0 if only blanks, tabs and separators are before the comment, as in empty
+   !> rows of spreadsheets.
    pure function content_length(line) result(length)
       character(*), intent(in) :: line
       integer :: length

@@ -1,5 +1,6 @@
-!> Advice on what a deck has in other words: names of groups and keys in other programs and on the rig, operations by a similar
-!> name, numbers as people write them (8-1/2, 5", 135 ksi) or in a unit of another name. None of these is read.
+!> Advice on words of a deck that differ from its keys. It covers names of groups and keys in other programs and on the rig,
+!> and operations by a similar name. It also covers numbers as people write them (8-1/2, 5", 135 ksi), and other names of
+!> units. None of these is read.
 module dg_deck_advice
    use dg_kinds, only: wp
    use dg_deck_number, only: read_fraction, read_real
@@ -71,8 +72,8 @@ module dg_deck_advice
 
 contains
 
-   !> Advice on an unknown key of a group, or on an unknown group where `group` is '': the one that means the same, else the nearest
-   !> by its letters, else all.
+   !> Advice on an unknown key of a group, or on an unknown group if `group` is ''. It is the one with the same meaning, else
+   !> the nearest by its letters, else all.
    pure function key_advice(group, name, legal) result(advice)
       character(*), intent(in) :: group, name
       character(*), intent(in) :: legal(:)

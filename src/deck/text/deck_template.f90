@@ -1,5 +1,5 @@
-!> A commented deck to start from: a small well that runs as it stands, with every other key of every group as a comment, made
-!> from the tables of keys, so that it names all of them.
+!> A commented deck to start from: a small well that runs as printed, with every other key of every group as a comment. It is
+!> made from the tables of keys, so that it names all of them.
 module dg_deck_template
    use dg_deck_keys, only: operation_words
    use dg_deck_number, only: read_real

@@ -30,8 +30,8 @@ module dg_deck_text
 
 contains
 
-   !> Builds the groups from the tokens of the deck `path` and notes every fault of form: text outside
-   !> groups, groups that are not closed, quotes that are not closed, keys or values that are missing.
+   !> Build the groups from the tokens of the deck `path` and note every fault of form. Faults are text outside groups, groups
+   !> or quotes that are not closed, keys or values that are missing.
    subroutine parse_groups(path, tokens, groups, faults)
       character(*), intent(in) :: path
       type(token_type), intent(in) :: tokens(:)

@@ -1,6 +1,5 @@
-!> Cuts the text of a deck into tokens: the words, quoted texts and marks of a Fortran namelist.
-!> The deck is scanned here, not by a namelist read, because that read skips misspelt groups in silence,
-!> lets the last of two equal keys win, and knows no line numbers.
+!> Cut the text of a deck into tokens: the words, quoted texts and marks of a Fortran namelist. A namelist read is not used,
+!> because it skips misspelt groups in silence, takes the last of two equal keys, and has no line numbers.
 module dg_deck_token
    use dg_text, only: lower_case, text_type
    implicit none
