@@ -132,8 +132,8 @@ contains
       end do
    end function csv_row
 
-   !> Puts a number in SI units over the SI value of its unit behind the letters that a row has so far; nothing where it is missing
-   !> or beyond all numbers.
+   !> Append a number in SI units, divided by the SI value of its unit, to the letters of a row. Nothing is appended if it is
+   !> missing or not finite.
    pure subroutine put_csv_value(row, filled, value, unit)
       character(*), intent(inout) :: row      !< with room for `longest_number` letters
       integer, intent(inout) :: filled        !< letters so far

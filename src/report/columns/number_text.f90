@@ -24,8 +24,8 @@ module dg_number_text
 
 contains
 
-   !> `value` with `decimals` digits behind the point, right-aligned; in exponent form where it is too
-   !> long for that, never a negative zero, and '-' where it is no number.
+   !> `value` with `decimals` digits behind the point, right-aligned. It is in exponent form if it is too long, and '-' if it
+   !> is not finite. Negative zero is never shown.
    pure function fixed_cell_of_number(value, width, decimals) result(cell)
       real(wp), intent(in) :: value
       integer, intent(in) :: width

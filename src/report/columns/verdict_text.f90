@@ -346,8 +346,8 @@ contains
          text = ' at '//depth_text(units, verdict%md%value)
    end function place_text
 
-   !> Names of limits that were not checked, one name for all that need a yield strength, with the components that lack the rating
-   !> where others have it.
+   !> Names of limits that were not checked, one name for all that need a yield strength. Components that lack the rating are
+   !> named if others have it.
    pure function unchecked_text(not_checked, components) result(text)
       logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
       type(component_type), intent(in) :: components(:)

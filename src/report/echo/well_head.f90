@@ -67,8 +67,8 @@ contains
       end function name_of
    end function well_head
 
-   !> The least clearance of a string in its hole with the bit at a depth, the bit itself left out; '' where nothing but a bit is in
-   !> the hole.
+   !> Least clearance of a string in its hole with the bit at a depth, without the bit itself. It is '' if only a bit is in the
+   !> hole.
    pure function clearance_line(units, model, string, bit) result(text)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
@@ -206,8 +206,8 @@ contains
       if (abs(axial - rotary) > 0.0_wp) text = text//' axial and '//to_text(rotary, few)//' rotary'
    end function pair_text
 
-   !> Weights of a string in the hole [N], what stands above the first station left out: in air, in its fluids, and in its fluids of
-   !> all below the lowest drill pipe.
+   !> Weights of a string in the hole [N], without string above the first station. They are in air, in its fluids, and in its
+   !> fluids of all below the lowest drill pipe.
    pure subroutine weigh(model, string, bit, air, mud, collars)
       type(model_type), intent(in) :: model
       type(drillstring_type), intent(in) :: string

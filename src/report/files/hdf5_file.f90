@@ -85,8 +85,7 @@ contains
       call h5tset_cset_f(file%text, h5t_cset_utf8_f, status)
    end subroutine create_hdf5
 
-   !> Ends a file and gives it its name; on any error so far a file of that name stays as it was and nothing unfinished is
-   !> left.
+   !> Close a file and give it its name. After any error a file of that name stays, and no unfinished file is left.
    subroutine close_hdf5(file, error)
       type(hdf5_file_type), intent(inout) :: file
       type(error_type), allocatable, intent(out) :: error

@@ -1,10 +1,10 @@
 !> results.h5: everything of a run in one file, as output/README.md describes it.
 !>
-!> /cases/<case>/<model>/<column>          along the string, as in profile_<case>_<model>.csv
-!> /cases/<case>/<model>/history/<column>  as in history_<case>_<model>.csv
-!> /cases/<case>/<model>/gaps/<column>     the state table at the end, one row per gap element
-!> /survey/<column>                        stations of the hole, as given
-!> Rows of summary.csv and limits.csv are attributes of /cases/<case>/<model>.
+!> - /cases/<case>/<model>/<column>: along the string, as in profile_<case>_<model>.csv
+!> - /cases/<case>/<model>/history/<column>: as in history_<case>_<model>.csv
+!> - /cases/<case>/<model>/gaps/<column>: the state table at the end, one row per gap element
+!> - /survey/<column>: stations of the hole, as given
+!> - attributes of /cases/<case>/<model>: rows of summary.csv and limits.csv
 module dg_results_h5
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version
    use dg_kinds, only: wp

@@ -1,5 +1,5 @@
-!> Pictures of the page: the place of the charts that its script draws, with fixed pictures for where there is no script, and the
-!> pictures of the whole run.
+!> Pictures of the page: places of the charts that its script draws, fixed pictures for readers without script, and pictures of
+!> the whole run.
 module dg_html_pictures
    use dg_case_result, only: result_converged, result_status_name
    use dg_file_lines, only: read_lines
@@ -24,8 +24,8 @@ module dg_html_pictures
 
 contains
 
-   !> Charts that the script draws, and fixed pictures in their place where there is no script: those of the load case that is
-   !> nearest to a limit. Then the pictures of the whole run.
+   !> Append charts that the script draws, with fixed pictures for readers without script. They show the load case nearest to a
+   !> limit. Then append the pictures of the whole run.
    subroutine append_pictures(lines, job, model, list, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job

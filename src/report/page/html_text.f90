@@ -41,7 +41,8 @@ module dg_html_text
 
 contains
 
-   !> A text as a string of CSS, which may stand in HTML: what is no letter, digit, blank or byte beyond ASCII goes by its number.
+   !> Text as a string of CSS that is also valid in HTML. All but letters, digits, blanks and bytes beyond ASCII are written as
+   !> numbers.
    pure function css_string(text) result(string)
       character(*), intent(in) :: text
       character(:), allocatable :: string

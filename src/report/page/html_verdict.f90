@@ -62,9 +62,9 @@ contains
       call add_line(lines, '</div>')
    end subroutine append_verdicts
 
-   !> A row a load case of the leading model: name with operation and depth, answer, what decides. On a screen they stand in the
-   !> order of the deck. On paper those that are nearest to a limit stand first: `first` of them, a row on the others and the notes
-   !> have room on the first page.
+   !> Append a row for each load case of the leading model: name with operation and depth, answer, deciding limit. On a screen
+   !> they are in the order of the deck. On paper those nearest to a limit are first: `first` of them, a row on the others and
+   !> the notes fit on the first page.
    subroutine append_answers(lines, job, model, results, wholes, first)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job

@@ -1,8 +1,8 @@
 !> Curves of the page: columns of a profile as texts 'step value step value ...', thinned as pictures are.
 !>
-!> Depths are steps in thousandths of the deck's unit of length, values have five digits of its units. Straight lines between the
-!> points that are kept are within `tolerance` of a column's range of all others. The range is that of nine in ten values: one force
-!> on an edge, or the safety factor of a bit that bears nothing, is thousands of times the rest. A missing value is empty.
+!> Depths are steps in thousandths of the deck's unit of length, values have five digits of its units. Straight lines between
+!> the kept points are within `tolerance` of a column's range of all others. The range is that of nine in ten values. One force
+!> on an edge, or the safety factor of an unloaded bit, is thousands of times the rest. A missing value is empty.
 module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type

@@ -64,8 +64,8 @@ contains
       call add_line(lines, text//']')
    end subroutine append_figures
 
-   !> Gives curves without an entry of the legend one of their own, which switches them on and off, and curves without a name the
-   !> texts of their entries.
+   !> Give curves without an entry of the legend one of their own, which switches them on and off. Give curves without a name
+   !> the texts of their entries.
    pure subroutine give_keys(chart)
       type(chart_type), intent(inout) :: chart
       integer :: i, k

@@ -1,5 +1,5 @@
-!> The lowest part of the string as it lies in its hole: seen from the side, with hole, body, blades and what it presses the wall
-!> with; below it its bending moment and how far it is off the axis of the hole. Across the hole all is drawn larger.
+!> Picture of the lowest part of the string in its hole. Seen from the side: hole, body, blades and contact forces. Below:
+!> bending moment and distance from the axis of the hole. Dimensions across the hole are enlarged.
 module dg_assembly_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type

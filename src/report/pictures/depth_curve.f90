@@ -1,5 +1,5 @@
-!> Values along the string as a picture shows them: no more points than the eye tells apart and no peak lost, bands where a curve
-!> goes to and fro too often to be a line.
+!> Values along the string for a picture. Points that the eye cannot separate are left out, but no peak is lost. A curve that
+!> alternates too often becomes a band.
 module dg_depth_curve
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
@@ -9,8 +9,8 @@ module dg_depth_curve
 
 contains
 
-   !> Which points of a curve are drawn: straight lines between them are within `tolerance` of all others (a door that swings about
-   !> the last point kept, as process computers store their signals). Points beside missing values are kept.
+   !> True for the points of a curve that are drawn. Straight lines between them are within `tolerance` of all others. The
+   !> method is the swinging door of process computers. Points beside missing values are kept.
    pure function kept_points(depth, values, tolerance) result(kept)
       real(wp), intent(in) :: depth(:)     !< never decreasing
       real(wp), intent(in) :: values(:)    !< as many

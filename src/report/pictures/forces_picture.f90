@@ -1,5 +1,5 @@
-!> Loads of the string of one load case against depth, by all models. Panels: axial force with buckling limits, torque or bending
-!> moment, side force on the length of a joint, and the place of the string in the hole.
+!> Picture of the loads of the string of one load case against depth, by all models. Panels: axial force with buckling limits;
+!> torque or bending moment; side force on the length of a joint; place of the string in the hole.
 module dg_forces_picture
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -98,8 +98,8 @@ contains
       end associate
    end subroutine add_axial
 
-   !> A buckling limit as compression. One that jumps from station to station is the least one near each depth, so that it can be
-   !> seen where the string comes nearest to it. What lies beyond the axis is left out.
+   !> Add a buckling limit as compression. If it jumps from station to station, the least one near each depth is shown, which
+   !> is where the string is nearest to it. Values beyond the axis are left out.
    subroutine add_limit(chart, md, limit, least, look, name)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: md(:), limit(:)   !< as many
@@ -153,8 +153,8 @@ contains
                    either('arrow: limit beyond the axis', 'arrow: buckling limits lie beyond the axis', some_shown))
    end subroutine add_arrows
 
-   !> On the length of a joint of pipe: what a joint carries that touches alone, and what stabilizers and edges press with,
-   !> in numbers that can be compared.
+   !> Side force on the length of a joint of pipe: the load of a single joint. Forces of stabilizers and edges are then
+   !> comparable.
    subroutine add_side_force(chart, results, joint)
       type(chart_type), intent(inout) :: chart
       type(case_result_type), intent(in) :: results(:)
@@ -212,8 +212,8 @@ contains
       call add_curve(chart, angles, pack(profile%md(rows), shown)/chart%units%length, look, '')
    end subroutine add_contact
 
-   !> The axial forces, and those limits that matter, as far as they do not crush them: where the string is nearest to
-   !> buckling, and the least one where it is compressed.
+   !> Range of the axial forces and of the limits that matter, if these leave the forces visible. They matter where the string
+   !> is nearest to buckling, and at the least limit where it is compressed.
    pure subroutine axial_range(results, alongs, unit, least, most, shown)
       type(case_result_type), intent(in) :: results(:)
       type(along_string_type), intent(in) :: alongs(:)

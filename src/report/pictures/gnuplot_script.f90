@@ -24,13 +24,15 @@ module dg_gnuplot_script
    !> Variable of gnuplot that is put behind the name of the picture's file: drillgap draws under another name first. Not set where
    !> a script is run by hand.
    character(*), parameter :: ending_variable = 'unfinished'
-   !> Longest label of a tic [bytes] with a '%' in it: gnuplot 5.4 takes it for a format, and cuts what it shows even in a letter.
+   !> Longest label of a tic [bytes] with a '%' in it. gnuplot 5.4 takes it for a format, and cuts its text, even within a
+   !> letter.
    integer, parameter :: longest_format = 49
    !> Digits of a place or range in a script: finer than any picture.
    integer, parameter :: digits = 8
    !> Largest distance of a drawn line from the curve, over the width of its panel [-]: a third of a pixel.
    real(wp), parameter :: fineness = 1.5e-3_wp
-   !> A curve of more points than this goes to and fro so often that it hides itself: it is drawn as a band of so many parts.
+   !> Most points of a curve. One with more alternates so often that it hides itself. It is drawn as a band of `band_parts`
+   !> parts.
    integer, parameter :: most_points = 500, band_parts = 150
 
 contains
@@ -171,8 +173,8 @@ contains
       end function ending
    end subroutine put_axis
 
-   !> Points of a curve as a block of data, and what plots it. Of one along the depth those that can be seen; it becomes a band from
-   !> least to greatest with the mean in it where it goes to and fro too often.
+   !> Points of a curve as a block of data, and the command that plots it. Along the depth only visible points are kept. A
+   !> curve that alternates too often becomes a band from least to greatest with the mean in it.
    pure subroutine put_curve(lines, plots, panel, curve, block, banded)
       type(text_type), allocatable, intent(inout) :: lines(:), plots(:)
       type(panel_type), intent(in) :: panel

@@ -1,5 +1,5 @@
-!> One picture of a whole run: hook load of every case by every model, with measurement and reference; beside it the error
-!> against measurement, and torque where any case has one.
+!> Picture of a whole run: hook load of every case by every model, with measurement and reference. Beside it are the error
+!> against measurement, and torque if any case has one.
 module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged

@@ -25,8 +25,8 @@ module dg_picture_data
 
 contains
 
-   !> Begins the numbers of a picture. `rows` get the places of rows of the file that are wanted, of more than two hundred some,
-   !> evenly apart: the caller fills data%rows with them.
+   !> Begin the numbers of a picture. `rows` are the wanted rows of the file, some two hundred of them, evenly apart. The
+   !> caller fills data%rows with them.
    pure subroutine picked_rows(file, wanted, data, rows)
       character(*), intent(in) :: file                  !< in the output folder
       logical, intent(in) :: wanted(:)                  !< rows of the file

@@ -43,9 +43,9 @@ module dg_picture_drawing
 
 contains
 
-   !> Draws `<name>.svg` by `<name>.gp` for all names in the folder: shares of them by a gnuplot each; where one fails each of its
-   !> pictures by one of its own, so that one that cannot be drawn takes no other along. Pictures of an earlier run go first, so
-   !> that what is there is of this one. `error` where not all are drawn, or where the program was asked to end.
+   !> Draw `<name>.svg` by `<name>.gp` for all names in the folder, shares of them by one gnuplot each. If a share fails, each
+   !> of its pictures gets its own gnuplot, so that one faulty picture does not affect others. Pictures of an earlier run are
+   !> removed first. `error` is set if not all are drawn, or if the program was interrupted.
    subroutine draw_pictures(gnuplot, folder, names, patience, drawn, error)
       character(*), intent(in) :: gnuplot          !< the program, from the root of the file system on; '': none, nothing is drawn
       character(*), intent(in) :: folder

@@ -1,5 +1,5 @@
-!> The pictures of a run: writes a gnuplot script for each into the folder `pictures` of the output folder, has gnuplot draw
-!> them, and tells which are there. Without gnuplot the scripts stay, to be drawn elsewhere.
+!> Pictures of a run. A gnuplot script for each is written into the folder `pictures` of the output folder, and drawn by
+!> gnuplot. The result names the pictures. Without gnuplot the scripts stay, to be drawn elsewhere.
 module dg_picture_files
    use dg_along_string, only: along_string_type
    use dg_assembly_picture, only: assembly_chart, shown_length

@@ -171,7 +171,7 @@ contains
       if (turns > 0.0_wp) text = ' ('//to_text(turns, merge(2, 3, turns < many_turns))//' turns)'
    end function turns_text
 
-   !> Pull that may be added at the top of each case: what the rig may lift or what the pipe bears, the smaller, and which it is.
+   !> Pull that may be added at the top of each case, and its limit: the smaller of the rig's capacity and the pipe's.
    pure subroutine find_overpull(wholes, pulls, deciders)
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), intent(out) :: pulls(:)             !< as many [N]

@@ -1,5 +1,5 @@
-!> The models of a run side by side: hook load and torque of each, what parts them from the first model of the deck,
-!> and what each cost. Every line fits 120 columns.
+!> Table of the models of a run side by side. It has hook load, torque and cost of each, and differences from the first model
+!> of the deck. Every line fits 120 columns.
 module dg_model_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers

@@ -1,5 +1,5 @@
-!> The paper's Table 1 of a run: its columns in their order, with the case's name beside the operation and the trade's words under
-!> the paper's. A column that would be empty in every row is left out. Every line fits 120 columns.
+!> The paper's Table 1 of a run: its columns in their order. The case's name is beside the operation, and the words of the
+!> trade are under the paper's. A column that would be empty in every row is left out. Every line fits 120 columns.
 module dg_table_1
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
@@ -251,8 +251,8 @@ contains
       if (i <= size(label)) line = label(i)%text
    end function label_line
 
-   !> Mean and worst of the errors that are there, over the cases that were solved, and by how much the calculated values are too
-   !> high or too low on average; nothing where no case has anything to compare with.
+   !> Append mean and worst of the known errors, over the solved cases, and the mean excess of the calculated values. Nothing
+   !> is appended if no case has a value to compare with.
    pure subroutine append_error(lines, what, cases, results, calculated, other)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: what

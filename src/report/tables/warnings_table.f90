@@ -1,5 +1,5 @@
-!> The block 'Warnings' on standard output, under the verdict: what is unusual in the deck, then one entry a load case, those
-!> without a solution first.
+!> The block 'Warnings' on standard output, under the verdict. It has unusual settings of the deck, then one entry a load case,
+!> those without a solution first.
 module dg_warnings_table
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
    use dg_job, only: job_type, model_name
