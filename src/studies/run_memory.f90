@@ -22,8 +22,8 @@ module dg_run_memory
 
 contains
 
-   !> An error where the deck's work needs more memory than there is: bad input where the machine has too little, a failure where
-   !> only the shell allows too little. The need is a lower bound: elements may be cut finer than asked for.
+   !> Raise an error if the deck's work needs more memory than is available. It is bad input if the machine has too little, a
+   !> failure if only the shell allows too little. The need is a lower bound: elements may be cut finer than asked for.
    subroutine check_memory(job, model, studies, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

@@ -15,7 +15,7 @@ module dg_fidelity_errors
    character(*), parameter :: quantity_name(quantity_count) = [character(16) :: 'hook load', 'torque', 'contact sum', &
       'largest moment', 'moment by row', 'bit side force', 'bit tilt', 'von Mises stress']
 
-   !> The error of the hook load is relative to the hook load, or to this part of the weight along the hole where that is more [-].
+   !> The error of the hook load is relative to the larger of the hook load and this part of the weight along the hole [-].
    real(wp), parameter :: weight_share = 0.3_wp
    !> Torque at surface below which it has no error [N.m].
    real(wp), parameter :: least_torque = 100.0_wp

@@ -42,8 +42,8 @@ module dg_study_comparison
 
    !> Torque under which its relative error says nothing [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
-   !> Errors up to this are taken as equal, and say nothing of an order of convergence [-]: two gaps that came to rest in
-   !> another order make as much.
+   !> Errors up to this count as equal, and give no order of convergence [-]. Two gaps that came to rest in another order make
+   !> as much.
    real(wp), parameter :: no_difference = 1.0e-7_wp
 
    !> Orders that are looked at [-]: beyond them points do not tell one.
@@ -215,8 +215,8 @@ contains
       end do
    end subroutine find_orders
 
-   !> Which of several ways are worth their price: those than which none is both at least as accurate and at least as fast,
-   !> and better in one. Ways without error are not.
+   !> True for those of several ways that are worth their price. For such a way no other one is at least as accurate and at
+   !> least as fast, and better in one. Ways without error are not.
    pure function pareto_set(errors, seconds) result(worth)
       real(wp), intent(in) :: errors(:)     !< [-]; missing where there is no solution
       real(wp), intent(in) :: seconds(:)

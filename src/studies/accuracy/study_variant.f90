@@ -90,8 +90,8 @@ contains
       end do
    end function shortest_of
 
-   !> Gives a model the settings of a variant. A wall of the study is that of every hole section, and the ratio of the rigid
-   !> wall to the elastic one stays as it is.
+   !> Give a model the settings of a variant. A wall of the study is that of every hole section. The ratio of the rigid wall to
+   !> the elastic one stays.
    pure subroutine set_variant(variant, model)
       type(variant_type), intent(in) :: variant
       type(model_type), intent(inout) :: model

@@ -1,8 +1,8 @@
 !> Data of a deck's &calibrate: friction factors that are to be found from measured hook loads and torques.
 !>
-!> An unknown is one factor that hole sections and load cases share: all of them, or one for each hole section, operation,
-!> bit depth, or combination of these that occurs. Beside them a calibration may look for what the gauge shows beyond string and
-!> block (a weight that is not known): without that, a wrong weight goes into the friction.
+!> An unknown is one factor that hole sections and load cases share. It may be one for all, or one for each hole section,
+!> operation, bit depth, or combination of these that occurs. A calibration may also find the gauge's excess over string and
+!> block (an unknown weight). Without that, a wrong weight would change the friction.
 module dg_calibration
    use dg_kinds, only: wp
    use dg_contact_friction, only: axial_friction, set_axial_friction
@@ -68,8 +68,8 @@ module dg_calibration
    !> and torques are measured the residuals tell that of each (dg_fit_by_kinds); this is where they begin.
    real(wp), parameter :: usual_deviation = 0.02_wp
 
-   !> A factor is applied as it is printed, with four decimals: it is never known better, the printed one gives the same
-   !> results when a deck names it, and machines that differ in the last bit agree, as parts of a divided sweep must.
+   !> A factor is applied as it is printed, with four decimals. It is never known better, and the printed one gives the same
+   !> results in a deck. Machines that differ in the last bit also agree, as parts of a divided sweep must.
    real(wp), parameter :: applied_steps = 1.0e4_wp
 
 contains
@@ -173,8 +173,8 @@ contains
       if (yes) yes = size(calibration%predicted) > 0
    end function predicts
 
-   !> The same unknowns for the load cases that are to be predicted: the hook load of each, and where torques are calibrated the
-   !> torque of those that turn. What is measured of them has no part in it.
+   !> The same unknowns for the load cases of a prediction. Its values are the hook load of each, and the torque of those that
+   !> turn if torques are calibrated. Measurements of these cases are not used.
    pure function ahead_of(calibration, load_cases) result(ahead)
       type(calibration_type), intent(in) :: calibration
       type(load_case_type), intent(in) :: load_cases(:)
@@ -211,8 +211,8 @@ contains
       end do
    end function ahead_of
 
-   !> Number of the variance that the residuals must tell of each datum: one for hook loads, one for torques; 0 where the deck gives
-   !> the deviation.
+   !> Number of the variance that the residuals must give, for each datum: one for hook loads, one for torques. It is 0 if the
+   !> deck gives the deviation.
    pure function variance_kinds(calibration) result(kinds)
       type(calibration_type), intent(in) :: calibration
       integer :: kinds(size(calibration%data))

@@ -1,5 +1,5 @@
-!> Picture of a calibration's results. It shows friction factors with their 95 % intervals beside those of the deck, offsets of the
-!> gauge where they were unknowns, and the error of every load case before and after.
+!> Picture of a calibration's results. It shows friction factors with their 95 % intervals beside those of the deck. It also
+!> shows offsets of the gauge if they were unknowns, and the error of every load case before and after.
 module dg_calibration_picture
    use dg_kinds, only: wp
    use dg_calibration, only: calibration_type, unknown_type

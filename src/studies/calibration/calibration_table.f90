@@ -1,5 +1,5 @@
-!> A calibration in print: the factors found with their intervals, what was measured against what is calculated before and
-!> after, and in plain words what the data cannot tell. Every line fits 120 columns.
+!> A calibration in print: factors with their intervals, measured and calculated values before and after, and in words what the
+!> data cannot determine. Every line fits 120 columns.
 module dg_calibration_table
    use dg_kinds, only: wp
    use dg_calibration, only: apply_factors, apply_offset, calibration_type, hookload_datum, offset_one, parameter_name, &

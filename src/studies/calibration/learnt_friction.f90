@@ -43,8 +43,8 @@ contains
       end do
    end subroutine learn_friction
 
-   !> Half of the 95 % interval of the coefficient of each hole section [-]: 0 where it was not looked for or the data do not tell
-   !> it, missing where it has no interval.
+   !> Half of the 95 % interval of the coefficient of each hole section [-]. It is 0 if the coefficient was not an unknown or
+   !> is not determined by the data. It is missing if it has no interval.
    pure function half_widths_of(calibration, result, sections) result(half_widths)
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result

@@ -1,9 +1,9 @@
-!> Prediction of a calibration for measurements that it has not used: the value at the unknowns found, and the interval that holds a
-!> single measurement with 95 %.
+!> Prediction of a calibration for measurements that it has not used: the value at the unknowns, and the 95 % interval of a
+!> single measurement.
 !>
-!> The variance of a measurement less its prediction is s^2 + g.C g: its own scatter, and what the unknowns' covariance C makes of
-!> it, with g the derivatives of the predicted value (linear theory; Bates & Watts 1988, Nonlinear regression analysis, sec. 2.3).
-!> Half the interval is its root times Student's quantile with the degrees of freedom of s.
+!> The variance of a measurement less its prediction is s^2 + g.C g. Here s is its own scatter, C the unknowns' covariance, and
+!> g the derivatives of the predicted value. This is linear theory (Bates & Watts 1988, Nonlinear regression analysis, sec.
+!> 2.3). Half the interval is its root times Student's quantile with the degrees of freedom of s.
 module dg_prediction
    use dg_kinds, only: wp
    use dg_fit_statistics, only: quantile_between, statistics_type, upper_end

@@ -1,5 +1,5 @@
-!> Predictions of a calibration in print and in calibration_prediction.csv: load cases that it has not seen, with the interval of
-!> a single measurement, beside what was measured where it was. Every line fits 120 columns.
+!> Predictions of a calibration in print and in calibration_prediction.csv: load cases that it has not used, with the interval
+!> of a single measurement. Measured values are beside them if known. Every line fits 120 columns.
 module dg_prediction_table
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, calibration_type, hookload_datum

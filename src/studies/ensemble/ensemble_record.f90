@@ -1,7 +1,7 @@
-!> An ensemble: the points of a sweep, or of a Monte Carlo with its samples; and files in which it keeps what is solved, so that an
-!> interrupted run goes on where it stopped and parts can be joined: sweep_<name>.partial, or sweep_<name>.part_<i>_of_<n> for one
-!> part of a divided run. Where points of an undivided run did not converge, sweep_<name>.failed keeps all of them, so that these
-!> can be solved again.
+!> An ensemble: the points of a sweep, or of a Monte Carlo with its samples. Its files keep solved points, so that an
+!> interrupted run can be continued and parts can be joined. They are sweep_<name>.partial, or sweep_<name>.part_<i>_of_<n> for
+!> one part of a divided run. If points of an undivided run did not converge, sweep_<name>.failed keeps all of them, so that
+!> these can be solved again.
 module dg_ensemble_record
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -205,8 +205,8 @@ contains
       if (allocated(error)) call move_alloc(error, ensemble%failure)
    end subroutine keep
 
-   !> Ends keeping. The record of an undivided run has served, unless points of its deck did not converge: then it stays
-   !> under another name, so that these can be solved again.
+   !> Close the record. That of an undivided run is removed, unless points of its deck did not converge. Then it stays under
+   !> another name, so that these can be solved again.
    subroutine close_record(ensemble, lost, error)
       type(ensemble_type), intent(inout) :: ensemble
       logical, intent(in) :: lost                         !< points of the deck did not converge, here or elsewhere

@@ -267,7 +267,7 @@ contains
       end do
    end subroutine close_records
 
-   !> Tells how many points have no solution, and of the first what it is and why it has none, so that it can be looked into.
+   !> Report the number of points without solution, and the first of them with its reason, so that it can be examined.
    subroutine report_lost(self, number, units)
       class(ensemble_study_type), intent(in) :: self
       integer, intent(in) :: number

@@ -1,8 +1,8 @@
 !> A sweep: one string over a range of bit depths, with several operations and friction factors (the broomstick).
 !>
-!> A point of a sweep is a load case like any other. Components are listed from the bit upwards, so at every depth the
-!> string is the right one by itself: the components move with the bit, the uppermost is as long as it needs to be, and the
-!> sections of the hole stay where they are.
+!> A point of a sweep is a load case like any other. Components are listed from the bit upwards, so that the string fits at
+!> every depth. The components move with the bit, the uppermost one gets its length from the depth, and the sections of the
+!> hole stay.
 module dg_sweep
    use dg_kinds, only: wp
    use dg_contact_friction, only: set_axial_friction

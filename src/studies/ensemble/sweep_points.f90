@@ -104,9 +104,9 @@ contains
       end do
    end subroutine add_indicator
 
-   !> Add the margins to the limits of rig and string, and the limit that each point passes: lock-up, string weight, else the most
-   !> used of rig and strengths. Strengths, and the pull until something yields, are by the soft string, which has a force at every
-   !> depth in microseconds. The friction of a buckled string counts for models that leave it out, too.
+   !> Add the margins to the limits of rig and string, and the limit that each point passes. That is lock-up, string weight,
+   !> else the most used of rig and strengths. Strengths, and the pull until yield, are by the soft string, which has a force
+   !> at every depth in microseconds. The friction of a buckled string is included for models that lack it.
    subroutine add_limits(job, model, sweep, points)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

@@ -16,8 +16,8 @@ module dg_sweep_work
    integer, parameter :: number_width = 25
    !> Stands before a point that an earlier run solved with other settings of the solver.
    character(*), parameter :: earlier_mark = 'earlier '
-   !> Greatest hook load [N] and torque [N.m] that a record is believed: far above what any rig carries, and below what a damaged
-   !> exponent makes of a number. Those of a point without solution may be anything finite.
+   !> Greatest plausible hook load [N] and torque [N.m] of a record. They are far above any rig, and below the effect of a
+   !> damaged exponent. Those of a point without solution may be anything finite.
    real(wp), parameter :: greatest = 1.0e15_wp
 
 contains
@@ -41,8 +41,8 @@ contains
       if (allocated(point%message)) text = text//' '//point%message
    end function result_text
 
-   !> The point of such a text; `sound` tells whether it is one that result_text can have written: the two numbers, in that form to
-   !> the last letter, finite, and those of a solution no greater than any string can have.
+   !> Read the point of such a text. `sound` is true if result_text can have written it: the two numbers in exactly that form,
+   !> and finite. A solution's numbers must be no greater than any string can have.
    pure recursive subroutine take_result(text, point, sound)
       character(*), intent(in) :: text
       type(sweep_result_type), intent(out) :: point
@@ -95,9 +95,9 @@ contains
       has = any([(iachar(text(i:i)) < iachar(' ') .or. iachar(text(i:i)) == delete, i=1, len(text))])
    end function has_control_bytes
 
-   !> Puts the results of a record to those that are there. `failure` is '' or says why the record is not one of part `part`
-   !> of `parts` of the work with these settings; then `points` stay as they were. With `again` the record may be one of other
-   !> settings of the solver; its points count as earlier ones then.
+   !> Add the results of a record to the present ones. `failure` is '', or says why the record is not part `part` of `parts` of
+   !> the work with these settings. Then `points` stay. With `again` the record may have other settings of the solver; its
+   !> points then count as earlier ones.
    pure subroutine take_record(record, part, parts, settings, points, failure, units, again)
       type(record_type), intent(in) :: record
       integer, intent(in) :: part, parts

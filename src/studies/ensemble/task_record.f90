@@ -1,14 +1,13 @@
 !> The record of work that is split into numbered pieces: what it is about, which part of it this is, and what is done.
 !>
-!> A record is text, written while the work goes on, so that an interrupted run can be continued and the parts of a divided
-!> one can be joined. Its settings say in full what the work depends on: pieces of other work are never taken for ours, and
-!> what differs can be named. Layout:
-!>     drillgap record, format 1
-!>     part 2 of 4                  (1 of 1: undivided)
-!>     pieces 1488                  (of all parts together)
-!>     settings 57                  (that many lines `key = value` follow)
-!>     ...
-!>     NUMBER TEXT ;                (one line a piece; without its end mark a line was cut short and does not count)
+!> A record is text, written while the work goes on. An interrupted run can be continued with it, and the parts of a divided
+!> one joined. Its settings contain all that the work depends on. Pieces of other work are therefore never taken for its own,
+!> and differences can be named. Layout:
+!> - drillgap record, format 1
+!> - part 2 of 4 (1 of 1: undivided)
+!> - pieces 1488 (of all parts together)
+!> - settings 57 (that many lines `key = value` follow)
+!> - NUMBER TEXT ; (one line a piece; without its end mark a line was cut short and does not count)
 module dg_task_record
    use dg_text, only: quoted, text_type, to_text
    use dg_units, only: unit_system_type

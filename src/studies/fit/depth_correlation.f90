@@ -1,13 +1,13 @@
 !> Errors that are alike from one depth to the next, and what a fit is worth with them.
 !>
-!> Scatter of a gauge knows nothing of the depth. What a model does not know of a well (weights, a friction that is not the same
-!> everywhere) stays for many depths, so that many measurements count as few. Errors of an operation are taken as an autoregressive
-!> process of first order: alike by exp(-distance/length). A fit takes part of such errors up, so residuals are less alike
-!> than errors were; the length is the one with which residuals are expected to be as alike as they are found
-!> (moments of Durbin & Watson's ratio; no part of it is negative). The unknowns stay those of least squares; their covariance is
-!> A R A' with A the inverse of the fit and R the correlation of errors (White & Huber's form), the variance of errors r.r/tr(M R M)
-!> with M = I - J A, and its degrees of freedom Satterthwaite's (1946), tr(M R M)^2/tr((M R M)^2). Where R is the unit matrix these
-!> are the usual ones.
+!> Scatter of a gauge is independent of depth. Errors of the model (weights, a friction that is not the same everywhere)
+!> persist over many depths, so that many measurements count as few. Errors of an operation are assumed an autoregressive
+!> process of first order, with the correlation exp(-distance/length). A fit absorbs part of such errors, so that residuals are
+!> less alike than errors. The length is the one at which the expected correlation of residuals is that found. It uses moments
+!> of Durbin & Watson's ratio, and no negative correlation.
+!> The unknowns stay those of least squares. Their covariance is A R A', with A the inverse of the fit and R the correlation of
+!> errors (White & Huber's form). With M = I - J A, the variance of errors is r.r/tr(M R M). Its degrees of freedom are
+!> Satterthwaite's (1946), tr(M R M)^2/tr((M R M)^2). If R is the unit matrix these are the usual ones.
 module dg_depth_correlation
    use dg_kinds, only: wp
    use dg_fit_statistics, only: as_normal, quantile_between, statistics_type, upper_end
@@ -17,8 +17,8 @@ module dg_depth_correlation
    private
    public :: succession_type, find_succession, scatter_along, widen_intervals
 
-   !> Pairs of neighbours from which on a correlation is told: of fewer, what chance makes of independent errors would widen their
-   !> intervals by more than a tenth.
+   !> Least number of pairs of neighbours for a correlation. With fewer, the chance correlation of independent errors would
+   !> widen their intervals by more than a tenth.
    integer, parameter :: least_pairs = 12
    !> Correlation over 1/sqrt(pairs) that independent errors exceed in one of a hundred fits (normal distribution).
    real(wp), parameter :: one_of_hundred = 2.326_wp
@@ -116,8 +116,8 @@ contains
       end do
    end function residual_products
 
-   !> Correlation of errors that are alike by `correlation` at the mean distance of neighbours, and the covariance of
-   !> residuals that a fit leaves of them: M R M = R - J (A R) - (J (A R))' + J (A R A') J'.
+   !> Correlation of errors that are alike by `correlation` at the mean distance of neighbours. Covariance of residuals after a
+   !> fit: M R M = R - J (A R) - (J (A R))' + J (A R A') J'.
    pure subroutine let_errors_be(correlation, jacobian, depth, group, next, succession)
       real(wp), intent(in) :: correlation, jacobian(:, :), depth(:)
       integer, intent(in) :: group(:), next(:)

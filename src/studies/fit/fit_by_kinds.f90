@@ -15,8 +15,8 @@ module dg_fit_by_kinds
 
 contains
 
-   !> As fit_from_less. Where data have variances of more than one kind, or variances beside known deviations, each kind's
-   !> deviation is found from the residuals, and the fit made again by them. One kind alone needs no weighing.
+   !> As fit_from_less. If data have variances of more than one kind, or variances beside known deviations, each kind's
+   !> deviation is found from the residuals. The fit is then repeated with them. One kind alone needs no weights.
    subroutine fit_by_kinds(function, unknowns, measured, kinds, deviation, fit, halvings)
       class(measured_function_type), intent(inout) :: function
       type(unknowns_type), intent(in) :: unknowns

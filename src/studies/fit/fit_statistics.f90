@@ -27,13 +27,13 @@ module dg_fit_statistics
    real(wp), parameter :: confidence = 0.95_wp
    !> Probability of less than the upper end of such an interval [-].
    real(wp), parameter :: upper_end = 0.5_wp + 0.5_wp*confidence
-   !> Residuals over deviations that are no more than the last steps of a fit leave: no reading of a gauge is as exact, and what
-   !> agrees so well, copies of one reading or results of a program, tells nothing of the error of readings.
+   !> Residuals over deviations that are as small as the last steps of a fit [-]. No gauge is as exact. Such data are copies of
+   !> one reading or results of a program, and do not show the error of readings.
    real(wp), parameter :: no_scatter = 1.0e-5_wp
    !> Degrees of freedom with which Student's distribution is the normal one for all purposes.
    integer, parameter :: as_normal = 100000
-   !> Singular values under this part of the largest: two columns then make an angle of less than 0.2 rad, so that their
-   !> factors correlate by more than 0.98.
+   !> Singular values below this part of the largest [-]: two columns then make an angle of less than 0.2 rad. Their factors
+   !> then correlate by more than 0.98.
    real(wp), parameter :: separable = 0.1_wp
    !> Unknowns with at least this share in such a combination are named.
    real(wp), parameter :: sharing = 0.25_wp

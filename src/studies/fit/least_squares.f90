@@ -1,5 +1,5 @@
-!> Nonlinear least squares after Levenberg (1944) and Marquardt (1963): Gauss-Newton steps, damped as far as the sum of
-!> squares asks for it, within bounds; derivatives by differences. LAPACK's dgels solves each step.
+!> Nonlinear least squares after Levenberg (1944) and Marquardt (1963). Gauss-Newton steps are damped as far as the sum of
+!> squares requires, within bounds. Derivatives are by differences. LAPACK's dgels solves each step.
 module dg_least_squares
    use dg_kinds, only: wp
    use dg_interruption, only: is_interrupted
@@ -199,8 +199,8 @@ contains
       end do
    end subroutine differentiate
 
-   !> The step that minimises the linearised sum of squares plus `damping` times the step's own, each unknown weighed by its
-   !> column; zero for those that are not free.
+   !> The step that minimises the linearised sum of squares plus `damping` times the step's own, each unknown weighted by its
+   !> column. It is zero for unknowns that are not free.
    subroutine damped_step(jacobian, residual, free, scale, damping, step)
       real(wp), intent(in) :: jacobian(:, :), residual(:)
       logical, intent(in) :: free(:)

@@ -1,10 +1,10 @@
 !> A variance for each kind of measured values, from the residuals of a fit.
 !>
-!> Hook loads and torques have errors of their own. One scatter for both gives intervals that hold the truth too seldom for what
-!> the noisier kind tells, and far too wide ones for the rest. The variances are those of restricted maximum likelihood (Patterson &
-!> Thompson 1971): r_k.r_k = s_k^2 (n_k - h_k), with the leverages h_k of a kind in the fit that these variances weigh. What they do
-!> to the covariance of the unknowns, and the degrees of freedom of each interval, are after Kenward & Roger (1997): their
-!> linear form, in which Satterthwaite's (1946) freedom belongs to a single unknown.
+!> Hook loads and torques have errors of their own. With one scatter for both, intervals by the noisier kind hold the truth too
+!> seldom, and the others are far too wide. The variances are those of restricted maximum likelihood (Patterson & Thompson
+!> 1971): r_k.r_k = s_k^2 (n_k - h_k). h_k are the leverages of a kind in the fit with these variances as weights. The
+!> covariance of the unknowns, and the degrees of freedom of each interval, are after Kenward & Roger (1997). In their linear
+!> form a single unknown has Satterthwaite's (1946) freedom.
 !>
 !> Kinds are numbered from 1; values of kind 0 have deviations that are known.
 module dg_variance_components
@@ -14,8 +14,8 @@ module dg_variance_components
    private
    public :: estimate_factors, adjust_covariance, scatter_of, spare_of, invert_normal
 
-   !> Least variance of a kind over the largest, both over what the deviations began with [-]: a kind with hardly more
-   !> values than it has unknowns for itself may fit exactly, by chance.
+   !> Least variance of a kind over the largest, both over those at the beginning [-]. A kind with hardly more values than
+   !> unknowns of its own may fit exactly, by chance.
    real(wp), parameter :: least_variance = 1.0e-4_wp
    integer, parameter :: most_iterations = 500
    !> Relative change of a variance that ends the iteration [-].
@@ -87,8 +87,8 @@ contains
       spare = count(among) - sum([(dot_product(jacobian(i, :), matmul(inverse, jacobian(i, :))), i=1, size(among))], mask=among)
    end function spare_of
 
-   !> Covariance of the unknowns with what estimated variances add to it, and the degrees of freedom of each. The deviations are
-   !> those estimated. Kenward & Roger's C + 2 C L C with L = sum over kinds of W_kl (d_kl A_k - A_k C A_l), A_k the normal
+   !> Covariance of the unknowns with the effect of estimated variances, and the degrees of freedom of each. The deviations are
+   !> estimated. It is Kenward & Roger's C + 2 C L C with L = sum over kinds of W_kl (d_kl A_k - A_k C A_l). A_k is the normal
    !> matrix of a kind and W the covariance of the variances.
    pure subroutine adjust_covariance(jacobian, kinds, covariance, freedom)
       real(wp), intent(in) :: jacobian(:, :)       !< (data, unknowns found), over the deviations

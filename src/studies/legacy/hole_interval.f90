@@ -21,8 +21,8 @@ module dg_hole_interval
       real(wp) :: md_bottom = 0.0_wp   !< [m]
    end type interval_type
 
-   !> Inclination up to which a hole counts as vertical [rad], and rate under which it is held [rad/m]: surveys
-   !> scatter by some tenths of a degree.
+   !> Largest inclination of a vertical hole [rad], and largest rate of a hold section [rad/m]. Surveys scatter by some tenths
+   !> of a degree.
    real(wp), parameter :: vertical = 1.0_wp*degree
    real(wp), parameter :: held = 0.25_wp*degree/30.0_wp
 

@@ -1,7 +1,7 @@
 !> Another program's results against ours along the hole: differences, and where they arise.
 !>
-!> Forces of a string are summed from the bit up. A difference that is there at some depth may have come from
-!> anywhere below; what tells is how much it grows over each interval of the hole.
+!> Forces of a string are summed from the bit up. A difference at some depth may come from anywhere below. Its growth over each
+!> interval of the hole shows the place.
 module dg_legacy_comparison
    use dg_kinds, only: wp
    use dg_hole_interval, only: hole_intervals, interval_type
@@ -63,8 +63,8 @@ module dg_legacy_comparison
 
 contains
 
-   !> Lays a table beside a profile. Rows beyond the ends of the string are counted and left out. At a depth where the profile has
-   !> two rows, to round-off of depths, the lower side is compared, and with two of theirs each with its own.
+   !> Compare a table with a profile. Rows beyond the ends of the string are counted and left out. If the profile has two rows
+   !> at a depth, within round-off, the lower side is compared. If the table also has two, each is compared with its own.
    pure subroutine compare_with_legacy(table, profile, trajectory, comparison)
       type(legacy_table_type), intent(in) :: table
       type(profile_type), intent(in) :: profile

@@ -243,8 +243,8 @@ contains
       if (is) unit = name(len(wanted) + 2:)
    end function matches
 
-   !> A unit in the header must be the one in which the group reads the column, and one that is known unless the deck gives
-   !> the column's own.
+   !> Check a unit in the header. It must be that of the column in the group, and a known one unless the deck gives the
+   !> column's own.
    subroutine check_unit(k, column, unit, table, faults)
       integer, intent(in) :: k
       type(column_type), intent(in) :: column

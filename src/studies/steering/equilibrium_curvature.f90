@@ -1,8 +1,8 @@
 !> The curvature at which an assembly drills on: that of the hole in which its bit wants to go nowhere else.
 !>
-!> The lowest part of a string is solved in holes of constant curvature k, which end at the bit in the direction that the hole has
-!> there. With F the side force of the bit on the formation and a its tilt against the hole axis, both as vectors across the hole,
-!> the hole goes on with that k for which
+!> The lowest part of a string is solved in holes of constant curvature k. They end at the bit in the direction of the given
+!> hole. F is the side force of the bit on the formation and a its tilt against the hole axis, both as vectors across the hole.
+!> The hole goes on with the k for which
 !>
 !>   F(k) = 0,   or   a(k) + s F(k)/W = 0   where the bit cuts sideways:
 !>

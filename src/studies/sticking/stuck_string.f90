@@ -1,5 +1,5 @@
-!> A string that is held at some depth, taken as the part above: it ends there, and the pull and torque at its end replace
-!> everything that holds it. What would hang there if nothing stuck is read off the free string.
+!> A string that is held at some depth, as its part above. It ends there, and the pull and torque at its end replace everything
+!> that holds it. Its load without sticking is that of the free string.
 module dg_stuck_string
    use dg_kinds, only: wp
    use dg_component, only: axial_stiffness
@@ -13,8 +13,8 @@ module dg_stuck_string
 
 contains
 
-   !> Ends the string of the model's first load case at a depth: what is below it is taken off, and its end is free across the
-   !> hole, for it lies against the wall there. Where the bit itself is at that depth nothing changes.
+   !> End the string of the model's first load case at a depth. The part below is removed. Its end is free across the hole, as
+   !> it lies against the wall there. If the bit is at that depth the model stays.
    subroutine cut_string(model, depth)
       type(model_type), intent(inout) :: model
       real(wp), intent(in) :: depth               !< > 0, not below the bit [m]

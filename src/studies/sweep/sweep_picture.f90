@@ -86,8 +86,8 @@ contains
       end function first
    end function sweep_chart
 
-   !> Hook loads of an operation with a friction factor, and marks where it cannot be done: at the hook load, at an empty hook where
-   !> the string locks up.
+   !> Add hook loads of an operation with a friction factor, and marks where it is impossible. The mark is at the hook load, or
+   !> at zero hook load if the string locks up.
    subroutine add_hookloads(chart, sweep, model, operation, friction, points)
       type(chart_type), intent(inout) :: chart
       type(sweep_type), intent(in) :: sweep

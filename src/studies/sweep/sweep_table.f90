@@ -95,8 +95,8 @@ contains
       if (shown < lost) call append_text(lines, to_text(shown)//' of '//to_text(lost)//'; the CSV file has all')
    end subroutine append_lost
 
-   !> The curves that have something to show: torque where the string turns or the bit has some; hook loads of a string that turns
-   !> in its place, which friction does not change, once for all friction factors.
+   !> Curves with values. Torque is one if the string turns or the bit has some. Hook loads of a string that turns without
+   !> moving do not depend on friction, and are one curve for all factors.
    pure function curves_of(units, sweep, points, model, quantity) result(curves)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep

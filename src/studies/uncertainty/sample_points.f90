@@ -23,8 +23,8 @@ module dg_sample_points
 
 contains
 
-   !> Solves what this part still lacks, sample after sample. What a sample draws depends on the seed and its number alone:
-   !> results do not depend on the number of threads, on parts, nor on what was solved before.
+   !> Solve the missing samples of this part, one after another. A sample's inputs depend only on the seed and its number.
+   !> Results therefore do not depend on the number of threads, on parts, nor on earlier samples.
    subroutine solve_samples(job, model, uncertainty, ensemble, watch)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

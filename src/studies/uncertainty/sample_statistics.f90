@@ -24,8 +24,8 @@ module dg_sample_statistics
       real(wp) :: deviation = missing        !< standard deviation
    end type distribution_type
 
-   !> A point of the range over all samples. Those that lock up count: their hook load lies below every other, since no push brings
-   !> the string down, and where it turns their torque above. A quantile that falls among them has no number. Samples without
+   !> A point of the range over all samples. Samples that lock up count. Their hook load is below every other, since no push
+   !> brings the string down, and if it turns their torque is above. A quantile among them has no number. Samples without
    !> solution are left out.
    type :: point_statistics_type
       integer :: solved = 0
@@ -75,8 +75,8 @@ contains
       end associate
    end function find_point_statistics
 
-   !> Of a list of numbers; nothing of an empty one. Beside them there may be some of which no more is known than that they lie
-   !> below or above all: they count for quantiles, not for mean and deviation.
+   !> Distribution of a list of numbers; empty for an empty list. In addition there may be some that are only known to be below
+   !> or above all. They count for quantiles, not for mean and deviation.
    pure function find_distribution(numbers, below, above) result(distribution)
       real(wp), intent(in) :: numbers(:)
       integer, intent(in), optional :: below, above
@@ -95,8 +95,8 @@ contains
       if (n > 1) distribution%deviation = norm2(sorted - distribution%mean)/sqrt(real(n - 1, wp))
    end function find_distribution
 
-   !> The number under which a share of sorted numbers lies, by straight lines between neighbours (type 7 of Hyndman & Fan 1996);
-   !> missing where it lies among, or next to, those that are only known to be below or above all.
+   !> Number below which a share of sorted numbers is, linear between neighbours (type 7 of Hyndman & Fan 1996). It is missing
+   !> among, or next to, those that are only known to be below or above all.
    pure function quantile(sorted, share, below, above) result(numbers)
       real(wp), intent(in) :: sorted(:)      !< ascending, at least one
       real(wp), intent(in) :: share(:)       !< 0 to 1

@@ -65,8 +65,8 @@ contains
          call draw_survey(model, uncertainty, sample, drawn, error)
    end subroutine draw_model
 
-   !> Share of a fluid in the deviation of density [-]: the heaviest one has it whole, others, gas above all, as much less as they
-   !> are lighter.
+   !> Factor of a fluid on the deviation of density [-]. It is 1 for the heaviest one, and smaller for others, gas above all,
+   !> in proportion to their density.
    elemental function share_of(density, heaviest) result(share)
       real(wp), intent(in) :: density, heaviest   !< [kg/m3]
       real(wp) :: share

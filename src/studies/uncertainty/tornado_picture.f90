@@ -1,5 +1,5 @@
-!> Ranking of uncertain inputs at the deepest bit depth: a bar for each, as long as the standard deviation that it makes by itself
-!> to either side of the mean.
+!> Ranking of uncertain inputs at the deepest bit depth. Each has a bar, whose length to either side of the mean is the
+!> standard deviation by this input alone.
 module dg_tornado_picture
    use dg_kinds, only: wp
    use dg_chart, only: add_points, add_rows, chart_type, new_chart

@@ -1,5 +1,5 @@
-!> Data of a deck's &uncertainty: a range of bit depths as in a sweep, solved again and again with new random values of the unknown
-!> inputs.
+!> Data of a deck's &uncertainty: a range of bit depths as in a sweep. It is solved repeatedly with new random values of the
+!> uncertain inputs.
 module dg_uncertainty
    use dg_kinds, only: wp
    use dg_sweep, only: point_count, sweep_type
