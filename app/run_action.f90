@@ -1,5 +1,5 @@
-!> Actions of the program without a solution: a deck to start from, the catalogue of pipe, a deck in other units, a deck of another
-!> program's case.
+!> Actions of the program without a solution: a template deck, the catalogue of pipe, a deck in other units, a deck from
+!> another program's case.
 module dg_run_action
    use dg_arguments, only: arguments_type
    use dg_catalogue, only: catalogue_type, find_catalogue, kind_of_grades, number_of, numeric_keys, place_of_name, &

@@ -122,9 +122,9 @@ contains
       end do
    end subroutine count_from_references
 
-   !> Solves every case with every model, as many at a time as the job allows; after a signal no more of them. Cases do not
-   !> know of each other, and what is told and written of them comes in the deck's order: nothing depends on the number of
-   !> threads. What is solved is written as soon as all before it is.
+   !> Solve every case with every model, as many at a time as the job allows. After a signal no more are begun. Cases are
+   !> independent, and output is in the deck's order, so that results do not depend on the number of threads. A case is written
+   !> as soon as all before it are.
    subroutine solve_all(job, model, upper, results, alongs, wholes, status)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

@@ -1,7 +1,7 @@
-!> Prints what solutions cost: whole cases, what the program takes beside them, growth with size, memory, phases of an iteration,
-!> linear solvers; orders of convergence; what the stiffness of the wall changes; and errors against cost of each fidelity on the
-!> sample decks.
-!> `fpm run --example bench --profile release` from the root of the repository. Medians of several runs; nothing is asserted.
+!> Print the cost of solutions. Parts: whole cases, the rest of the program, growth with size, memory, phases of an iteration,
+!> linear solvers. Then orders of convergence, the effect of the wall's stiffness, and errors against cost of each fidelity on
+!> the sample decks. `fpm run --example bench --profile release` from the root of the repository. Medians of several runs;
+!> there are no assertions.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
 !> it and without it. `-- against PROGRAM [DECK ...]` runs them by this program and by another one, as an earlier commit built it,

@@ -1,5 +1,5 @@
-!> Order of convergence of the beams with the length of their elements, where nothing but that length matters: a string pulled
-!> and turned in a hole of one curvature, which it touches all along.
+!> Order of convergence of the beams with the length of their elements, for a case that depends on nothing else. A string is
+!> pulled and turned in a hole of one curvature, which it touches everywhere.
 module dg_bench_orders
    use, intrinsic :: iso_fortran_env, only: output_unit
    use dg_case_result, only: case_result_type, result_converged
