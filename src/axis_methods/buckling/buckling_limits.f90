@@ -160,7 +160,7 @@ contains
    !> Lower bound of curved_limit [N], for a quick check. It is the limit of a string lifted off by all of the curvature. In a
    !> straight hole it is the limit itself.
    pure function least_curved_limit(ei, across, curvature, clearance) result(force)
-      real(wp), intent(in) :: ei, across(3), curvature(3), clearance   !< as in curved_limit
+      real(wp), intent(in) :: ei, across(3), curvature(3), clearance   !< as in curved_limit [N.m2, N/m, 1/m, m]
       real(wp) :: force
       real(wp) :: weight, bend
       weight = norm2(across)
@@ -190,7 +190,7 @@ contains
 
    !> Buckling state of a string under `compression` [N] by its limits [N]. A limit of 0 is absent.
    elemental function buckled_state(compression, sinusoidal, helical) result(state)
-      real(wp), intent(in) :: compression, sinusoidal, helical
+      real(wp), intent(in) :: compression, sinusoidal, helical   !< >= 0 [N]
       integer :: state
       state = buckling_none
       if (.not. sinusoidal > 0.0_wp) return

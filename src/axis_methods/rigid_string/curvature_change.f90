@@ -142,7 +142,7 @@ contains
       type(change_type), intent(in) :: changes(:)
       real(wp), intent(in) :: md                    !< [m]
       real(wp), intent(in) :: side                  !< a depth on the wanted side of md, as slopes jump at changes [m]
-      real(wp), intent(in) :: tangent(3)            !< of the hole
+      real(wp), intent(in) :: tangent(3)            !< of the hole, unit [-]
       real(wp), intent(out) :: curvature(3)         !< added to k [1/m]
       real(wp), intent(out) :: curvature_slope(3)   !< d/ds of it, jumps of the hole's k smoothed [1/m2]
       real(wp), intent(out) :: moment(3)            !< added to E I k [N.m]

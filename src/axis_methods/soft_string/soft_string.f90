@@ -139,9 +139,9 @@ contains
    pure subroutine take_profile(model, case_index, md, side, axial, torque, contact, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: md(:)                                !< as in fill_profile
+      real(wp), intent(in) :: md(:)                                !< as in fill_profile [m]
       integer, intent(in) :: side(:)
-      real(wp), intent(in) :: axial(:), torque(:), contact(:, :)
+      real(wp), intent(in) :: axial(:), torque(:), contact(:, :)   !< as in fill_profile [N, N.m, N/m]
       type(case_result_type), intent(inout) :: result
       call fill_profile(model, case_index, md, side, axial, torque, contact, result%profile)
       result%states = 0

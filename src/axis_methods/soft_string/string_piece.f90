@@ -75,8 +75,8 @@ contains
    pure function piece_above(model, layout, md, friction_scale, coiled, climbs) result(piece)
       type(model_type), intent(in) :: model
       type(layout_type), intent(in) :: layout
-      real(wp), intent(in) :: md
-      real(wp), intent(in) :: friction_scale
+      real(wp), intent(in) :: md                        !< [m]
+      real(wp), intent(in) :: friction_scale            !< on all coefficients [-]
       logical, intent(in), optional :: coiled, climbs   !< absent: false, and as the model says
       type(piece_type) :: piece
       real(wp) :: middle
@@ -141,7 +141,7 @@ contains
    pure subroutine at_offset(piece, offset, position, across, bend)
       type(piece_type), intent(in) :: piece
       real(wp), intent(in) :: offset   !< from the start of the piece's arc [m]
-      real(wp), intent(out) :: position(3), across(3), bend(3)
+      real(wp), intent(out) :: position(3), across(3), bend(3)   !< [m], [N/m], [1/m]
       real(wp) :: tangent(3)
       call point_on_arc(piece%arc, offset, position, tangent, bend)
       across = piece%weight*([0.0_wp, 0.0_wp, 1.0_wp] - tangent(3)*tangent)
@@ -151,8 +151,8 @@ contains
    !> together with its own friction around the hole. Then load = n + m t x n, where the turning string comes to rest.
    pure function climbed(piece, tangent, load) result(contact)
       type(piece_type), intent(in) :: piece
-      real(wp), intent(in) :: tangent(3)
-      real(wp), intent(in) :: load(3)
+      real(wp), intent(in) :: tangent(3)   !< of the hole, unit [-]
+      real(wp), intent(in) :: load(3)      !< [N/m]
       real(wp) :: contact(3)
       contact = load
       if (piece%climb >= 1.0_wp) return

@@ -148,7 +148,7 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: wob, hookload   !< [N]
-      real(wp) :: scale
+      real(wp) :: scale                       !< [-]
       type(bracket_type) :: bracket
       real(wp) :: more(2)
       integer :: i

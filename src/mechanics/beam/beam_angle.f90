@@ -24,8 +24,8 @@ contains
    !> alpha = 0, also where round-off puts the cosine a little above one.
    pure subroutine angle_ratios(n, cosine, g, dg, ddg)
       integer, intent(in) :: n
-      real(wp), intent(in) :: cosine(n)
-      real(wp), intent(out) :: g(n), dg(n), ddg(n)
+      real(wp), intent(in) :: cosine(n)              !< cos(alpha) [-]
+      real(wp), intent(out) :: g(n), dg(n), ddg(n)   !< g, dg/dcos, d2g/dcos2 [-]
       real(wp) :: u
       integer :: k
       do k = 1, n
@@ -66,8 +66,8 @@ contains
 
    !> g of angle_ratios alone.
    pure function angle_ratio_alone(cosine) result(g)
-      real(wp), intent(in) :: cosine
-      real(wp) :: g
+      real(wp), intent(in) :: cosine   !< cos(alpha) [-]
+      real(wp) :: g                    !< [-]
       real(wp) :: u, dg, ddg
       u = 1.0_wp - cosine
       if (u < small) then
@@ -79,8 +79,8 @@ contains
 
    !> g of angle_ratios and its first derivative.
    pure subroutine angle_ratio_once(cosine, g, dg)
-      real(wp), intent(in) :: cosine
-      real(wp), intent(out) :: g, dg
+      real(wp), intent(in) :: cosine   !< cos(alpha) [-]
+      real(wp), intent(out) :: g, dg   !< g, dg/dcos [-]
       real(wp) :: u, ddg
       u = 1.0_wp - cosine
       if (u < small) then

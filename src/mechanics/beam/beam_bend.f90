@@ -22,7 +22,7 @@ contains
 
    !> M [N.m] of an element of bending stiffness EI [N.m2] and length L [m] that is bent by `angle` [rad].
    elemental function bend_moment(bending_stiffness, length, angle) result(moment)
-      real(wp), intent(in) :: bending_stiffness, length, angle
+      real(wp), intent(in) :: bending_stiffness, length, angle   !< EI [N.m2], L [m], b [rad]
       real(wp) :: moment
       moment = bending_stiffness*angle/(length*cos(0.5_wp*angle))
    end function bend_moment
@@ -30,12 +30,12 @@ contains
    !> Add the internal force dU/dy(12) [N; N.m per unit director] and, if `wanted`, its symmetric tangent d2U/dy2(12,12).
    pure subroutine add_bend(moment, held, chord, d_i, d_j, wanted, force, stiffness)
       real(wp), intent(in) :: moment          !< M [N.m]
-      real(wp), intent(in) :: held(3)         !< q_0, of any length > 0, not along the chord
+      real(wp), intent(in) :: held(3)         !< q_0, of any length > 0, not along the chord [-]
       real(wp), intent(in) :: chord(3)        !< r = x_j - x_i [m]
-      real(wp), intent(in) :: d_i(3), d_j(3)  !< unit tangents of the string at the nodes
+      real(wp), intent(in) :: d_i(3), d_j(3)  !< unit tangents of the string at the nodes [-]
       logical, intent(in) :: wanted           !< true if the tangent is wanted
-      real(wp), intent(inout) :: force(12)
-      real(wp), intent(inout) :: stiffness(12, 12)
+      real(wp), intent(inout) :: force(12)    !< [N; N.m]
+      real(wp), intent(inout) :: stiffness(12, 12)   !< [N/m; N; N.m]
       real(wp) :: p(3), q(3), size_of, turned(3), across(3), along, by_chord(3), swing(3, 3), second(3, 3), image(3)
       integer :: i
       p = held*dot_product(chord, chord) - chord*dot_product(held, chord)
@@ -81,7 +81,7 @@ contains
    !> the element is bent in that plane.
    pure function holding_moment(moment, held, chord, d_i, d_j) result(holding)
       real(wp), intent(in) :: moment          !< M [N.m]
-      real(wp), intent(in) :: held(3), chord(3), d_i(3), d_j(3)   !< as in add_bend
+      real(wp), intent(in) :: held(3), chord(3), d_i(3), d_j(3)   !< as in add_bend [-, m]
       real(wp) :: holding(3)
       real(wp) :: force(12), unused(12, 12)
       force = 0.0_wp

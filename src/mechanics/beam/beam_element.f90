@@ -47,7 +47,7 @@ contains
    !> l (1 + b) of a configuration [m]; with nodes and tangents on the hole axis it is the unstressed length L_m.
    pure function membrane_length(chord, d_i, d_j) result(length)
       real(wp), intent(in) :: chord(3)  !< x_j - x_i [m]
-      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp), intent(in) :: d_i(3), d_j(3)   !< unit tangents of the string at the nodes [-]
       real(wp) :: length
       real(wp) :: l, e(3), a(3, 2), c(2), s, g(2)
       call measure_chord(chord, d_i, d_j, l, e, a, c, s)
@@ -72,10 +72,10 @@ contains
    !> Length that determines the axial force (membrane_length), and its change to first order by a move [m]. The terms are
    !> written out, as each step of the iteration needs them for every element.
    pure subroutine membrane_step(chord, d_i, d_j, move, turn_i, turn_j, length, longer)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as in beam_force [m, -]
       real(wp), intent(in) :: move(3)                !< of x_j against x_i [m]
-      real(wp), intent(in) :: turn_i(3), turn_j(3)   !< changes of the tangents
-      real(wp), intent(out) :: length, longer
+      real(wp), intent(in) :: turn_i(3), turn_j(3)   !< changes of the tangents [-]
+      real(wp), intent(out) :: length, longer        !< [m]
       real(wp) :: l, reciprocal, e(3), a(3, 2), c(2), g(2), s, dg(2), product, by_i, by_j, by_p
       call measure_chord(chord, d_i, d_j, l, e, a, c, s)
       reciprocal = 1.0_wp/l
@@ -97,8 +97,8 @@ contains
    pure subroutine beam_force(section, chord, d_i, d_j, force, axial)
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: chord(3)       !< x_j - x_i [m]
-      real(wp), intent(in) :: d_i(3), d_j(3) !< unit tangents of the string at the nodes
-      real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j)
+      real(wp), intent(in) :: d_i(3), d_j(3) !< unit tangents of the string at the nodes [-]
+      real(wp), intent(out) :: force(12)     !< on (x_i, d_i, x_j, d_j) [N; N.m]
       real(wp), intent(out) :: axial         !< N, tension > 0 [N]
       type(measure_type) :: m
       call measure(chord, d_i, d_j, m)
@@ -109,10 +109,10 @@ contains
    !> Internal force and its consistent tangent d2U/dy2(12,12), symmetric: K0 + KN + Ksigma of Eq. 10.
    pure subroutine beam_tangent(section, chord, d_i, d_j, force, axial, stiffness)
       type(beam_section_type), intent(in) :: section
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      real(wp), intent(out) :: force(12)
-      real(wp), intent(out) :: axial
-      real(wp), intent(out) :: stiffness(12, 12)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as in beam_force [m, -]
+      real(wp), intent(out) :: force(12)                 !< on (x_i, d_i, x_j, d_j) [N; N.m]
+      real(wp), intent(out) :: axial                     !< tension > 0 [N]
+      real(wp), intent(out) :: stiffness(12, 12)         !< [N/m; N; N.m]
       type(measure_type) :: m
       call measure(chord, d_i, d_j, m)
       axial = axial_force(section, m)
@@ -123,9 +123,9 @@ contains
    !> reference configuration, ksigma are all terms with the current axial force, and kn is the rest.
    pure subroutine beam_tangent_parts(section, chord, d_i, d_j, reference_chord, reference_i, reference_j, k0, kn, ksigma)
       type(beam_section_type), intent(in) :: section
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
-      real(wp), intent(in) :: reference_chord(3), reference_i(3), reference_j(3)
-      real(wp), intent(out), dimension(12, 12) :: k0, kn, ksigma
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)                             !< as in beam_force [m, -]
+      real(wp), intent(in) :: reference_chord(3), reference_i(3), reference_j(3)   !< the same in the reference configuration [m, -]
+      real(wp), intent(out), dimension(12, 12) :: k0, kn, ksigma                   !< [N/m; N; N.m]
       real(wp) :: force(12), axial
       call beam_material_tangent(section, reference_chord, reference_i, reference_j, k0)
       call beam_material_tangent(section, chord, d_i, d_j, kn)
@@ -136,9 +136,9 @@ contains
 
    !> Internal force by an axial force alone, and Ksigma of Eq. 10. Both are proportional to the axial force.
    pure subroutine beam_stress_tangent(chord, d_i, d_j, axial, force, ksigma)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as in beam_force
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< as in beam_force [m, -]
       real(wp), intent(in) :: axial                      !< tension > 0 [N]
-      real(wp), intent(out) :: force(12), ksigma(12, 12)
+      real(wp), intent(out) :: force(12), ksigma(12, 12) !< [N; N.m], [N/m; N; N.m]
       type(measure_type) :: m
       call measure(chord, d_i, d_j, m)
       call tangent_of(m, beam_section_type(length=1.0_wp, membrane_length=1.0_wp), axial, d_i, d_j, force, ksigma)
@@ -241,17 +241,17 @@ contains
    !> Force on both directors of the torque's end-moment vector: T (d_i x d_j)/(1 + p), the same at both [N.m].
    !> `torque` is GJ/L (phi_j - phi_i): it acts as -T on phi_i and +T on phi_j.
    pure function torque_force(torque, d_i, d_j) result(force)
-      real(wp), intent(in) :: torque
-      real(wp), intent(in) :: d_i(3), d_j(3)
+      real(wp), intent(in) :: torque           !< T [N.m]
+      real(wp), intent(in) :: d_i(3), d_j(3)   !< unit tangents of the string at the nodes [-]
       real(wp) :: force(3)
       force = cross(d_i, d_j)*(torque/(1.0_wp + dot_product(d_i, d_j)))
    end function torque_force
 
    !> Derivatives of torque_force by d_i, d_j (3,3) at fixed torque, and by torque (3).
    pure subroutine torque_tangent(torque, d_i, d_j, by_i, by_j, by_torque)
-      real(wp), intent(in) :: torque
-      real(wp), intent(in) :: d_i(3), d_j(3)
-      real(wp), intent(out) :: by_i(3, 3), by_j(3, 3), by_torque(3)
+      real(wp), intent(in) :: torque                                  !< T [N.m]
+      real(wp), intent(in) :: d_i(3), d_j(3)                          !< unit tangents of the string at the nodes [-]
+      real(wp), intent(out) :: by_i(3, 3), by_j(3, 3), by_torque(3)   !< [N.m, N.m, -]
       real(wp) :: factor
       factor = 1.0_wp/(1.0_wp + dot_product(d_i, d_j))
       by_torque = cross(d_i, d_j)*factor

@@ -24,7 +24,7 @@ contains
 
    !> Compute the measures of an element whose nodes have directors d_i and d_j.
    pure subroutine measure(chord, d_i, d_j, m)
-      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)
+      real(wp), intent(in) :: chord(3), d_i(3), d_j(3)   !< x_j - x_i [m], unit tangents at the nodes [-]
       type(measure_type), intent(out) :: m
       real(wp) :: product
       m%length = sqrt(dot_product(chord, chord))
@@ -42,8 +42,8 @@ contains
 
    !> b = (2 A - B)/30 from the cosines, g of them, and s = p - c_i c_j: (alpha_i)**2 = g_i**2 (1 - c_i**2), B = g_i g_j s.
    pure function bowing_of(c, g, s) result(bowing)
-      real(wp), intent(in) :: c(2), g(2), s
-      real(wp) :: bowing
+      real(wp), intent(in) :: c(2), g(2), s   !< [-]
+      real(wp) :: bowing                      !< [-]
       bowing = (2.0_wp*(g(1)*g(1)*(1.0_wp - c(1))*(1.0_wp + c(1)) + g(2)*g(2)*(1.0_wp - c(2))*(1.0_wp + c(2))) &
                 - g(1)*g(2)*s)*thirtieth
    end function bowing_of
@@ -84,8 +84,8 @@ contains
    !> dU/dy(12) from the first derivatives by the scalar measures.
    pure function gradients(m, d_i, d_j, first) result(force)
       type(measure_type), intent(in) :: m
-      real(wp), intent(in) :: d_i(3), d_j(3), first(4)
-      real(wp) :: force(12)
+      real(wp), intent(in) :: d_i(3), d_j(3), first(4)   !< unit tangents at the nodes [-]; from energy_slopes [N, N.m]
+      real(wp) :: force(12)                              !< on (x_i, d_i, x_j, d_j) [N; N.m]
       force(7:9) = first(1)*m%e + (first(2)*m%a(:, 1) + first(3)*m%a(:, 2))/m%length
       force(1:3) = -force(7:9)
       force(4:6) = first(2)*m%e + first(4)*d_j
@@ -98,7 +98,7 @@ contains
       type(measure_type), intent(in) :: m
       type(beam_section_type), intent(in) :: section
       real(wp), intent(in) :: axial          !< N, tension > 0 [N]
-      real(wp) :: c(4, 4)
+      real(wp) :: c(4, 4)                    !< [N/m, N, N.m]
       real(wp) :: by_bowing(4), by_strain(4), weights(2), g_ij, mixed(2)
       integer :: i, j
       weights = weights_of(section, axial, m)

@@ -14,8 +14,8 @@ contains
 
    !> Director [-] from the node's frame(3,3) = (t, n_1, n_2) in columns and slopes(2) [-].
    pure function director(frame, slopes) result(d)
-      real(wp), intent(in) :: frame(3, 3)
-      real(wp), intent(in) :: slopes(2)
+      real(wp), intent(in) :: frame(3, 3)   !< [-]
+      real(wp), intent(in) :: slopes(2)     !< beta_1, beta_2 [-]
       real(wp) :: d(3)
       d = (frame(:, 1) + slopes(1)*frame(:, 2) + slopes(2)*frame(:, 3))/sqrt(1.0_wp + slopes(1)**2 + slopes(2)**2)
    end function director
@@ -23,7 +23,7 @@ contains
    !> Derivative dd/dbeta(3,2) of a director d [-] by its slopes: s (n_k - d d.n_k) with s = d.t. The columns span the plane
    !> across d.
    pure function director_gradient(frame, d) result(gradient)
-      real(wp), intent(in) :: frame(3, 3), d(3)
+      real(wp), intent(in) :: frame(3, 3), d(3)   !< as in director [-]
       real(wp) :: gradient(3, 2)
       real(wp) :: s, d2, d3
       s = d(1)*frame(1, 1) + d(2)*frame(2, 1) + d(3)*frame(3, 1)
@@ -40,8 +40,8 @@ contains
    !> Second derivative of d contracted with a director force g(3): h(k,l) = g.d2d/dbeta_k dbeta_l, in the unit of g. It is
    !> part of the consistent tangent wherever a force does work on a director.
    pure function director_curvature(frame, d, g) result(h)
-      real(wp), intent(in) :: frame(3, 3), d(3), g(3)
-      real(wp) :: h(2, 2)
+      real(wp), intent(in) :: frame(3, 3), d(3), g(3)   !< as in director [-]; force [N.m]
+      real(wp) :: h(2, 2)                               !< [N.m]
       real(wp) :: square, a(2), b(2), gd
       square = dot_product(d, frame(:, 1))**2
       a = matmul(d, frame(:, 2:))

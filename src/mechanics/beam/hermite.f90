@@ -12,8 +12,8 @@ contains
 
    !> N(4) at xi for an element of length [m].
    pure function hermite_value(xi, length) result(n)
-      real(wp), intent(in) :: xi
-      real(wp), intent(in) :: length
+      real(wp), intent(in) :: xi       !< x/L, 0 to 1 [-]
+      real(wp), intent(in) :: length   !< L [m]
       real(wp) :: n(4)
       real(wp) :: rest
       rest = 1.0_wp - xi
@@ -25,8 +25,8 @@ contains
 
    !> dN/dx(4) at xi [1/m, -, 1/m, -].
    pure function hermite_slope(xi, length) result(n)
-      real(wp), intent(in) :: xi
-      real(wp), intent(in) :: length
+      real(wp), intent(in) :: xi       !< x/L, 0 to 1 [-]
+      real(wp), intent(in) :: length   !< L [m]
       real(wp) :: n(4)
       real(wp) :: rest
       rest = 1.0_wp - xi
@@ -38,7 +38,7 @@ contains
 
    !> Integral of N over the element [m, m2, m, m2]: equivalent nodal loads F_e of a unit line load.
    pure function hermite_line_load(length) result(n)
-      real(wp), intent(in) :: length
+      real(wp), intent(in) :: length   !< L [m]
       real(wp) :: n(4)
       n = [0.5_wp*length, length**2/12.0_wp, 0.5_wp*length, -length**2/12.0_wp]
    end function hermite_line_load

@@ -38,10 +38,10 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), intent(in) :: state(:, :)            !< (6,nodes) [m, rad, -]
       logical, intent(in) :: conservative
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: residual(:, :)
+      real(wp), intent(inout) :: residual(:, :)      !< (6,nodes) [N, N.m]
       type(block_matrix_type), intent(inout) :: matrix
       logical, intent(in), optional :: forces_only   !< absent: false
       type(element_type) :: element
@@ -220,7 +220,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), intent(in) :: state(:, :)            !< (6,nodes) [m, rad, -]
       type(workspace_type), intent(inout) :: work    !< placed and surveyed at `state`
       type(block_matrix_type), intent(inout) :: matrix
       type(element_type) :: element

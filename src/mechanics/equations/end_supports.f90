@@ -29,9 +29,9 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
-      real(wp), intent(in) :: support, wob
+      real(wp), intent(in) :: support, wob                !< 0: free [N/m]; > 0 pushes the bit [N]
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(out) :: force(3), by_point(3, 3)
+      real(wp), intent(out) :: force(3), by_point(3, 3)   !< [N], [N/m]
       real(wp) :: point(3), gap(3), tangent(3), curvature(3), offset, chi
       integer :: arc, j
       arc = mesh%arc(node)
@@ -53,7 +53,7 @@ contains
    pure subroutine set_loads(model, load_case, fraction, loads)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
-      real(wp), intent(in) :: fraction
+      real(wp), intent(in) :: fraction   !< 0 to 1 [-]
       type(load_type), intent(out) :: loads
       loads%wob = fraction*end_compression(model, load_case)
       if (model%hookload%present) loads%hookload = fraction*model%hookload%value

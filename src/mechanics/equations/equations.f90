@@ -21,7 +21,7 @@ module dg_equations
    type :: equations_type
       type(block_matrix_type) :: matrix
       type(linear_solver_type) :: solver
-      real(wp), allocatable :: step(:, :)         !< (6,nodes) [m, -]
+      real(wp), allocatable :: step(:, :)         !< (6,nodes) [m, rad, -]
       real(wp) :: force_scale = 1.0_wp            !< scale to which residuals are compared [N]
       type(iteration_type), allocatable :: history(:)
       integer :: iterations = 0                   !< of all attempts so far
@@ -57,10 +57,10 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), intent(in) :: state(:, :)  !< (6,nodes) [m, rad, -]
       integer, intent(in) :: wanted        !< forces_alone, whole_tangent or energy_tangent
       type(workspace_type), intent(inout) :: work
-      real(wp), intent(inout) :: residual(:, :)
+      real(wp), intent(inout) :: residual(:, :)   !< (6,nodes) [N, N.m]
       call assemble(trajectory, mesh, loads, gaps, state, wanted == energy_tangent, work, residual, equations%matrix, &
                     wanted == forces_alone)
    end subroutine find_tangent
@@ -74,7 +74,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: state(:, :)
+      real(wp), intent(in) :: state(:, :)   !< (6,nodes) [m, rad, -]
       type(workspace_type), intent(inout) :: work
       real(wp), allocatable :: residual(:, :)
       equations%matrix = block_matrix_type()
@@ -88,7 +88,7 @@ contains
    !> Add the rigidity gk_min of the gaps [N/m2] to the lateral unknowns.
    pure subroutine add_gap_rigidity(mesh, gk_min, matrix)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: gk_min
+      real(wp), intent(in) :: gk_min   !< [N/m2]
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i, e
       do e = 1, mesh%elements

@@ -222,7 +222,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: first, last     !< elements
       type(workspace_type), intent(inout) :: work       !< placed and surveyed
-      real(wp), intent(out) :: by(:, first:), on(:, first:)
+      real(wp), intent(out) :: by(:, first:), on(:, first:)   !< (12,first:last) [-, m]
       type(contact_type) :: contact
       real(wp) :: nodal(12), twisting(2), outward(3)
       integer :: e
@@ -259,7 +259,7 @@ contains
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: row(:)
+      real(wp), intent(out) :: row(:)   !< (12) [-, m]
       real(wp), parameter :: no_force(6) = 0.0_wp
       real(wp) :: shape(4), side(3), on(6)
       shape = hermite_value(gaps%xi(e), mesh%length(e))

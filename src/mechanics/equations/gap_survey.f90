@@ -36,7 +36,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       integer, intent(in) :: node
-      real(wp), intent(out) :: gap(3), tangent(3)
+      real(wp), intent(out) :: gap(3), tangent(3)   !< across the hole [m], unit [-]
       real(wp) :: point(3), curvature(3)
       integer :: arc
       arc = mesh%arc(node)
@@ -61,7 +61,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       integer, intent(in) :: e
-      real(wp), intent(in) :: xi
+      real(wp), intent(in) :: xi   !< 0 at the upper node, 1 at the lower one [-]
       real(wp) :: point(3)
       point = point_between(xi, mesh%length(e), mesh%chord(:, e), work%shift(:, e), work%d(:, e), work%shift(:, e + 1), &
                             work%d(:, e + 1))
@@ -209,7 +209,7 @@ contains
    !> where 2 sqrt(a b) < r^2 - a - b.
    pure function out_of_reach(gap_i, slope_i, gap_j, slope_j, length, reach) result(out)
       real(wp), intent(in) :: gap_i(3), slope_i(3), gap_j(3), slope_j(3)   !< of its nodes, from node_lie [m], [-]
-      real(wp), intent(in) :: length, reach
+      real(wp), intent(in) :: length, reach                                !< of the element, and distance from the axis [m]
       logical :: out
       real(wp), parameter :: slope_shape = 2.0_wp*(4.0_wp/27.0_wp)**2
       real(wp) :: farther, slopes, rest

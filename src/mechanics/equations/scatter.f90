@@ -53,7 +53,7 @@ contains
    pure subroutine scatter_element(mesh, e, d, element, matrix)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
-      real(wp), intent(in) :: d(3, 2)          !< directors of both nodes
+      real(wp), intent(in) :: d(3, 2)   !< directors of both nodes [-]
       type(element_type), intent(in) :: element
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: block(6, 6), gradient_i(3, 2), gradient_j(3, 2)

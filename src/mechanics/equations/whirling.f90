@@ -63,7 +63,7 @@ contains
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: compressed        !< largest compression of the soft string over its helical load [-]
-      real(wp), intent(out) :: sideways(:)
+      real(wp), intent(out) :: sideways(:)      !< 0 to 1 (e) [-]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
       logical :: vertical(mesh%nodes), straight_down
       integer :: e
@@ -106,7 +106,7 @@ contains
    !> directors d, and the wanted part of its tangent, are added to the element.
    pure subroutine add_turning(turning, d, element)
       type(turning_type), intent(in) :: turning
-      real(wp), intent(in) :: d(:, :)             !< directors of both nodes (3,2)
+      real(wp), intent(in) :: d(:, :)   !< directors of both nodes (3,2) [-]
       type(element_type), intent(inout) :: element
       real(wp) :: torque, by_d(3, 3), by_t(3, 3), by_torque(3), by_point(3, 3), turn(3)
       integer :: a, b, first
@@ -132,7 +132,7 @@ contains
    !> Vector of that torque on the string [N.m].
    pure function turning_moment(turning, d) result(moment)
       type(turning_type), intent(in) :: turning
-      real(wp), intent(in) :: d(:, :)
+      real(wp), intent(in) :: d(:, :)   !< directors of both nodes (3,2) [-]
       real(wp) :: moment(3)
       integer :: a
       moment = 0.0_wp
@@ -143,7 +143,7 @@ contains
 
    !> Vector of a semi-tangential torque [N.m].
    pure function end_moment(torque, d, t) result(moment)
-      real(wp), intent(in) :: torque, d(3), t(3)
+      real(wp), intent(in) :: torque, d(3), t(3)   !< about t downwards [N.m], director [-], tangent of the hole [-]
       real(wp) :: moment(3)
       moment = (torque/(1.0_wp + dot_product(t, d)))*(t + d)
    end function end_moment
@@ -155,11 +155,11 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
       real(wp), intent(in) :: torque              !< on the string, about its axis downwards [N.m]
-      real(wp), intent(in) :: gradient(3, 2)      !< derivative of the director by its slopes
-      real(wp), intent(in) :: d(3)                !< director
+      real(wp), intent(in) :: gradient(3, 2)      !< derivative of the director by its slopes [-]
+      real(wp), intent(in) :: d(3)                !< director [-]
       integer, intent(in) :: part                 !< part of the tangent; part_rest: no force is added
       logical, intent(in) :: wanted               !< true if the tangent is wanted
-      real(wp), intent(inout) :: force(3)         !< on the director
+      real(wp), intent(inout) :: force(3)         !< on the director [N.m]
       type(block_matrix_type), intent(inout) :: matrix
       real(wp) :: by_d(3, 3), by_t(3, 3), by_torque(3), turn(2), row(6), stiffness
       integer, parameter :: slopes(2) = [5, 6]

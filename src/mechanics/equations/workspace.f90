@@ -89,7 +89,7 @@ contains
    !> Displacements and directors (dg_director) in space axes from the unknowns state(6,nodes).
    pure subroutine place_nodes(mesh, state, work)
       type(mesh_type), intent(in) :: mesh
-      real(wp), contiguous, intent(in) :: state(:, :)
+      real(wp), contiguous, intent(in) :: state(:, :)   !< (6,nodes) [m, rad, -]
       type(workspace_type), intent(inout) :: work
       integer :: n
       do n = 1, mesh%nodes
@@ -99,8 +99,8 @@ contains
 
    !> Displacement (3) [m] and director (3) of one node.
    pure subroutine place_node(frame, state, shift, d)
-      real(wp), intent(in) :: frame(3, 3), state(6)
-      real(wp), intent(out) :: shift(3), d(3)
+      real(wp), intent(in) :: frame(3, 3), state(6)   !< of the node: axes t, n_1, n_2 [-], unknowns [m, rad, -]
+      real(wp), intent(out) :: shift(3), d(3)         !< [m], [-]
       real(wp) :: reciprocal
       integer :: i
       reciprocal = 1.0_wp/sqrt(1.0_wp + state(5)**2 + state(6)**2)

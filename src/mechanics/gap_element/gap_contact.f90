@@ -52,14 +52,14 @@ contains
    !> Force F(3) [N] and moment M(3) [N.m] on the string.
    pure subroutine contact_action(gap, tangent, normal_force, axial, rotary, sideways, radius, force, moment)
       real(wp), intent(in) :: gap(3)        !< f [m], not zero, across tangent
-      real(wp), intent(in) :: tangent(3)    !< t of the hole axis at the foot
+      real(wp), intent(in) :: tangent(3)    !< t of the hole axis at the foot [-]
       real(wp), intent(in) :: normal_force  !< R [N]
       real(wp), intent(in) :: axial         !< a: > 0 pushes the string down the hole [-]
       real(wp), intent(in) :: rotary        !< m >= 0 [-]
       real(wp), intent(in) :: sideways      !< m in the force: m, or 0 where the string whirls [-]
       real(wp), intent(in) :: radius        !< r [m]
-      real(wp), intent(out) :: force(3)
-      real(wp), intent(out) :: moment(3)
+      real(wp), intent(out) :: force(3)     !< [N]
+      real(wp), intent(out) :: moment(3)    !< [N.m]
       real(wp) :: n(3), tau(3)
       n = gap*(1.0_wp/sqrt(gap(1)*gap(1) + gap(2)*gap(2) + gap(3)*gap(3)))
       tau = product_of(tangent, n)
@@ -108,8 +108,8 @@ contains
 
    !> Couple of axial friction on a string that is near a helix and does not rotate: F_tau on the point and P on r'.
    pure subroutine couple_action(gap, tangent, direction, couple, force, bend)
-      real(wp), intent(in) :: gap(3), tangent(3)
-      real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised
+      real(wp), intent(in) :: gap(3), tangent(3)   !< f [m], t of the hole axis at the foot [-]
+      real(wp), intent(in) :: direction(3)      !< r' of the string there, not normalised [-]
       real(wp), intent(in) :: couple            !< r R a [N.m]
       real(wp), intent(out) :: force(3)         !< on the point [N]
       real(wp), intent(out) :: bend(3)          !< on r' [N.m]
@@ -159,10 +159,10 @@ contains
    !> Support that holds a node on the hole axis with a stiff spring [N/m], and lets it slide freely along it. Returns the
    !> force F = -k f on the string [N] and its derivative [N/m].
    pure subroutine support_action(gap, tangent, curvature, stiffness, force, force_tangent)
-      real(wp), intent(in) :: gap(3), tangent(3), curvature(3)
-      real(wp), intent(in) :: stiffness
-      real(wp), intent(out) :: force(3)
-      real(wp), intent(out) :: force_tangent(3, 3)
+      real(wp), intent(in) :: gap(3), tangent(3), curvature(3)   !< f [m], t [-] and k [1/m] of the hole axis at the foot
+      real(wp), intent(in) :: stiffness                          !< k [N/m]
+      real(wp), intent(out) :: force(3)                          !< [N]
+      real(wp), intent(out) :: force_tangent(3, 3)               !< by the place of the node [N/m]
       real(wp) :: along
       integer :: j
       force = -stiffness*gap

@@ -31,12 +31,12 @@ contains
    !> Nodal force(12) on (x_i, d_i, x_j, d_j) and twisting(2) on (phi_i, phi_j) [N, N.m], Eq. 6.
    pure subroutine gap_nodal_force(share, shape, slope, d_i, d_j, direction, force, moment, nodal, twisting)
       real(wp), intent(in) :: share(2)             !< parts of the nodes in M along the string: 1 - xi and xi, or zero [-]
-      real(wp), intent(in) :: shape(4), slope(4)   !< N and dN/dx at xi
-      real(wp), intent(in) :: d_i(3), d_j(3)       !< nodal directors
-      real(wp), intent(in) :: direction(3)         !< r' at xi, not normalised
+      real(wp), intent(in) :: shape(4), slope(4)   !< N [-, m] and dN/dx [1/m, -] at xi
+      real(wp), intent(in) :: d_i(3), d_j(3)       !< nodal directors [-]
+      real(wp), intent(in) :: direction(3)         !< r' at xi, not normalised [-]
       real(wp), intent(in) :: force(3), moment(3)  !< F [N] and M [N.m] at the point
-      real(wp), intent(out) :: nodal(12)
-      real(wp), intent(out) :: twisting(2)
+      real(wp), intent(out) :: nodal(12)           !< [N, N.m]
+      real(wp), intent(out) :: twisting(2)         !< [N.m]
       real(wp) :: reciprocal, bend(3), twist(3)
       integer :: a
       reciprocal = 1.0_wp/(direction(1)**2 + direction(2)**2 + direction(3)**2)
@@ -57,7 +57,7 @@ contains
    !> is constant, as places and states of the gaps are judged between iterations.
    pure subroutine gap_derivatives(touch, d, at_point, by)
       type(touch_type), intent(in) :: touch
-      real(wp), intent(in) :: d(3, 2)                      !< nodal directors
+      real(wp), intent(in) :: d(3, 2)   !< nodal directors [-]
       type(touch_tangent_type), intent(in) :: at_point
       type(gap_derivative_type), intent(out) :: by
       real(wp) :: u(3), across(3), turned(3), bend_by_point(3, 3), bend_by_direction(3, 3), along, square, moment, turn(3)

@@ -20,8 +20,8 @@ contains
       real(wp), intent(in) :: gap_i(3), gap_j(3)     !< offsets [m]
       real(wp), intent(in) :: slope_i(3), slope_j(3) !< d - t [-]
       real(wp), intent(in) :: length                 !< [m]
-      real(wp), intent(out) :: xi
-      real(wp), intent(out) :: displacement
+      real(wp), intent(out) :: xi                    !< 0 to 1 [-]
+      real(wp), intent(out) :: displacement          !< >= 0 [m]
       real(wp) :: square(-half:half), even_1(3), even_2(3), odd_1(3), odd_2(3), a(3), b(3), f(3), left, right, curvature, t, bar
       integer :: k, best
       ! The cubic from the middle of the element: f = even + odd t, both linear in t**2, t from -1 to 1. Two places at +-t
@@ -69,9 +69,9 @@ contains
 
    !> Curvature -d2|f_G|/dxi2 at xi of the same element [m].
    pure function bend_of_displacement(gap_i, slope_i, gap_j, slope_j, length, xi) result(bend)
-      real(wp), intent(in) :: gap_i(3), gap_j(3)     !< as in extremum_of_displacement
-      real(wp), intent(in) :: slope_i(3), slope_j(3)
-      real(wp), intent(in) :: length, xi
+      real(wp), intent(in) :: gap_i(3), gap_j(3)       !< as in extremum_of_displacement [m]
+      real(wp), intent(in) :: slope_i(3), slope_j(3)   !< as in extremum_of_displacement [-]
+      real(wp), intent(in) :: length, xi               !< [m], [-]
       real(wp) :: bend
       real(wp) :: linear(3), square(3), cubic(3), f(3), first(3), second(3)
       linear = length*slope_i

@@ -58,9 +58,9 @@ contains
    pure subroutine contact_force(law, state, displacement, force, stiffness)
       type(gap_law_type), intent(in) :: law
       integer, intent(in) :: state
-      real(wp), intent(in) :: displacement
-      real(wp), intent(out) :: force
-      real(wp), intent(out) :: stiffness
+      real(wp), intent(in) :: displacement   !< |f| [m]
+      real(wp), intent(out) :: force         !< R [N]
+      real(wp), intent(out) :: stiffness     !< dR/d|f| [N/m]
       real(wp) :: elastic
       select case (state)
       case (state_elastic)
@@ -79,7 +79,7 @@ contains
    !> |f| [m] at which a closed gap carries a force [N]: the inverse of contact_force.
    pure function depth_of(law, force) result(depth)
       type(gap_law_type), intent(in) :: law
-      real(wp), intent(in) :: force
+      real(wp), intent(in) :: force   !< R, >= 0 [N]
       real(wp) :: depth, elastic
       elastic = law%contact*law%clearance*law%eps_nmax
       depth = law%clearance + min(force, elastic)/law%contact + max(force - elastic, 0.0_wp)/law%maximum
@@ -89,7 +89,7 @@ contains
    !> by more than `part` of the depth in the wall.
    pure function is_round(law, force, bend, part) result(is)
       type(gap_law_type), intent(in) :: law
-      real(wp), intent(in) :: force
+      real(wp), intent(in) :: force            !< R [N]
       real(wp), intent(in) :: bend             !< -d2|f|/dxi2, xi = x/L [m]
       real(wp), intent(in) :: part             !< [-]
       logical :: is

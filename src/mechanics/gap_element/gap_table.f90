@@ -29,7 +29,7 @@ contains
    !> Make a table of free gaps at xi = `place`.
    pure function new_gap_table(laws, place) result(table)
       type(gap_law_type), intent(in) :: laws(:)
-      real(wp), intent(in) :: place
+      real(wp), intent(in) :: place   !< x0/L [-]
       type(gap_table_type) :: table
       integer :: n
       n = size(laws)
@@ -66,7 +66,7 @@ contains
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)
       type(gap_table_type), intent(inout) :: table
       integer, intent(in) :: e
-      real(wp), intent(in) :: xi            !< of the extremum
+      real(wp), intent(in) :: xi            !< of the extremum [-]
       real(wp), intent(in) :: at_extremum   !< |f| there [m]
       real(wp), intent(in) :: at_gap        !< |f| at the present place [m]
       real(wp), intent(in) :: threshold     !< [m]

@@ -321,7 +321,7 @@ contains
 
    !> Depths with every interval cut into equal parts no longer than its `longest` [m].
    pure function subdivided(depths, longest) result(finer)
-      real(wp), intent(in) :: depths(:), longest(:)
+      real(wp), intent(in) :: depths(:), longest(:)   !< increasing (n), by interval (n-1) [m]
       real(wp), allocatable :: finer(:)
       integer :: pieces(size(longest)), i, j, n
       do i = 1, size(longest)
@@ -343,7 +343,7 @@ contains
    !> by (growth - 1) times the distance from them. Parts are cut in halves, so that neighbours differ by a factor of two. An
    !> interval that is short by itself does not limit others.
    pure function graded(depths, longest, growth) result(finer)
-      real(wp), intent(in) :: depths(:), longest(:)
+      real(wp), intent(in) :: depths(:), longest(:)   !< increasing (n), by interval (n-1) [m]
       real(wp), intent(in) :: growth       !< > 1 [-]
       real(wp), allocatable :: finer(:)
       real(wp), allocatable :: bound(:), parts(:), room(:), more(:)

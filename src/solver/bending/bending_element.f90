@@ -111,7 +111,7 @@ contains
       real(wp), intent(in) :: upper(4), lower(4)       !< offsets and slopes of its nodes [m, -]
       type(wall_push_type), intent(inout) :: push(contact_places)
       real(wp), intent(inout) :: at_upper(4)           !< [N, N.m]
-      real(wp), intent(out) :: at_lower(4)
+      real(wp), intent(out) :: at_lower(4)             !< the same at the lower node [N, N.m]
       real(wp) :: value(4), slope(4), force(2), couple(2), twisted(2)
       integer :: p
       associate (d => upper(1:2) - lower(1:2), u => upper(3:4), v => lower(3:4), torque => element%torque)
@@ -243,7 +243,7 @@ contains
       type(wall_push_type), intent(in) :: push
       real(wp), intent(in) :: lever       !< r a [m]
       real(wp), intent(in) :: around      !< m [-]
-      real(wp), intent(inout) :: action(4)
+      real(wp), intent(inout) :: action(4)   !< force and couple, changed here (4) [N, N.m]
       real(wp) :: force(2), couple(2)
       call find_action(push, lever, around, force, couple)
       action = action + [force, couple]
@@ -265,7 +265,7 @@ contains
    pure subroutine moments_of_shape(element, upper, lower, moments)
       type(beam_element_type), intent(in) :: element
       real(wp), intent(in) :: upper(4), lower(4)   !< offsets and slopes of its nodes [m, -]
-      real(wp), intent(out) :: moments(2, 2)
+      real(wp), intent(out) :: moments(2, 2)       !< (2, ends) [N.m]
       real(wp) :: ends(2), chord(2), bending(2)
       ends = end_stiffness(element%section)
       bending = element%section%ei*element%bent

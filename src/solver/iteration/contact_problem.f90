@@ -85,7 +85,7 @@ contains
    !> that belong to the depths, if the wall had the stiffness rho.
    pure subroutine add_pushes(gaps, residual, problem)
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: residual(:, :)
+      real(wp), intent(in) :: residual(:, :)   !< at the present forces (6,nodes) [N, N.m]
       type(contact_problem_type), intent(inout) :: problem
       real(wp) :: push(size(gaps%state))
       problem%load = residual
@@ -95,7 +95,7 @@ contains
 
    !> Stiffness of two springs in series [N/m].
    elemental function in_series(a, b) result(stiffness)
-      real(wp), intent(in) :: a, b
+      real(wp), intent(in) :: a, b   !< [N/m]
       real(wp) :: stiffness
       stiffness = 1.0_wp/(1.0_wp/a + 1.0_wp/b)
    end function in_series
@@ -103,7 +103,7 @@ contains
    !> Test if the energy's tangent is positive definite, with the stiffness of closed gaps and the given damping.
    pure subroutine is_definite(energy, lump, problem, damping, definite)
       type(block_matrix_type), intent(in) :: energy
-      real(wp), intent(in) :: lump(:, :)              !< diagonal terms of a unit of damping
+      real(wp), intent(in) :: lump(:, :)            !< diagonal terms of a unit of damping (6,nodes) [N/m, N.m]
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(in) :: damping               !< [-]
       logical, intent(out) :: definite
@@ -114,10 +114,10 @@ contains
    pure subroutine damp_until_definite(tuning, energy, lump, problem, margin, damping)
       type(tuning_type), intent(in) :: tuning
       type(block_matrix_type), intent(in) :: energy
-      real(wp), intent(in) :: lump(:, :)
+      real(wp), intent(in) :: lump(:, :)              !< diagonal terms of a unit of damping (6,nodes) [N/m, N.m]
       type(contact_problem_type), intent(in) :: problem
       real(wp), intent(in) :: margin                  !< damping that it may have without a raise [-]
-      real(wp), intent(inout) :: damping
+      real(wp), intent(inout) :: damping              !< in units of F^2/(4 EI) [-]
       logical :: definite
       do
          call is_definite(energy, lump, problem, max(damping, margin), definite)
@@ -132,7 +132,7 @@ contains
       integer, intent(in) :: most_rounds           !< times that gaps are opened and closed
       type(equations_type), intent(inout) :: equations
       type(gap_table_type), intent(in) :: gaps
-      real(wp), intent(in) :: residual(:, :)       !< r(d, R)
+      real(wp), intent(in) :: residual(:, :)       !< r(d, R) (6,nodes) [N, N.m]
       real(wp), intent(in) :: force(:)             !< R [N]
       logical, intent(in) :: live                  !< true if friction follows the contact forces within the problem
       type(contact_problem_type), intent(inout) :: problem   !< closed: on entry the first guess

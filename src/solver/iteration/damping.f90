@@ -29,7 +29,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
       real(wp), intent(in) :: soft                 !< stiffness of a wall that yields visibly [N/m2]
-      real(wp), intent(inout) :: lump(:, :)
+      real(wp), intent(inout) :: lump(:, :)        !< (6,nodes) [N/m, N.m]
       real(wp) :: force, lateral, slope
       integer :: e
       lump = 0.0_wp
@@ -45,8 +45,8 @@ contains
 
    !> Add damping to a matrix.
    pure subroutine add_damping(damping, lump, matrix)
-      real(wp), intent(in) :: damping
-      real(wp), intent(in) :: lump(:, :)            !< diagonal terms of a unit of damping
+      real(wp), intent(in) :: damping      !< in units of F^2/(4 EI) [-]
+      real(wp), intent(in) :: lump(:, :)   !< diagonal terms of a unit of damping (6,nodes) [N/m, N.m]
       type(block_matrix_type), intent(inout) :: matrix
       integer :: n, i
       do n = 1, size(lump, 2)
@@ -60,7 +60,7 @@ contains
    pure subroutine ease_damping(tuning, first_try, damping)
       type(tuning_type), intent(in) :: tuning
       logical, intent(in) :: first_try
-      real(wp), intent(inout) :: damping
+      real(wp), intent(inout) :: damping   !< in units of F^2/(4 EI) [-]
       damping = damping*merge(tuning%after_success, tuning%after_refusal, first_try)
    end subroutine ease_damping
 end module dg_damping

@@ -49,7 +49,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(load_type), intent(in) :: loads
-      real(wp), intent(in) :: relocation      !< as in is_round
+      real(wp), intent(in) :: relocation             !< `part` of is_round [-]
       type(gap_table_type), intent(inout) :: gaps
       type(workspace_type), intent(inout) :: work    !< placed and surveyed
       type(follower_type), allocatable, intent(inout) :: followers(:)
@@ -93,7 +93,7 @@ contains
    !> Add to a residual (6,nodes) the effect of contact forces at the extrema instead of at the gaps.
    pure subroutine add_place_forces(followers, residual)
       type(follower_type), intent(in) :: followers(:)
-      real(wp), intent(inout) :: residual(:, :)
+      real(wp), intent(inout) :: residual(:, :)   !< [N, N.m]
       integer :: i
       do i = 1, size(followers)
          associate (a => followers(i))
@@ -136,8 +136,8 @@ contains
    !> Move the gaps that follow by a share of the linear problem's step.
    pure subroutine follow_extrema(followers, step, share, places, xi)
       type(follower_type), intent(in) :: followers(:)
-      real(wp), intent(in) :: step(:, :)       !< that share of the step (6,nodes)
-      real(wp), intent(in) :: share
+      real(wp), intent(in) :: step(:, :)       !< that share of the step (6,nodes) [m, rad, -]
+      real(wp), intent(in) :: share            !< [-]
       real(wp), intent(in) :: places(:)        !< places of all gaps before the step (e) [-]
       real(wp), intent(inout) :: xi(:)         !< places after the step (e) [-]
       integer :: i

@@ -45,7 +45,7 @@ contains
    !> Compute the springs at the present state, before a step.
    pure subroutine find_holding(share, lump, solution, holder)
       real(wp), intent(in) :: share              !< stiffness over a unit of damping [-]
-      real(wp), intent(in) :: lump(:, :)         !< diagonal terms of a unit of damping
+      real(wp), intent(in) :: lump(:, :)         !< diagonal terms of a unit of damping (6,nodes) [N/m, N.m]
       type(solution_type), intent(in) :: solution
       type(holder_type), intent(inout) :: holder
       integer :: e

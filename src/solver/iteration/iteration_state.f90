@@ -199,7 +199,7 @@ contains
    !> follow from the contact forces by statics, and need no search.
    pure function energy_slope(equations, load) result(slope)
       type(equations_type), intent(in) :: equations
-      real(wp), contiguous, intent(in) :: load(:, :)
+      real(wp), contiguous, intent(in) :: load(:, :)   !< (6,nodes) [N, N.m]
       real(wp) :: slope
       integer :: n, i
       slope = 0.0_wp

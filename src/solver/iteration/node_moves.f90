@@ -22,7 +22,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work       !< nodes placed
       integer, intent(in) :: node
-      real(wp), intent(in) :: step(6)
+      real(wp), intent(in) :: step(6)                !< [m, rad, -]
       real(wp), intent(out) :: offset(2)             !< from the hole axis, along n_1 and n_2 [m]
       real(wp), intent(out) :: slide                 !< [m]
       real(wp), intent(out) :: across(4)             !< lateral (2) and slopes (2) [m, -]
@@ -58,8 +58,8 @@ contains
       real(wp), intent(in) :: room(:)                    !< smooth_room of each node [m]; only read if `turning`
       real(wp), contiguous, intent(in) :: offset(:, :)   !< offset of the nodes at `state` (2,nodes) [m]
       real(wp), intent(in) :: share                      !< share of `across` that is taken [-]
-      real(wp), contiguous, intent(in) :: across(:, :)
-      real(wp), contiguous, intent(inout) :: state(:, :)
+      real(wp), contiguous, intent(in) :: across(:, :)   !< lateral (2) and slopes (2) by the whole step (4,nodes) [m, -]
+      real(wp), contiguous, intent(inout) :: state(:, :) !< (6,nodes) [m, rad, -]
       real(wp) :: moved(2)
       integer :: n
       do n = 1, size(state, 2)
@@ -80,9 +80,9 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
-      real(wp), intent(in) :: distance
-      real(wp), intent(inout) :: state(6)        !< of the node
-      real(wp), intent(out) :: tangent(3), curvature(3)   !< of the hole axis at the new place, before a slide below shortest_slide
+      real(wp), intent(in) :: distance                    !< > 0 down the hole [m]
+      real(wp), intent(inout) :: state(6)                 !< of the node [m, rad, -]
+      real(wp), intent(out) :: tangent(3), curvature(3)   !< of the hole axis at the new place [-, 1/m]
       real(wp) :: point(3), gap(3), path(3), before(3), foot
       integer :: arc
       arc = mesh%arc(node)
@@ -116,9 +116,9 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: node
-      real(wp), intent(in) :: distance
-      real(wp), intent(inout) :: tangent(3), curvature(3)   !< from slide_along
-      real(wp), intent(inout) :: state(6)
+      real(wp), intent(in) :: distance                      !< > 0 down the hole [m]
+      real(wp), intent(inout) :: tangent(3), curvature(3)   !< from slide_along [-, 1/m]
+      real(wp), intent(inout) :: state(6)                   !< of the node [m, rad, -]
       if (abs(distance) < shortest_slide) then
          call slide_straight(mesh%frame(:, :, node), distance, tangent, curvature, state)
       else

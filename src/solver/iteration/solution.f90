@@ -18,7 +18,7 @@ module dg_solution
       type(workspace_type) :: work
       type(load_type) :: loads
       type(equations_type) :: equations
-      real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, -]
+      real(wp), allocatable :: state(:, :)       !< (6,nodes) [m, rad, -]
       real(wp) :: compressed = 0.0_wp            !< largest compression over the helical load [-]
       real(wp) :: pressing = 0.0_wp              !< largest expected contact load over its clearance [N/m2]
       integer :: shortened(scale_count) = 0      !< intervals that were cut, by the scale that required it

@@ -27,7 +27,7 @@ contains
    pure subroutine find_stability_margin(trajectory, solution, margin)
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      real(wp), intent(out) :: margin
+      real(wp), intent(out) :: margin   !< 0 to 1 [-]
       type(block_matrix_type) :: compression
       real(wp) :: low, high, added, forces(solution%mesh%elements), residual(6, solution%mesh%nodes)
       logical :: definite

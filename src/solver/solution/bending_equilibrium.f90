@@ -30,8 +30,8 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(in) :: beam
-      real(wp), contiguous, intent(inout) :: y(:, :)
-      real(wp), intent(in) :: settled
+      real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes, on return at equilibrium (4,n) [m, -]
+      real(wp), intent(in) :: settled                  !< as in solve_bending [-]
       logical, intent(out) :: found
       if (solved%anchored) then
          call solve_bending(beam, y, settled, found, anchor=shape_at(mesh%md, solved%y, beam%md))
@@ -46,7 +46,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(inout) :: beam
-      real(wp), contiguous, intent(inout) :: y(:, :)
+      real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
       type(bending_beam_type) :: firmer
       real(wp) :: closer(size(y, 1), size(y, 2))
       logical :: found

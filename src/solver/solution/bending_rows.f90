@@ -34,7 +34,7 @@ contains
       type(workspace_type), intent(in) :: work
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
-      real(wp), intent(in) :: scale(:)                  !< see contact_scale
+      real(wp), intent(in) :: scale(:)                  !< by element of the analysis, from contact_scale [-]
       type(case_result_type), intent(inout) :: result   !< profile: on entry of the analysis, on return of the beam
       type(profile_type) :: own, profile
       real(wp) :: moment(size(beam%md)), share, above(size(beam%md)), weight, across(2)

@@ -37,7 +37,7 @@ contains
       type(workspace_type), intent(in) :: work
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
-      real(wp), intent(in) :: scale(:)                   !< see contact_scale of dg_bending_rows
+      real(wp), intent(in) :: scale(:)   !< by element, from contact_scale of dg_bending_rows [-]
       type(case_result_type), intent(inout) :: result
       type(stretches_type) :: stretches
       type(contact_edge_type), allocatable :: edges(:)

@@ -35,7 +35,7 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       logical, intent(in) :: coiled
-      real(wp), intent(in) :: share
+      real(wp), intent(in) :: share   !< >= 0 [-]
       logical :: are
       real(wp) :: left_out
       left_out = 2.0_wp*maxval(trajectory%arcs(mesh%arc(:mesh%elements))%curvature*mesh%clearance)

@@ -138,7 +138,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: force, moment
+      real(wp), intent(out) :: force, moment   !< their sizes [N, N.m]
       real(wp) :: forces(3), moments(3), lever(3), lower(3), chord(3), weight(4), drag(3, 2), start(3), pushed(3, 4)
       real(wp) :: line(4)
       integer :: e

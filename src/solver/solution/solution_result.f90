@@ -66,7 +66,7 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics  !< of the attempt that led here, with the most iterations of all
-      real(wp), intent(in) :: growth               !< of that attempt
+      real(wp), intent(in) :: growth               !< of that attempt [-]
       type(fitted_gaps_type), intent(inout) :: fitted
       type(solution_type), intent(inout) :: solution
       type(case_result_type), intent(inout) :: result

@@ -341,7 +341,7 @@ contains
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(workspace_type), intent(in) :: work
-      real(wp), intent(out) :: worst
+      real(wp), intent(out) :: worst   !< offset over clearance, less one; < 0 inside [-]
       integer, intent(out) :: place
       real(wp) :: gap(3), tangent(3), outside, wide
       integer :: n, beside(2)

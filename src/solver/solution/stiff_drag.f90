@@ -35,7 +35,7 @@ contains
    pure subroutine find_stiff_drag(model, case_index, drag)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(out) :: drag
+      real(wp), intent(out) :: drag   !< > 0 down the hole [N]
       type(model_type) :: eased
       real(wp) :: most
       integer :: i

@@ -97,7 +97,7 @@ contains
       real(wp), intent(in) :: wall(:)               !< stiffness per length, by element [N/m2]
       real(wp), intent(in) :: begin                 !< stiffness of walls that y has been bent against, 0: none [N/m2]
       type(bending_beam_type), intent(inout) :: beam
-      real(wp), contiguous, intent(inout) :: y(:, :)
+      real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,nodes) [m, -]
       real(wp), intent(out) :: pressed(:, :)        !< contact forces at `contact_xi` of the elements (2,e) [N]
       logical, intent(out) :: found
       real(wp) :: bent(4, mesh%nodes), closer(4, mesh%nodes), settling(size(pressed, 1), size(pressed, 2))
@@ -126,7 +126,7 @@ contains
    !> The soft string knows no other contact there. `force` are the contact forces of the start, by element [N].
    pure function pressing_of_bend(mesh, force) result(pressing)
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: force(:)
+      real(wp), intent(in) :: force(:)   !< >= 0 [N]
       real(wp) :: pressing
       pressing = 0.0_wp
       if (is_forced(mesh) .and. is_vertical(mesh)) pressing = maxval(force/(mesh%length*mesh%clearance))

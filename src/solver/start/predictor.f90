@@ -60,7 +60,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(start_type), intent(in) :: start
       real(wp), intent(in) :: sideways(:) !< factor on the force of circumferential friction, by element [-]
-      real(wp), intent(out) :: state(:, :)
+      real(wp), intent(out) :: state(:, :)  !< (6,nodes) [m, rad, -]
       type(gap_table_type), intent(inout) :: gaps
       real(wp), intent(out) :: pressed(:)   !< contact forces, by element [N]
       real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), wall(mesh%elements)
