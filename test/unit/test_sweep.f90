@@ -7,19 +7,22 @@ module dg_test_sweep
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_rotate_off_bottom, operation_trip_in, operation_trip_out
-   use dg_measured_table, only: fitting_friction
+   use dg_load_case, only: operation_count, operation_label, operation_rotate_off_bottom, operation_trip_in, operation_trip_out
+   use dg_measured_table, only: factor_text, fitting_friction
    use dg_mesh, only: mesh_type, new_mesh, node_depths
    use dg_missing, only: given, missing, optional_real
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
+   use dg_number_text, only: page_width
    use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, &
       sweep_type, with_depths
    use dg_sweep_result, only: is_solved, sweep_result_type
+   use dg_sweep_table, only: sweep_table
    use dg_sweep_work, only: in_part, result_text, take_record, take_result
    use dg_task_record, only: difference_of, read_record, record_head, record_line, record_type
    use dg_text, only: append_text, text_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_units, only: si_units
    implicit none
    private
    public :: sweep_suite
@@ -42,6 +45,7 @@ contains
       call suite%addTest(TestMethod('foreign_records', test_foreign))
       call suite%addTest(TestMethod('settings_name_the_difference', test_settings))
       call suite%addTest(TestMethod('fitting_friction', test_fitting))
+      call suite%addTest(TestMethod('heads_stand_apart', test_heads))
    end function sweep_suite
 
    !> Two models, two operations, three friction factors over a well with a shoe at 200 m and collars of 40 m.
@@ -387,4 +391,72 @@ contains
       fits = fitting_friction(none, [4.0_wp], [.true.], 4.0_wp)
       call assertFalse(fits%present, message='friction of the hole')
    end subroutine test_fitting
+
+   !> Words in the heads of tables stand apart, and tables fit the page: each operation with one to five friction factors, single
+   !> and in pairs.
+   subroutine test_heads()
+      real(wp), parameter :: factors(5) = [0.012_wp, 1.2_wp, 0.1234_wp, 0.11_wp, 0.5_wp]
+      integer :: n, o
+      do n = 1, size(factors)
+         do o = 1, operation_count
+            call judge_heads([o], factors(:n))
+            call judge_heads([o], factors(:n), factors(:n))
+         end do
+      end do
+      call judge_heads([(o, o=1, operation_count)], factors(:1))
+      call judge_heads([(o, o=1, operation_count)], factors(:1), factors(:1))
+   end subroutine test_heads
+
+   !> Judges the first table of a sweep with as many columns as fit the page.
+   subroutine judge_heads(operations, frictions, cased)
+      integer, intent(in) :: operations(:)
+      real(wp), intent(in) :: frictions(:)
+      real(wp), intent(in), optional :: cased(:)
+      type(sweep_type) :: sweep
+      type(sweep_result_type), allocatable :: points(:)
+      type(text_type), allocatable :: lines(:)
+      character(:), allocatable :: names, factors, label
+      integer :: i, o
+      sweep%name = 's'
+      sweep%models = [model_soft]
+      sweep%operations = operations
+      sweep%depths = [400.0_wp]
+      sweep%frictions = given(frictions)
+      if (present(cased)) sweep%frictions_cased = cased
+      allocate (sweep%measured(0))
+      allocate (points(point_count(sweep)))
+      points%status = result_converged
+      points%hookload = [(1.0e5_wp*i, i=1, size(points))]      ! unlike: a column for each friction factor
+      allocate (lines, source=sweep_table(si_units(), sweep, points))
+      names = 'Bit depth'
+      factors = 'm'
+      do o = 1, size(operations)
+         label = trim(operation_label(operations(o)))
+         if (size(frictions) == 1) label = label(:index(label//' ', ' ') - 1)
+         names = names//' '//label
+         do i = 1, size(frictions)
+            factors = factors//' '//factor_text(sweep, i)
+         end do
+      end do
+      call assertEqual(names, single_spaced(lines(4)%text))
+      call assertEqual(factors, single_spaced(lines(5)%text))
+      do i = 1, size(lines)
+         if (index(lines(i)%text, 'Cannot be done') == 0) call assertTrue(len(lines(i)%text) <= page_width, message=lines(i)%text)
+      end do
+   end subroutine judge_heads
+
+   !> Words of a text with one blank between.
+   pure function single_spaced(text) result(words)
+      character(*), intent(in) :: text
+      character(:), allocatable :: words
+      integer :: i
+      words = ''
+      do i = 1, len(text)
+         if (text(i:i) == ' ') cycle
+         if (i > 1) then
+            if (text(i - 1:i - 1) == ' ' .and. words /= '') words = words//' '
+         end if
+         words = words//text(i:i)
+      end do
+   end function single_spaced
 end module dg_test_sweep

@@ -7,7 +7,7 @@ module dg_measured_table
    use dg_load_case, only: operation_label
    use dg_merge_sort, only: sorted_places
    use dg_missing, only: given, optional_real
-   use dg_number_text, only: fixed_cell
+   use dg_number_text, only: fixed_cell, page_width
    use dg_sweep, only: point_number, point_type, sweep_type
    use dg_sweep_result, only: sweep_result_type
    use dg_text, only: append_text, text_type, to_text
@@ -15,12 +15,13 @@ module dg_measured_table
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: append_measured, factor_text, fitting_friction, quantity_hookload, quantity_torque
+   public :: append_measured, cell_width, factor_text, factor_width, fitting_friction, quantity_hookload, quantity_torque
 
    !> Quantity of a table or a row; also its number of digits behind the point.
    integer, parameter :: quantity_hookload = 1, quantity_torque = 2
    integer, parameter :: depth_width = 10
-   integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
+   !> Least width of a column. The last place holds the mark of a point without solution.
+   integer, parameter :: cell_width = 9
    integer, parameter :: name_width = 24
    integer, parameter :: label_width = 18
 
@@ -33,11 +34,12 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: model
-      integer, parameter :: most_factors = 5
+      integer, parameter :: most_factors = 5, gap = 2      ! blanks behind a number that words follow
       type(text_table_type) :: table
-      integer :: i, shown
-      shown = min(size(sweep%frictions), most_factors)
+      integer :: i, shown, room
       if (size(sweep%measured) == 0) return
+      room = page_width - name_width - depth_width - gap - label_width - (cell_width + 1) - cell_width
+      shown = min(size(sweep%frictions), most_factors, room/factor_width(sweep))
       call append_text(lines, '')
       call append_text(lines, 'Measured, and calculated by '//trim(model_name(sweep%models(model)))//' at friction factors')
       do i = 1, size(sweep%measured)
@@ -86,7 +88,8 @@ contains
             if (quantity == quantity_torque) values(f) = found%torque
             solved(f) = found%status == result_converged
             cell = fixed_cell(optional_real(has_numbers(found%status), values(f)), unit, len(cell), quantity)
-            if (f <= shown) call add_right(table, factor_text(sweep, f)//' ', cell_width, cell//merge(' ', '!', solved(f)))
+            if (f <= shown) call add_right(table, factor_text(sweep, f)//' ', factor_width(sweep), &
+                                           cell//merge(' ', '!', solved(f)))
          end associate
       end do
       if (can_fit(sweep)) call add_cell(table, 'Fits', cell_width, &
@@ -122,6 +125,17 @@ contains
          end associate
       end do
    end function fitting_friction
+
+   !> Width of a column below a friction factor, which has a blank before it and one behind it.
+   pure function factor_width(sweep) result(width)
+      type(sweep_type), intent(in) :: sweep
+      integer :: width
+      integer :: f
+      width = cell_width
+      do f = 1, size(sweep%frictions)
+         width = max(width, len(factor_text(sweep, f)) + 2)
+      end do
+   end function factor_width
 
    !> A friction factor; of cased and open hole in a form that fits, as .2/.35.
    pure function factor_text(sweep, number) result(text)

@@ -6,9 +6,9 @@ module dg_sweep_table
    use dg_case_result, only: has_numbers, result_converged, result_not_converged
    use dg_job, only: model_name
    use dg_load_case, only: moves_axially, operation_label, rotates
-   use dg_measured_table, only: append_measured, factor_text, quantity_hookload, quantity_torque
+   use dg_measured_table, only: append_measured, cell_width, factor_text, factor_width, quantity_hookload, quantity_torque
    use dg_missing, only: is_missing, optional_real
-   use dg_number_text, only: fixed_cell, left_aligned, right_aligned
+   use dg_number_text, only: fixed_cell, left_aligned, page_width, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, either, text_type, to_text
@@ -22,8 +22,6 @@ module dg_sweep_table
    public :: sweep_table, sweep_sentences
 
    integer, parameter :: depth_width = 10
-   integer, parameter :: cell_width = 9       ! the last place holds the mark of a point without solution
-   integer, parameter :: most_columns = 12
    integer, parameter :: label_width = 18
    !> Points without solution that are listed.
    integer, parameter :: most_lost = 10
@@ -48,13 +46,16 @@ contains
       type(sweep_result_type), intent(in) :: points(:)   !< in the order of their numbers
       type(text_type), allocatable :: lines(:)
       type(curve_type), allocatable :: curves(:)
-      integer :: m, quantity, first
+      integer :: m, quantity, first, width, most
       allocate (lines(0))
+      width = column_width(sweep)
+      most = (page_width - depth_width)/width
       do m = 1, size(sweep%models)
          do quantity = quantity_hookload, quantity_torque
             curves = curves_of(units, sweep, points, m, quantity)
-            do first = 1, size(curves), most_columns
-               call append_curves(lines, units, sweep, points, quantity, curves(first:min(first + most_columns - 1, size(curves))))
+            do first = 1, size(curves), most
+               call append_curves(lines, units, sweep, points, quantity, width, &
+                                  curves(first:min(first + most - 1, size(curves))))
             end do
          end do
          call append_passed(lines, units, sweep, points, m)
@@ -141,12 +142,13 @@ contains
    end function all_alike
 
    !> One table: a row a depth, a column a curve.
-   pure subroutine append_curves(lines, units, sweep, points, quantity, curves)
+   pure subroutine append_curves(lines, units, sweep, points, quantity, width, curves)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
       type(sweep_result_type), intent(in) :: points(:)
       integer, intent(in) :: quantity
+      integer, intent(in) :: width             !< of a column
       type(curve_type), intent(in) :: curves(:)
       type(text_table_type) :: table
       type(text_type) :: heads(size(curves))
@@ -158,7 +160,7 @@ contains
       call append_text(lines, 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(curves(1)%point%model)))//': '// &
                        quantity_text(units, quantity, any(.not. is_missing(points%weight_indicator)))//' at friction factors'// &
                        either(' cased/open', '', index(factor_text(sweep, 1), '/') > 0))
-      heads = curve_heads(sweep, curves)
+      heads = curve_heads(sweep, curves, width)
       allocate (depths, source=shown_depths(sweep))
       do i = 1, size(depths)
          call add_cell(table, 'Bit depth|'//trim(units%length_label), depth_width, sweep%depths(depths(i)), units%length, 1)
@@ -173,7 +175,7 @@ contains
                                                   as_measured(found%hookload, found%weight_indicator)), &
                                     units%force, len(cell), hookload_digits)
                end if
-               call add_right(table, heads(k)%text, cell_width, cell//merge(' ', row_mark, answer_of(found) == answer_yes))
+               call add_right(table, heads(k)%text, width, cell//merge(' ', row_mark, answer_of(found) == answer_yes))
             end associate
          end do
          call end_row(table, '')
@@ -183,36 +185,55 @@ contains
                                                               ' depths; the CSV file has all')
    end subroutine append_curves
 
+   !> Width of a column: friction factor and first word of an operation have a blank before them.
+   pure function column_width(sweep) result(width)
+      type(sweep_type), intent(in) :: sweep
+      integer :: width
+      integer :: o
+      width = factor_width(sweep)
+      do o = 1, size(sweep%operations)
+         width = max(width, len(first_word(operation_label(sweep%operations(o)))) + 1)
+      end do
+   end function column_width
+
    !> Heads of curves: a part of the name of the operation, which stands over all its curves, above the friction factor.
-   pure function curve_heads(sweep, curves) result(heads)
+   pure function curve_heads(sweep, curves, width) result(heads)
       type(sweep_type), intent(in) :: sweep
       type(curve_type), intent(in) :: curves(:)
+      integer, intent(in) :: width             !< of a column
       type(text_type) :: heads(size(curves))
       character(:), allocatable :: names, factor
       integer :: k
       names = ''
       do k = 1, size(curves)
-         if (len(names) < k*cell_width) names = names// &
+         if (len(names) < k*width) names = names// &
             operation_head(trim(operation_label(sweep%operations(curves(k)%point%operation))), &
-                           count(curves%point%operation == curves(k)%point%operation))
+                           count(curves%point%operation == curves(k)%point%operation), width)
          factor = 'all'
          if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
-         heads(k)%text = names((k - 1)*cell_width + 1:k*cell_width)//'|'//factor//' '
+         heads(k)%text = names((k - 1)*width + 1:k*width)//'|'//factor//' '
       end do
    end function curve_heads
 
-   !> Name of an operation above its `n` columns: its first word where there is one column.
-   pure function operation_head(label, n) result(head)
+   !> Name of an operation above its `n` columns: its first word where there is one column. A blank stands before it.
+   pure function operation_head(label, n, width) result(head)
       character(*), intent(in) :: label
       integer, intent(in) :: n
-      character(n*cell_width) :: head
+      integer, intent(in) :: width             !< of a column
+      character(n*width) :: head
       if (n > 1) then
          ! one behind it is left free
-         head = left_aligned(repeat(' ', min(2, max(0, len(head) - 1 - len(label))))//label, len(head))
+         head = left_aligned(repeat(' ', max(1, min(2, len(head) - 1 - len(label))))//label, len(head))
       else
-         head = right_aligned(label(:index(label//' ', ' ') - 1), cell_width - 1)
+         head = right_aligned(first_word(label), max(width - 1, len(first_word(label)) + 1))
       end if
    end function operation_head
+
+   pure function first_word(label) result(word)
+      character(*), intent(in) :: label
+      character(:), allocatable :: word
+      word = label(:index(label//' ', ' ') - 1)
+   end function first_word
 
    !> Sentences on a sweep for the top of a page, one a model: which limits it passes, and where first.
    pure function sweep_sentences(units, sweep, points) result(lines)
