@@ -24,7 +24,7 @@ module dg_calibrate_keys
          meaning='one factor for all (none), or one for each of these; default holes'), &
       key_rule_type('calibrate', 'offset', kind_text, default='none', choices='none one depths', &
          meaning='also find the error of block_weight: one for all, or one per bit depth; '// &
-         'sheaves act on it as on the block'), &
+         'added to it before sheave friction acts'), &
       key_rule_type('calibrate', 'model', kind_text, array=.true., choices='mcge soft rigid mixed', &
          meaning='one or several models; default soft'), &
       key_rule_type('calibrate', 'hookload_deviation', unit=unit_force, low=0.0_wp, open=.true., high=strongest, &
