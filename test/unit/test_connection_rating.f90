@@ -22,11 +22,12 @@ module dg_test_connection_rating
    use dg_pipe_strength, only: burst_strength, collapse_strength, tensile_strength
    use dg_profile, only: new_profile, side_none
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_unchecked_text, only: unchecked_codes
    use dg_units, only: si_units
    use dg_utilisation, only: find_utilisation, joint_ratings, limit_joint_burst, limit_joint_collapse, limit_joint_compression, &
                              limit_joint_dogleg, limit_joint_tension, limit_tension, utilisation_type
    use dg_verdict, only: answer_no, verdict_type
-   use dg_verdict_text, only: unchecked_codes, verdict_reason
+   use dg_verdict_text, only: verdict_reason
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private

@@ -20,12 +20,13 @@ module dg_test_verdict
    use dg_soft_string, only: solve_soft_string
    use dg_text, only: to_text
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_unchecked_text, only: unchecked_codes, unchecked_text
    use dg_units, only: si_units
    use dg_utilisation, only: find_utilisation, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, &
                              limit_top_drive
    use dg_verdict, only: answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, limit_code, limit_fatigue, &
                          limit_lock_up, limit_string_weight, note_uncertain, verdict_type
-   use dg_verdict_text, only: task_text, unchecked_codes, unchecked_text, verdict_reason, verdict_sentences
+   use dg_verdict_text, only: task_text, verdict_reason, verdict_sentences
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -489,6 +490,38 @@ contains
       text = verdict_sentences(si_units(), model%cases(1), verdict)
       call assertEqual('Nearest limit: lock-up, WOB 170 of 558 kN by the soft string, 30.5 % used. The answer becomes NO '// &
                        'already at about 1.004 times the friction given', text)
+      call judge_reserve(1.04_wp, 'already at about 1.04 times the friction given')
+      call judge_reserve(1.00142_wp, 'already at about 1.001 times the friction given')
+      call judge_reserve(1.00042_wp, 'already with 0.2 % more friction')
+      call judge_reserve(1.0_wp, 'already with 0.2 % more friction')
+      call judge_used(0.9994_wp, '99.9')
+      call judge_used(0.9996_wp, '99.96')
+      call judge_used(0.9999996_wp, '99.99996')
+      call judge_used(1.0_wp, '100')
+      verdict = verdict_type()
+      verdict%answer = answer_no
+      verdict%limit = limit_top_drive
+      verdict%load = given(35.01e3_wp)
+      verdict%allowed = given(35.0e3_wp)
+      verdict%possible_friction = given(0.9999996_wp)
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, 'becomes yes at about 0.9999 times') > 0, message=text)
+   contains
+      subroutine judge_reserve(factor, words)
+         real(wp), intent(in) :: factor
+         character(*), intent(in) :: words
+         verdict%friction_reserve = given(factor)
+         text = verdict_sentences(si_units(), model%cases(1), verdict)
+         call assertTrue(index(text//'.', 'The answer becomes NO '//words//'.') > 0, message=text)
+      end subroutine judge_reserve
+
+      subroutine judge_used(share, words)
+         real(wp), intent(in) :: share
+         character(*), intent(in) :: words
+         verdict%used = given(share)
+         text = verdict_sentences(si_units(), model%cases(1), verdict)
+         call assertTrue(index(text, ', '//words//' % used.') > 0, message=text)
+      end subroutine judge_used
    end subroutine test_locked_up
 
    !> A case that has not converged has no answer.

@@ -24,7 +24,7 @@ module dg_test_fatigue
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_verdict, only: answer_no, answer_yes, limit_fatigue, limit_joint_fatigue, verdict_type
-   use dg_verdict_text, only: unchecked_text
+   use dg_unchecked_text, only: unchecked_text
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private

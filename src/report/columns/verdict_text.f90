@@ -1,9 +1,7 @@
 !> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
 module dg_verdict_text
    use dg_kinds, only: wp
-   use dg_component, only: component_type
    use dg_fatigue, only: hour
-   use dg_fatigue_curve, only: fatigue_none
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down, rounded_up
@@ -11,30 +9,30 @@ module dg_verdict_text
    use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
                            unit_pressure, unit_stress
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
+   use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
-   use dg_verdict, only: answer_no, answer_yes, every_limit_count, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, limit_code, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
+   use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
+                         friction_upper_end_alone, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
                          limit_string_weight, limit_title, limit_wob_yield, verdict_type
    implicit none
    private
-   public :: task_text, verdict_reason, verdict_sentences, unchecked_text, unchecked_codes, row_mark, mark_meaning
+   public :: task_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
 
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
 
    !> Digits of loads, depths and factors.
    integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3, shown_error = 2
-   !> Digits of a factor next to 1.
-   integer, parameter :: close_factor = 4
+   !> Digits of a factor next to 1, and the most of a share below 1.
+   integer, parameter :: close_factor = 4, most_digits = 7
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
    !> Friction reserve below which the text says 'only' [-].
    real(wp), parameter :: little_reserve = 1.1_wp
-   !> Limits that all need one thing, the yield strength.
-   integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
+   !> Friction reserve below which the text has percent in place of a factor [-]. Reserves are found to 0.001, rounded down.
+   real(wp), parameter :: no_reserve = 1.001_wp
 
 contains
 
@@ -121,8 +119,13 @@ contains
       if (verdict%reserve_unknown) text = text//'. How much more friction is possible is not known, as the string turns in '// &
          'helical buckling: run it with more friction'
       if (verdict%friction_reserve%present) then
-         text = text//'. The answer becomes NO '//either('already', '', verdict%friction_reserve%value < little_reserve)
-         text = trim(text)//' at about '//times_text(verdict, verdict%friction_reserve%value)
+         text = text//'. The answer becomes NO '
+         if (verdict%friction_reserve%value < no_reserve) then
+            text = text//'already with 0.2 % more friction'
+         else
+            text = text//either('already ', '', verdict%friction_reserve%value < little_reserve)//'at about '// &
+                   times_text(verdict, verdict%friction_reserve%value)
+         end if
          if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
       end if
    end function reserve_text
@@ -238,11 +241,24 @@ contains
       if (by_wob) text = text//'WOB '
       if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
          load_text(units, verdict%limit, verdict%allowed%value)//either(' by the soft string, ', ', ', by_wob)
-      text = text//to_text(verdict%used%value/percent, shown_factor)//' % used'
+      text = text//used_text(verdict%used%value)//' % used'
       if (verdict%allowed%present .and. .not. by_wob) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
       if (verdict%limit == limit_string_weight) text = text//' on the hook'
    end function nearest_text
+
+   !> Used part of a limit in percent; 100 only where all of it is used.
+   pure function used_text(used) result(text)
+      real(wp), intent(in) :: used       !< [-]
+      character(:), allocatable :: text
+      integer :: digits
+      digits = shown_factor
+      text = to_text(used/percent, digits)
+      do while (text == '100' .and. used < 1.0_wp .and. digits < most_digits)
+         digits = digits + 1
+         text = to_text(used/percent, digits)
+      end do
+   end function used_text
 
    !> Names of what takes string weight, and the verb.
    pure function takers_text(load_case, verdict) result(text)
@@ -345,56 +361,4 @@ contains
       if (verdict%md%present .and. all(verdict%limit /= [limit_rig, limit_slips, limit_top_drive])) &
          text = ' at '//depth_text(units, verdict%md%value)
    end function place_text
-
-   !> Names of limits that were not checked, one name for all that need a yield strength. Components that lack the rating are
-   !> named if others have it.
-   pure function unchecked_text(not_checked, components) result(text)
-      logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
-      type(component_type), intent(in) :: components(:)
-      character(:), allocatable :: text
-      integer :: i
-      text = ''
-      if (not_checked(limit_tension)) text = 'pipe strength'//unrated_names(components, limit_tension)//' (no yield)'
-      do i = 1, every_limit_count
-         if (.not. not_checked(i) .or. any(by_yield == i)) cycle
-         if (text /= '') text = text//', '
-         text = text//trim(limit_title(i))//unrated_names(components, i)
-         if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &
-            text = text//' (its limit is passed, no '//trim(merge('hours or rpm    ', 'fatigue_exponent', &
-                   all(components%fatigue%exponent > 0.0_wp .or. components%fatigue%curve == fatigue_none)))//')'
-      end do
-   end function unchecked_text
-
-   !> ' of NAME and NAME' of the components that lack a rating; '' where all that need one lack it.
-   pure function unrated_names(components, limit) result(text)
-      type(component_type), intent(in) :: components(:)
-      integer, intent(in) :: limit
-      character(:), allocatable :: text
-      integer, parameter :: most_names = 3
-      integer :: i, names
-      text = ''
-      if (.not. any(has_rating(components, limit))) return
-      names = 0
-      do i = 1, size(components)
-         if (.not. lacks_rating(components(i), limit)) cycle
-         if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
-         names = names + 1
-         if (names > most_names) cycle
-         text = text//either(' of', ',', names == 1)//' '//components(i)%name
-      end do
-      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
-   end function unrated_names
-
-   !> Names of the limits that were not checked as files have them, blanks between them.
-   pure function unchecked_codes(verdict) result(text)
-      type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text
-      integer :: i
-      text = ''
-      do i = 1, every_limit_count
-         if (.not. verdict%not_checked(i)) cycle
-         if (text /= '') text = text//' '
-         text = text//trim(limit_code(i))
-      end do
-   end function unchecked_codes
 end module dg_verdict_text

@@ -13,9 +13,10 @@ module dg_summary_file
    use dg_model, only: model_type
    use dg_named_states, only: state_elastic, state_free, state_rigid
    use dg_text, only: text_or_nothing
+   use dg_unchecked_text, only: unchecked_codes
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_name, limit_code, verdict_type
-   use dg_verdict_text, only: unchecked_codes, verdict_reason
+   use dg_verdict_text, only: verdict_reason
    use dg_whole_string, only: whole_string_type
    implicit none
    private

@@ -16,14 +16,13 @@ module dg_html_verdict
    use dg_verdict, only: answer_no, answer_unknown, answer_yes, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
                          limit_wob_yield, verdict_type
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
-   use dg_verdict_text, only: task_text, verdict_sentences
+   use dg_verdict_text, only: task_text, used_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: append_verdicts
 
-   integer, parameter :: link_digits = 7, used_digits = 3     !< of depths, of a share in per cent
-   real(wp), parameter :: percent = 0.01_wp
+   integer, parameter :: link_digits = 7     !< of depths
    !> Answers on the first printed page beside a string of `few_components`; each two further components take the room of one.
    integer, parameter :: most_answers = 5, few_components = 9
    !> Order on paper of rows behind the notes, less their rank (page.css).
@@ -137,7 +136,7 @@ contains
       end do
       text = to_text(size(verdicts))//' more below'//text
       if (verdicts(1)%answer == answer_yes .and. verdicts(1)%used%present) text = text//', at most '// &
-         to_text(verdicts(1)%used%value/percent, used_digits)//' % of a limit used'
+         used_text(verdicts(1)%used%value)//' % of a limit used'
       text = text//'.'
    end function others_text
 

@@ -1,15 +1,15 @@
 !> The block 'Can it be done?' on standard output: one entry a load case, before all tables.
 module dg_verdict_table
-   use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped, page_width
    use dg_text, only: append_text, either, text_type, to_text
+   use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          limit_title
-   use dg_verdict_text, only: task_text, unchecked_text, verdict_sentences
+   use dg_verdict_text, only: task_text, used_text, verdict_sentences
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -20,9 +20,6 @@ module dg_verdict_table
    integer, parameter :: most_name = 26, answer_width = 9
    !> Names of cases in one line.
    integer, parameter :: most_names = 6
-   !> Digits of a share in per cent.
-   integer, parameter :: digits = 3
-   real(wp), parameter :: percent = 0.01_wp
 
 contains
 
@@ -90,7 +87,7 @@ contains
       k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
       lead = ' Nearest to a limit: '
       if (any(shown .and. wholes%verdict%answer /= answer_yes)) lead = ' Of the others nearest to a limit: '
-      text = text//lead//model%cases(results(k)%case_index)%name//', '//to_text(wholes(k)%verdict%used%value/percent, digits)// &
+      text = text//lead//model%cases(results(k)%case_index)%name//', '//used_text(wholes(k)%verdict%used%value)// &
              ' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
    contains
       !> Names of the cases with an answer; '' where there are none.

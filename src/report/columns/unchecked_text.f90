@@ -1,0 +1,69 @@
+!> Names of the limits that a verdict leaves open, as the deck gives no rating.
+module dg_unchecked_text
+   use dg_kinds, only: wp
+   use dg_component, only: component_type
+   use dg_fatigue_curve, only: fatigue_none
+   use dg_text, only: either, to_text
+   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_tension, limit_torsion, limit_von_mises
+   use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
+   implicit none
+   private
+   public :: unchecked_text, unchecked_codes
+
+   !> Limits that all need one thing, the yield strength.
+   integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
+
+contains
+
+   !> Names of limits that were not checked, one name for all that need a yield strength, with the components that lack the rating
+   !> where others have it.
+   pure function unchecked_text(not_checked, components) result(text)
+      logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
+      type(component_type), intent(in) :: components(:)
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (not_checked(limit_tension)) text = 'pipe strength'//unrated_names(components, limit_tension)//' (no yield)'
+      do i = 1, every_limit_count
+         if (.not. not_checked(i) .or. any(by_yield == i)) cycle
+         if (text /= '') text = text//', '
+         text = text//trim(limit_title(i))//unrated_names(components, i)
+         if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &
+            text = text//' (its limit is passed, no '//trim(merge('hours or rpm    ', 'fatigue_exponent', &
+                   all(components%fatigue%exponent > 0.0_wp .or. components%fatigue%curve == fatigue_none)))//')'
+      end do
+   end function unchecked_text
+
+   !> ' of NAME and NAME' of the components that lack a rating; '' where all that need one lack it.
+   pure function unrated_names(components, limit) result(text)
+      type(component_type), intent(in) :: components(:)
+      integer, intent(in) :: limit
+      character(:), allocatable :: text
+      integer, parameter :: most_names = 3
+      integer :: i, names
+      text = ''
+      if (.not. any(has_rating(components, limit))) return
+      names = 0
+      do i = 1, size(components)
+         if (.not. lacks_rating(components(i), limit)) cycle
+         if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
+         names = names + 1
+         if (names > most_names) cycle
+         text = text//either(' of', ',', names == 1)//' '//components(i)%name
+      end do
+      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
+   end function unrated_names
+
+   !> Names of the limits that were not checked as files have them, blanks between them.
+   pure function unchecked_codes(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, every_limit_count
+         if (.not. verdict%not_checked(i)) cycle
+         if (text /= '') text = text//' '
+         text = text//trim(limit_code(i))
+      end do
+   end function unchecked_codes
+end module dg_unchecked_text
