@@ -25,6 +25,9 @@ module dg_test_fatigue
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_verdict, only: answer_no, answer_yes, limit_fatigue, limit_joint_fatigue, verdict_type
    use dg_unchecked_text, only: unchecked_text
+   use dg_units, only: si_units
+   use dg_utilisation, only: find_utilisation
+   use dg_verdict_text, only: verdict_reason
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
    private
@@ -47,6 +50,7 @@ contains
       call suite%addTest(TestMethod('hours', test_hours))
       call suite%addTest(TestMethod('narrow_joints', test_narrow_joints))
       call suite%addTest(TestMethod('joints_decide', test_verdict))
+      call suite%addTest(TestMethod('weak_part', test_weak_part))
    end function fatigue_suite
 
    function pipe() result(part)
@@ -254,6 +258,7 @@ contains
       type(along_string_type) :: along
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
+      character(:), allocatable :: text
       call solve(operation_rotate_off_bottom, fatigue_curve_type(fatigue_own, limit=40.0e6_wp, exponent=5.0_wp), 1000.0_wp, &
                  model, result, parts, fatigue_curve_type(fatigue_own, limit=5.0e6_wp, exponent=5.0_wp))
       call find_along_string(model, result, along)
@@ -264,9 +269,47 @@ contains
       call assertEqual(limit_joint_fatigue, verdict%limit)
       call assertRelativelyEqual(whole%joint_fatigue%damage, verdict%used%value, 1.0e-12_wp)
       whole%joint_fatigue%damage = 0.5_wp*whole%fatigue%damage
+      model%strings(1)%components(1)%name = 'lower pipe'
+      model%strings(1)%components(2)%name = 'upper pipe'
       call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
       call assertEqual(limit_fatigue, verdict%limit)
+      text = verdict_reason(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, "Fatigue by hours of rotation at ") == 1 .and. index(text, " m in 'upper pipe': 1000 h, ") > 0, &
+                      message=text)
    end subroutine test_verdict
+
+   !> The component at the depth of a limit of strength is named: lower or upper pipe, one of them of soft steel.
+   subroutine test_weak_part()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(fatigue_type), allocatable :: parts(:)
+      character(*), parameter :: names(2) = ['lower pipe', 'upper pipe']
+      integer :: i
+      call solve(operation_rotate_off_bottom, fatigue_curve_type(), 1000.0_wp, model, result, parts)
+      do i = 1, 2
+         model%strings(1)%components(i)%name = names(i)
+      end do
+      do i = 1, 2
+         model%strings(1)%components%yield = 900.0e6_wp
+         model%strings(1)%components(i)%yield = 50.0e6_wp
+         call judge_part(" m in '"//names(i)//"': ")
+      end do
+   contains
+      subroutine judge_part(words)
+         character(*), intent(in) :: words
+         type(along_string_type) :: along
+         type(whole_string_type) :: whole
+         type(verdict_type) :: verdict
+         character(:), allocatable :: text
+         call find_along_string(model, result, along)
+         call find_whole_string(model, result, along, optional_real(), whole)
+         call find_utilisation(model, result, along, design_factors_type(), optional_real(), whole%utilisation)
+         call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+         call assertEqual(answer_no, verdict%answer)
+         text = verdict_reason(si_units(), model%cases(1), verdict)
+         call assertTrue(index(text, words) > 0, message=text)
+      end subroutine judge_part
+   end subroutine test_weak_part
 
    !> A little less than the hours that pipe bears is a yes near its limit, a little more a NO; both tell the hours. Without hours,
    !> and then without an exponent, fatigue is not checked, and the text says what is missing.

@@ -15,7 +15,7 @@ module dg_find_verdict
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
-   use dg_model, only: model_type
+   use dg_model, only: model_type, string_index
    use dg_packer, only: packer_push
    use dg_passed_pressure, only: find_passed_pressure
    use dg_trajectory, only: top_md
@@ -25,7 +25,7 @@ module dg_find_verdict
    use dg_utilisation, only: as_much, find_utilisation, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_uncertain, &
-                         verdict_type
+                         take_name, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -85,6 +85,8 @@ contains
             if (verdict%friction /= friction_upper_end_alone .and. block_way(load_case%operation) <= 0) &
                call find_ways_down(model, result, verdict)
          end if
+         if (verdict%part > 0) &
+            call take_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate
    end subroutine find_verdict
 
@@ -226,6 +228,7 @@ contains
       verdict%limit = utilisation%governing
       verdict%used = utilisation%used(verdict%limit)
       verdict%md = utilisation%md(verdict%limit)
+      verdict%part = utilisation%part(verdict%limit)
       if (verdict%used%value > 1.0_wp + as_much) verdict%answer = answer_no
       verdict%load = given(utilisation%load(verdict%limit))
       if (verdict%used%value > 0.0_wp) verdict%allowed = given(verdict%load%value/verdict%used%value)
@@ -376,6 +379,7 @@ contains
       verdict%limit = limit
       verdict%used = given(fatigue%damage)
       verdict%md = given(fatigue%md)
+      verdict%part = fatigue%part
       verdict%load = given(hours*hour)
       verdict%allowed = given(hours*hour/fatigue%damage)
    end subroutine judge_fatigue

@@ -53,6 +53,7 @@ module dg_utilisation
    type :: utilisation_type
       type(optional_real) :: used(limit_count)   !< largest along the string [-]; absent without a known strength
       type(optional_real) :: md(limit_count)     !< its depth [m]
+      integer :: part(limit_count) = 0           !< number of the component there; 0: a limit at surface, or not used at all
       real(wp) :: load(limit_count) = 0.0_wp     !< load that is compared with the strength there [N, N.m, Pa or 1/m]
       integer :: governing = 0                   !< the limit that is used most; 0: none known
    end type utilisation_type
@@ -73,15 +74,17 @@ contains
       type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, with its block [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
-      real(wp) :: bit, depths(size(result%profile%md))
-      integer :: i, limit
+      real(wp) :: bit, depths(size(result%profile%md)), before(limit_count)
+      integer :: i, limit, number
       bit = model%cases(result%case_index)%bit_depth
       associate (string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
                  profile => result%profile)
          allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
          depths = piece_depths(profile)
          do i = 1, size(profile%md)
-            associate (part => string%components(component_at(tops, bit - depths(i))))
+            before = utilisation%used%value
+            number = component_at(tops, bit - depths(i))
+            associate (part => string%components(number))
                if (along%yield_left(i) < 1.0_wp) then
                   call use_row(warmed(part, along%yield_left(i)), factors, profile, along, i, utilisation)
                else
@@ -91,6 +94,7 @@ contains
                   factors%von_mises*along%jointed_von_mises(i)/(along%yield_left(i)*part%yield), along%jointed_von_mises(i), &
                   profile%md(i))
             end associate
+            where (utilisation%used%value > before) utilisation%part = number
          end do
          associate (uppermost => string%components(topmost(tops)))
             if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &

@@ -1,12 +1,13 @@
 !> The answer to 'can it be done?' for one load case, with the limit that decides.
 module dg_verdict
    use dg_kinds, only: wp
+   use dg_component, only: component_type
    use dg_missing, only: optional_real
    use dg_text, only: lower_case
    use dg_utilisation, only: limit_count, limit_name
    implicit none
    private
-   public :: verdict_type, note_uncertain, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
+   public :: verdict_type, note_uncertain, take_name, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
              limit_packer_force, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
@@ -38,6 +39,8 @@ module dg_verdict
       integer :: limit = 0                          !< limit that decides; for yes the one used most; 0: none known
       type(optional_real) :: used                   !< part of it that is used [-]
       type(optional_real) :: md                     !< depth [m]; absent for the whole string
+      integer :: part = 0                           !< number of the component there; 0: not known
+      character(:), allocatable :: component        !< its name; not allocated: not known
       type(optional_real) :: load, allowed          !< load there and allowed load [N, N.m, Pa or s]
       logical :: not_checked(every_limit_count) = .false.   !< limits that apply here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
@@ -81,6 +84,13 @@ contains
       if (.not. coiled .and. verdict%friction_reserve%present .and. verdict%friction_reserve%value < 1.0_wp + error) &
          verdict%uncertain = error
    end subroutine note_uncertain
+
+   !> Take the name of the component where the limit is used most.
+   pure subroutine take_name(part, verdict)
+      type(component_type), intent(in) :: part
+      type(verdict_type), intent(inout) :: verdict
+      if (allocated(part%name)) verdict%component = part%name
+   end subroutine take_name
 
    !> Name of a limit in texts, with trailing blanks; blank for 0.
    pure function limit_title(limit) result(name)

@@ -15,8 +15,8 @@ module dg_unchecked_text
 
 contains
 
-   !> Names of limits that were not checked, one name for all that need a yield strength, with the components that lack the rating
-   !> where others have it.
+   !> Names of limits that were not checked, one name for all that need a yield strength. Components that lack the rating are
+   !> named if others have it.
    pure function unchecked_text(not_checked, components) result(text)
       logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
       type(component_type), intent(in) :: components(:)

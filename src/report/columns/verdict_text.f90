@@ -352,13 +352,14 @@ contains
       text = in_units(units, unit_length, md, shown_depth)
    end function depth_text
 
-   !> Where a limit is used most: ' at 2300 ft'; '' for the whole string, and for what is measured at surface alone.
+   !> Where a limit is used most: ' at 2300 ft in 'HWDP''; '' for the whole string, and for what is measured at surface alone.
    pure function place_text(units, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (verdict%md%present .and. all(verdict%limit /= [limit_rig, limit_slips, limit_top_drive])) &
-         text = ' at '//depth_text(units, verdict%md%value)
+      if (.not. verdict%md%present .or. any(verdict%limit == [limit_rig, limit_slips, limit_top_drive])) return
+      text = ' at '//depth_text(units, verdict%md%value)
+      if (allocated(verdict%component)) text = text//either('', " in '"//verdict%component//"'", verdict%component == '')
    end function place_text
 end module dg_verdict_text
