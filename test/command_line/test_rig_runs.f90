@@ -3,7 +3,7 @@
 module dg_test_rig_runs
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_program_run, only: deck_path, replaced, results_path, run_deck_text, run_type
+   use dg_program_run, only: content, deck_path, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of, number
    use dg_text, only: text_type, to_text
    implicit none
@@ -26,6 +26,7 @@ contains
       suite = TestSuite('rig_runs')
       call suite%addTest(TestMethod('what_is_shown', test_shown))
       call suite%addTest(TestMethod('block_from_measurements', test_block))
+      call suite%addTest(TestMethod('measured_without_block', test_without_block))
       call suite%addTest(TestMethod('held_string', test_held))
       call suite%addTest(TestMethod('sweep_of_pairs_and_limits', test_sweep))
       call suite%addTest(TestMethod('bad_groups', test_bad))
@@ -75,7 +76,8 @@ contains
       run = run_deck_text(deck(friction, rig_group(block)//"&sweep name = 'b', bit_depth_from = 500, bit_depth_step = 500 /"))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'indicator') > 0, message=run%output)
-      call assertTrue(index(run%output, 'Weight indicator against measurement: mean error 0.00 %') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Weight indicator, block included, against measurement: mean error 0.00 %') > 0, &
+                      message=run%output)
       call assertTrue(index(run%output, 'weight indicator, block and sheaves counted, kN at friction factors') > 0, &
                       message=run%output)
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
@@ -94,6 +96,34 @@ contains
       call assertEqual(0.5_wp*(along + friction*across), number(lines(2)%text, 5), at_rest)
       call assertEqual(0.0_wp, number(lines(3)%text, 10), at_rest)
    end subroutine test_shown
+
+   !> Hook loads measured without the block raise a question, which goes when the block weight is added as it says. With the block
+   !> they raise none, nor does friction that is wrong by half.
+   subroutine test_without_block()
+      character(*), parameter :: question = 'Were they measured without the block? Then add block_weight to measured_hookload'
+      character(:), allocatable :: page
+      type(run_type) :: run
+      run = run_deck_text(replaced(bare(0.0_wp), ', plots = .false.', ''))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(unwrapped(run%output), question) > 0, message=run%output)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, question) > 0, message='page')
+      run = run_deck_text(bare(block))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(unwrapped(run%output), question), message=run%output)
+      run = run_deck_text(deck(0.5_wp*friction, rig_group(block)))
+      call assertEqual(0, index(unwrapped(run%output), question), message='half the friction: '//run%output)
+   contains
+      !> A deck with what the string weighs, and `added` to it.
+      function bare(added) result(text)
+         real(wp), intent(in) :: added       !< [kN]
+         character(:), allocatable :: text
+         text = deck(friction, rig_group(block))
+         text = replaced(text, to_text(shown(block + along + friction*across, .true.)), to_text(along + friction*across + added))
+         text = replaced(text, to_text(shown(block + along - friction*across, .false.)), to_text(along - friction*across + added))
+         text = replaced(text, '= '//to_text(block + along), '= '//to_text(along + added))
+      end function bare
+   end subroutine test_without_block
 
    !> An offset is what the block weight of the deck lacks; applied, all that follows has it. Without a rig it is added to nothing.
    subroutine test_block()

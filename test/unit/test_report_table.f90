@@ -168,7 +168,7 @@ contains
       allocate (lines, source=table_of(sample_job(), model, results))
       call assertTrue(has(lines, 'Inclined       up                    0.0      733.4     880.0     0.39     -17.29'// &
                           '        -     883.4         -     -'), message='up')
-      call assertTrue(contains_text(lines, 'Weight indicator against measurement: mean error'))
+      call assertTrue(contains_text(lines, 'Weight indicator, block included, against measurement: mean error'))
       do i = 1, size(lines)
          call assertLessThanOrEqual(len(lines(i)%text), page_width, message=lines(i)%text)
       end do

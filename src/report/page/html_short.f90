@@ -2,17 +2,19 @@
 module dg_html_short
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
+   use dg_block_question, only: block_question
    use dg_comparison, only: as_measured, percent_error
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
    use dg_html_text, only: said_number
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
-   use dg_missing, only: optional_real
+   use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type
-   use dg_text, only: to_text
+   use dg_text, only: either, to_text
    use dg_unit_kind, only: unit_force
+   use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -45,7 +47,7 @@ contains
       if (size(rows) > 0) then
          call append_loads(lines, job, model, results(rows))
          call append_buckled(lines, model, results(rows), wholes(rows))
-         call append_errors(lines, model, results(rows))
+         call append_errors(lines, job%units, model, results(rows))
          call append_models(lines, job, model, results, rows)
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
          i = count([(has_message(results(rows(i))), i=1, size(rows))])
@@ -104,11 +106,13 @@ contains
    end subroutine append_buckled
 
    !> Hook loads against what was measured, and against another calculation.
-   subroutine append_errors(lines, model, results)
+   subroutine append_errors(lines, units, model, results)
       type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(optional_real) :: measured(size(results)), reference(size(results))
+      character(:), allocatable :: question
       integer :: i
       do i = 1, size(results)
          associate (load_case => model%cases(results(i)%case_index))
@@ -116,7 +120,10 @@ contains
             reference(i) = percent_error(results(i)%hookload, load_case%reference_hookload)
          end associate
       end do
-      call tell('Measured hook loads', measured)
+      call tell('Measured hook loads'//either('', ' (weight indicator, block included)', &
+                                              all(is_missing(results%weight_indicator))), measured)
+      question = block_question(units, model%cases(results%case_index), results)
+      if (question /= '') call add_line(lines, '<li>'//html_safe(question)//'.</li>')
       call tell('Reference hook loads', reference)
    contains
       subroutine tell(what, errors)

@@ -4,6 +4,7 @@ module dg_table_1
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
    use dg_column, only: field_real, fields_of, row_type
+   use dg_block_question, only: block_question
    use dg_comparison, only: as_measured, percent_error
    use dg_load_case, only: load_case_type, moves_axially, operation_label, rotates
    use dg_missing, only: is_missing, optional_real
@@ -96,8 +97,10 @@ contains
       load = as_measured(results%hookload, results%weight_indicator)
       other = cases%measured_hookload
       what = 'Hook load'
-      if (any(.not. is_missing(results%weight_indicator))) what = 'Weight indicator'
+      if (any(.not. is_missing(results%weight_indicator))) what = 'Weight indicator, block included,'
       call append_error(lines, what//' against measurement', cases, results, load, other)
+      what = block_question(units, cases, results)
+      if (what /= '') call append_wrapped(lines, '', what, page_width)
       load = results%hookload
       other = cases%reference_hookload
       call append_error(lines, 'Hook load against reference', cases, results, load, other)
