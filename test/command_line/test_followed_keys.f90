@@ -133,7 +133,10 @@ contains
       call follow("500.0, 900.0", "899.0, 900.0", "is a depth or an angle mistyped?", "899.0", "500.0")
       call follow("500.0, 900.0"//newline, "500.0, 20000.0"//newline, "deeper than any hole so far; mind the units", "20000.0", &
                   "900.0")
-      call follow("density = 1200.0", "density = 1.2", "is that of a gas or of foam; water has 1000", "= 1.2", "= 1200")
+      call follow("density = 1200.0", "density = 1.2", "is that of a gas or foam, water has 1000 kg/m3. Is it in sg? "// &
+                  "Then write 1200", "= 1.2", "= 1200")
+      call follow("density = 1200.0", "density = 10.02", "Is it in lbm/gal? Then write 1201", "= 10.02", "= 1201")
+      call follow("wob = 20.0", "wob = 20000.0", "Is it in N? Then write 20", "= 20000.0", "= 20")
       call follow("od = 127.0", "connection = 'NC50', od = 127.0", "needs a joint_id (with tool joints) or an id and a yield", &
                   "= 'NC50'", "= 'NC50', joint_id = 88.9, yield = 931")
       call follow("+", "&tortuosity kind = 'sine', amplitude = 1, period = 100, md_bottom = 150 /", "give a longer section", &

@@ -184,7 +184,9 @@ contains
       call mistake('&fluid', "&sweep operations = 'sliding', bit_depth_from = 15000, wob = 20000, tob = 5000 /"//newline// &
                    '&fluid', 'group &sweep: wob = 20000 klbf is unusual')
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
-      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual')
+      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.76 kft.lbf. Is it in ft.lbf? '// &
+                   'Then write 5')
+      call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157.4 klbf. Check the unit')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
 

@@ -25,7 +25,7 @@ module dg_catalogue
    !> it is the one within the program, under a name that no file of a user has.
    character(*), parameter :: catalogue_name = 'catalogue.csv'
    character(*), parameter :: catalogue_variable = 'DRILLGAP_CATALOGUE'
-   character(*), parameter :: catalogue_within = '(catalogue of the program)'
+   character(*), parameter :: catalogue_within = 'the catalogue of the program'
 
    !> Keys of &component that a catalogue may give.
    character(*), parameter :: numeric_keys(21) = [character(22) :: 'od', 'id', 'mass', 'density', 'youngs', 'poisson', 'joint_od', &

@@ -10,7 +10,7 @@ module dg_unusual_rig
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_lines
+   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_tob
    implicit none
    private
    public :: note_rig
@@ -142,7 +142,7 @@ contains
             if (case%operation /= operation_rotary_drilling .or. .not. case%wob > 0.0_wp) cycle
             diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
             usual = most_bit_friction*case%wob*diameter/3.0_wp
-            if (case%tob <= usual) cycle
+            if (case%tob <= usual .or. is_unusual(usual_tob, case%tob)) cycle      ! which has a note of its own
             in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
             if (in_tonnes < least_load .or. in_tonnes > most_load) cycle
             question = '. Check the unit'

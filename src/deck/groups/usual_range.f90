@@ -3,12 +3,12 @@ module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: heaviest_mud, in_units, unit_angle, unit_force, unit_gravity, unit_length, unit_moment, unit_none, &
-                           unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature
+   use dg_unit_kind, only: heaviest_mud, in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, unit_length, &
+                           unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: note_range, usual_yield, usual_wob, usual_tob, usual_density, usual_pump, usual_block, usual_top_drive, &
+   public :: is_unusual, note_range, usual_yield, usual_wob, usual_tob, usual_density, usual_pump, usual_block, usual_top_drive, &
              usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines
@@ -58,9 +58,19 @@ module dg_usual_range
       usual_type('joint_length', unit_length, 0.0_wp, 3.0_wp, 'heavy weight pipe 1.2 m; 17 in of drill pipe are 0.43 m'), &
       usual_type('bend', unit_angle, 0.1_wp*degree, 6.0_wp*degree, 'motors 0.25 to 4 deg; 1.5 deg are 0.026 in radians'), &
       usual_type('lines', unit_none, 4.0_wp, 16.0_wp, 'small workover rigs 4; largest rigs 14 to 16')]
-   integer, parameter :: digits = 4
+   integer, parameter :: digits = 4, longest_name = 20
+   !> Number over the largest that is usual from which on a smaller unit may be meant [-].
+   real(wp), parameter :: far_beyond = 5.0_wp
 
 contains
+
+   !> True for a value outside of its usual range.
+   elemental function is_unusual(number, value) result(is)
+      integer, intent(in) :: number       !< of the range
+      real(wp), intent(in) :: value       !< [SI]
+      logical :: is
+      is = value < usual(number)%low .or. value > usual(number)%high
+   end function is_unusual
 
    !> Adds a note on a value outside of its usual range.
    subroutine note_range(units, what, number, value, notes)
@@ -71,14 +81,28 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       character(:), allocatable :: range
       associate (low => usual(number)%low, high => usual(number)%high)
-         if (value >= low .and. value <= high) return
+         if (.not. is_unusual(number, value)) return
          range = 'at least '//value_text(low)
          if (value > high) range = 'at most '//value_text(high)
       end associate
       call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value)//' is unusual. Usual is '//range// &
-                       either('. Check the unit', '', all(number /= [usual_friction, usual_running_in, usual_lines])))
+                       either(unit_question(), '', all(number /= [usual_friction, usual_running_in, usual_lines])))
 
    contains
+
+      !> Question for the unit, with the number that is right for a smaller one where it would be usual.
+      function unit_question() result(text)
+         character(:), allocatable :: text
+         character(longest_name) :: smaller
+         real(wp) :: of_them, meant
+         text = '. Check the unit'
+         if (usual(number)%unit == unit_none .or. value < far_beyond*usual(number)%high) return
+         call smaller_unit(units, usual(number)%unit, value/unit_factor(units, usual(number)%unit), smaller, of_them)
+         meant = value/of_them
+         if (smaller == '' .or. is_unusual(number, meant)) return
+         text = '. Is it in '//trim(smaller)//'? Then write '// &
+                to_text(meant/unit_factor(units, usual(number)%unit), digits)
+      end function unit_question
 
       !> A value in the units of the deck, with its unit where the range has one.
       function value_text(number_in_si) result(text)

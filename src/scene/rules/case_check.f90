@@ -104,7 +104,7 @@ contains
          call add_part_fault(found, 'load_case', place, 'bit_depth', words// &
                              'add drill pipe without a length as last component, after '// &
                              quoted(components(size(components))%name)//' (', 'component', uppermost, &
-                             '); catalogue names have its sizes')
+                             '); drillgap --list-catalogue prints its sizes')
       end if
    end subroutine check_string_length
 
