@@ -87,8 +87,8 @@ contains
       call note_tools(draft, job, uses, notes)
    end subroutine note_oddities
 
-   !> Question for the unit of a light fluid. It names the number that is right if that is in sg or lbm/gal, as mud is. '' if neither
-   !> would be a mud.
+   !> Question for the unit of a light fluid. It names the number that is right if that is in sg or lbm/gal, as mud is.
+   !> '' if neither would be a mud.
    pure function density_question(units, density) result(text)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: density     !< as read [kg/m3]
