@@ -293,6 +293,7 @@ contains
          character(:), allocatable :: text
          text = replaced(deck("operation = 'sliding', friction = "//to_text(0.3_wp*friction_scale)//', wob = '// &
                               to_text(weight), .false.), "models = 'soft'", "models = 'mcge'")
+         text = replaced(text, "&load_case name = 'up', operation = 'up', bit_depth = 15000 /", '')
          text = replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(bit_depth))
          run = run_deck_text(text//"&solver fidelity = 'fast' /"//newline)
       end function run_slide
