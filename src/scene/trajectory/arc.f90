@@ -131,8 +131,8 @@ contains
 
    !> Foot of the perpendicular from a point on an arc (or on the circle beyond its ends). Let a, b be the point's components
    !> along tangent and normal, k the curvature and r = hypot(k a, 1 - k b). The foot is at the angle with sine k a/r and
-   !> cosine (1 - k b)/r. The distance of the point from the foot, towards the centre, is (1 - r)/k = (2 b - k (a^2 + b^2))/(1
-   !> + r). This holds down to k = 0.
+   !> cosine (1 - k b)/r. The distance of the point from the foot, towards the centre, is
+   !> (1 - r)/k = (2 b - k (a^2 + b^2))/(1 + r). This holds down to k = 0.
    pure subroutine foot_on_arc(arc, point, gap, tangent, curvature, beyond)
       type(arc_type), intent(in) :: arc
       real(wp), intent(in) :: point(3)       !< relative to arc%origin [m]
