@@ -1,4 +1,5 @@
-!> Check of the memory that a run needs. Made before a run begins, so that the system does not kill the program in the middle of it.
+!> Check of the memory that a run needs. It is made before a run begins, so that the system does not end the program in the
+!> middle.
 module dg_run_memory
    use dg_case_memory, only: add_cases, gigabyte, memory_digits, need_type
    use dg_error, only: error_type, raise, status_bad_input, status_failure
@@ -16,7 +17,7 @@ module dg_run_memory
 
    !> Memory of pages, pictures and libraries, and the stack of a thread [bytes].
    real(wp), parameter :: bytes_beside = 2.0e7_wp, bytes_of_stack = 8.4e6_wp
-   !> Work space of a thread in OpenBLAS [bytes]: where it does not get that it tries for ever.
+   !> Work space of a thread in OpenBLAS [bytes]. Without it OpenBLAS retries for ever.
    real(wp), parameter :: bytes_of_blas = 1.35e8_wp
    integer, parameter :: digits = memory_digits
 

@@ -1,5 +1,5 @@
-!> &study: accuracy against cost. Solves every variant of its cases, one after the other on one core, so that seconds and memory
-!> are those of one solution alone.
+!> &study: accuracy against cost. Solves every variant of its cases, one after the other on one core, so that seconds and
+!> memory are those of one solution.
 module dg_accuracy_study
    use dg_column, only: fields_of
    use dg_kinds, only: wp
@@ -82,8 +82,8 @@ contains
       end associate
    end subroutine echo
 
-   !> Solves and compares, prints, writes study.csv anew after each case. A variant without solution is marked; that
-   !> is what a study is for, and no failure of the run. After a signal the cases that are whole stay and are printed.
+   !> Solve and compare, print, and write study.csv anew after each case. A variant without solution is marked, and is no
+   !> failure of the run. After a signal complete cases stay and are printed.
    subroutine run_plan(self, run, error)
       class(accuracy_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
@@ -123,7 +123,7 @@ contains
       end if
    end subroutine run_plan
 
-   !> One solution with its seconds and the memory that it takes on top of what was there.
+   !> Solve once, and measure seconds and additional memory.
    subroutine solve_and_measure(model, number, case_index, record)
       type(model_type), intent(in) :: model
       integer, intent(in) :: number, case_index

@@ -14,8 +14,8 @@ module dg_deck_study
 
 contains
 
-   !> The plan of the deck's study; not allocated where it has none. Lists that are not given are empty, but for the cases,
-   !> which are then all, and the models, which are then those of the job.
+   !> Read the plan of the deck's study; not allocated without one. Lists that are not given are empty, except that cases are
+   !> then all, and models those of the job.
    subroutine take_study(draft, groups, models, plan, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)

@@ -29,7 +29,7 @@ module dg_fidelity_errors
       real(wp) :: weight = 0.0_wp           !< buoyed weight along the hole [N]
       real(wp) :: torque = 0.0_wp           !< at surface [N.m]
       real(wp) :: contact_sum = 0.0_wp      !< sum of contact forces [N]
-      real(wp) :: side_force = missing      !< of the bit on the formation [N]; missing where nothing holds the bit
+      real(wp) :: side_force = missing      !< of the bit on the formation [N]; missing if the bit is not held
       real(wp) :: tilt = missing            !< of the bit against the hole [rad]
       real(wp) :: von_mises = 0.0_wp        !< largest stress [Pa]
       real(wp), allocatable :: md(:)        !< depths of the rows [m]
@@ -73,7 +73,7 @@ contains
       errors(von_mises) = relative_error(printed%von_mises, reference%von_mises, least_stress)
    end function fidelity_errors
 
-   !> |value - reference| over |reference|, or over the floor where that is more [-]; missing where one of both is missing.
+   !> |value - reference| over |reference|, or over the floor if that is larger [-]; missing if either is missing.
    pure function relative_error(value, reference, floor) result(error)
       real(wp), intent(in) :: value, reference, floor
       real(wp) :: error

@@ -40,19 +40,19 @@ module dg_study_comparison
       real(wp) :: cost = missing               !< seconds over the reference's [-]
    end type study_record_type
 
-   !> Torque under which its relative error says nothing [N.m].
+   !> Torque below which its relative error is ignored [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
    !> Errors up to this count as equal, and give no order of convergence [-]. Two gaps that came to rest in another order make
    !> as much.
    real(wp), parameter :: no_difference = 1.0e-7_wp
 
-   !> Orders that are looked at [-]: beyond them points do not tell one.
+   !> Orders that are accepted [-]. Beyond them points do not define one.
    real(wp), parameter :: lowest_order = 0.1_wp, highest_order = 8.0_wp
    real(wp), parameter :: order_step = 0.01_wp
 
 contains
 
-   !> Keeps what a study needs of a result.
+   !> Make the record of a result for a study.
    pure subroutine new_record(result, seconds, memory, record)
       type(case_result_type), intent(in) :: result
       real(wp), intent(in) :: seconds, memory
@@ -108,7 +108,7 @@ contains
       end if
    end function worst_error
 
-   !> The finest of the variants chosen that converged; 0 where none did.
+   !> Finest of the chosen variants that converged; 0 if none did.
    pure function finest_of(variants, records, chosen) result(best)
       type(variant_type), intent(in) :: variants(:)
       type(study_record_type), intent(in) :: records(:)

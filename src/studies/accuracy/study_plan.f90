@@ -16,7 +16,7 @@ module dg_study_plan
       integer, allocatable :: fidelities(:)       !< places in fidelity_name (dg_numerics)
    end type study_plan_type
 
-   !> More solutions than that are a slip in a list, not a study.
+   !> Most solutions of a study: more is a slip in a list.
    integer, parameter :: most_solutions = 10000
 
 contains

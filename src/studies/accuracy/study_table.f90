@@ -1,4 +1,4 @@
-!> A study on standard output: what each way of solving is wrong by at worst, and what it costs. Every line fits 120 columns.
+!> A study on standard output: worst errors and cost of each way of solving. Every line fits 120 columns.
 module dg_study_table
    use dg_kinds, only: wp
    use dg_case_result, only: result_converged
@@ -95,7 +95,7 @@ contains
       total%elements = sum(records%elements)
    end function total_of
 
-   !> Puts the cells of a variant.
+   !> Add the cells of a variant.
    pure subroutine add_row(table, units, variant, total, finest)
       type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units
@@ -175,7 +175,7 @@ contains
       end do
    end subroutine append_lost
 
-   !> Each fidelity against the finest: what a user who asks for nothing else gets, at what price.
+   !> Append the errors of each fidelity against the finest, and its cost.
    pure subroutine append_fidelities(lines, units, variants, totals, finest)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units

@@ -1,7 +1,7 @@
 !> The variants that a study compares: every combination of its lists, each with all settings of its solution.
 !>
-!> Element lengths and fidelities make one list: a fidelity is a length with what belongs to it. Models other than the
-!> beams know element lengths alone; of them there is one variant a length.
+!> Element lengths and fidelities make one list: a fidelity is a length with further settings. Models other than the beams only
+!> depend on element lengths, and have one variant a length.
 module dg_study_variant
    use dg_kinds, only: wp
    use dg_job, only: model_mcge

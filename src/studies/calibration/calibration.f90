@@ -30,7 +30,7 @@ module dg_calibration
    integer, parameter :: offset_none = 1, offset_one = 2, offset_depths = 3
    character(*), parameter :: offset_name(3) = [character(6) :: 'none', 'one', 'depths']
 
-   !> One factor, or one offset; what it is for is absent or 0 where it is for all.
+   !> One factor, or one offset. Components that do not distinguish it are absent or 0.
    type :: unknown_type
       logical :: is_offset = .false.         !< of the hook load [N]
       integer :: hole = 0                    !< number of the hole section
@@ -52,10 +52,10 @@ module dg_calibration
       integer, allocatable :: models(:)      !< numbers (dg_job)
       integer, allocatable :: cases(:)       !< numbers of load cases
       integer, allocatable :: predicted(:)   !< numbers of load cases that are to be predicted from what is found
-      integer, allocatable :: holes(:)       !< numbers of hole sections whose friction is looked for
+      integer, allocatable :: holes(:)       !< numbers of hole sections with friction as an unknown
       logical :: by_hole = .true., by_operation = .false., by_depth = .false. !< what has a factor of its own
-      integer :: offset = offset_none        !< whether the gauge may show too much
-      logical :: apply = .false.             !< the rest of the run uses what is found
+      integer :: offset = offset_none        !< offset of the gauge as an unknown
+      logical :: apply = .false.             !< the rest of the run uses the results
       type(optional_real) :: hookload_deviation !< standard deviation of a measured hook load [N]; absent: not known
       type(optional_real) :: torque_deviation   !< of a measured torque [N.m]
       type(unknown_type), allocatable :: unknowns(:)
@@ -64,8 +64,8 @@ module dg_calibration
       type(datum_type), allocatable :: data(:)
    end type calibration_type
 
-   !> Standard deviation where the deck tells none, over the mean of the measured values of a kind [-]. Where hook loads
-   !> and torques are measured the residuals tell that of each (dg_fit_by_kinds); this is where they begin.
+   !> Default standard deviation, over the mean of the measured values of a kind [-]. If hook loads and torques are measured
+   !> the residuals give that of each (dg_fit_by_kinds), starting from this.
    real(wp), parameter :: usual_deviation = 0.02_wp
 
    !> A factor is applied as it is printed, with four decimals. It is never known better, and the printed one gives the same
@@ -108,7 +108,7 @@ contains
       end do
       calibration%unknowns = found(:n)
    contains
-      !> Number of `one` among those found; it joins them where it is new.
+      !> Number of `one` among the unknowns, to which it is added if it is new.
       subroutine enter(number)
          integer, intent(out) :: number
          do number = 1, n
@@ -228,8 +228,8 @@ contains
       end if
    end function variance_kinds
 
-   !> True if a measured number depends on an unknown. Hook load depends on friction along the hole, torque on friction around it,
-   !> each where the string moves so.
+   !> True if a measured number depends on an unknown. Hook load depends on friction along the hole, torque on friction around
+   !> it, each if the string moves in that direction.
    pure function tells(calibration, load_cases, datum, unknown) result(yes)
       type(calibration_type), intent(in) :: calibration
       type(load_case_type), intent(in) :: load_cases(:)
@@ -249,7 +249,7 @@ contains
       end associate
    end function tells
 
-   !> Hole sections as they are for a case with these factors: what the case overrides, then what is calibrated.
+   !> Hole sections of a case with given factors: first the overrides of the case, then the calibrated factors.
    pure function with_factors(calibration, holes, load_case, place, factors) result(changed)
       type(calibration_type), intent(in) :: calibration
       type(hole_section_type), intent(in) :: holes(:)
@@ -274,8 +274,8 @@ contains
       end do
    end function with_factors
 
-   !> Gives hole sections the friction found: factors of sections, or one of all. Coefficients that the data do not determine stay,
-   !> and so does the friction of operations that no case has.
+   !> Give hole sections the calibrated friction: factors of sections, or one of all. Coefficients that the data do not
+   !> determine stay. So does the friction of operations without a case.
    pure subroutine apply_factors(calibration, factors, found, load_cases, holes)
       type(calibration_type), intent(in) :: calibration
       real(wp), intent(in) :: factors(:)         !< one an unknown
@@ -296,8 +296,8 @@ contains
       end do
    end subroutine apply_factors
 
-   !> Gives the rig the one offset found as weight of its block. Without a rig, or where each depth has an offset of its own,
-   !> there is nothing that it could belong to.
+   !> Give the rig the one offset as weight of its block. Without a rig, or if each depth has an offset of its own, it is not
+   !> applied.
    pure subroutine apply_offset(calibration, factors, found, rig, applied)
       type(calibration_type), intent(in) :: calibration
       real(wp), intent(in) :: factors(:)         !< one an unknown

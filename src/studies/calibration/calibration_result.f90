@@ -15,9 +15,9 @@ module dg_calibration_result
    public :: verdict_found, verdict_at_bound, verdict_not_felt, verdict_not_separated, verdict_name
 
    integer, parameter :: verdict_found = 1
-   integer, parameter :: verdict_at_bound = 2       !< 0 or the greatest: the data ask for more than friction can do
-   integer, parameter :: verdict_not_felt = 3       !< the data do not depend on it: as it was
-   integer, parameter :: verdict_not_separated = 4  !< the data tell only a combination with others
+   integer, parameter :: verdict_at_bound = 2       !< 0 or the greatest: friction alone cannot explain the data
+   integer, parameter :: verdict_not_felt = 3       !< the data do not depend on it: it keeps its first value
+   integer, parameter :: verdict_not_separated = 4  !< the data only determine a combination with others
    integer, parameter :: verdict_no_fit = 5
    character(*), parameter :: verdict_name(5) = [character(13) :: 'found', 'at_bound', 'not_felt', 'not_separated', 'no_fit']
 
@@ -30,12 +30,12 @@ module dg_calibration_result
       !> Standard deviations of hook loads [N] and torques [N.m] by the residuals, whether known or not. Then these over the
       !> deviations for the intervals [-]; missing if no value is spare.
       real(wp) :: deviations(2) = missing, scatters(2) = missing
-      real(wp) :: freedoms(2) = 0.0_wp            !< values of each kind that are spare for its deviation
+      real(wp) :: freedoms(2) = 0.0_wp            !< spare values of each kind for its deviation
       type(succession_type) :: succession         !< of errors along the depth; deviations and intervals are those with it
       type(drift_type) :: drifts(2)               !< of hook loads and torques with depth
-      type(prediction_type) :: prediction         !< of load cases that the fit has not seen; not allocated: none asked for
-      character(:), allocatable :: message        !< why there is no fit; '' else
-      integer :: halvings = 0                     !< of the factors, until the fit could begin
+      type(prediction_type) :: prediction         !< of load cases that the fit has not used; not allocated: none
+      character(:), allocatable :: message        !< reason why there is no fit, else ''
+      integer :: halvings = 0                     !< halvings of the factors before the fit could begin
       integer :: solutions = 0                    !< load cases solved
       real(wp) :: seconds = 0.0_wp
    end type calibration_result_type

@@ -1,4 +1,4 @@
-!> &calibrate: friction from measurements, and what the gauge shows beyond string and block.
+!> &calibrate: friction from measurements, and the gauge's excess over string and block.
 module dg_calibration_study
    use dg_column, only: fields_of
    use dg_calibration, only: apply_factors, apply_offset, calibrate_friction_axial, calibrate_friction_rotary, &
@@ -104,9 +104,9 @@ contains
       end do
    end subroutine echo
 
-   !> Each calibration with each of its models. Friction that is to be applied goes into the model of the run. An error tells that
-   !> a file could not be written, or that there is nothing to apply. A run that is a part of others, or joins them, does what is
-   !> applied alone, and neither prints nor writes it.
+   !> Run each calibration with each of its models. Friction that is to be applied goes into the model of the run. An error
+   !> says that a file could not be written, or that there is nothing to apply. A run that is a part of others, or joins them,
+   !> only makes calibrations that are applied, and neither prints nor writes them.
    subroutine run_calibrations(self, run, error)
       class(calibration_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
@@ -169,7 +169,7 @@ contains
          interruption_name()//' with '//to_text(n)//' fits of '//to_text(size(self%results))//' done')
    end subroutine run_calibrations
 
-   !> Tells others what a calibration has found out about friction.
+   !> Hand the friction of a calibration to other studies.
    subroutine hand_on(calibration, result, sections, estimate)
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result

@@ -216,7 +216,7 @@ contains
       end if
    end function deviations_wanted
 
-   !> Says where residuals of an operation follow each other along the depth, and what it does to the intervals.
+   !> Report if residuals of an operation follow each other along the depth, and the effect on the intervals.
    subroutine append_succession(lines, calibration, result)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(calibration_type), intent(in) :: calibration
@@ -259,7 +259,7 @@ contains
       if (weighed) call append_text(lines, '  &rig: block_weight '// &
          in_units(units, unit_force, applied%rig%block_weight, depth_digits)//', the offset counted in')
    contains
-      !> Says that the factor of a section lies at its bound.
+      !> Text of a factor at its bound.
       function bound_text(hole) result(text)
          integer, intent(in) :: hole
          character(:), allocatable :: text

@@ -1,4 +1,4 @@
-!> The groups &calibrate of a deck: which factors are looked for, and whether its measurements can tell them.
+!> The groups &calibrate of a deck: factors that are unknown, and checks that its measurements can determine them.
 module dg_deck_calibrate
    use dg_calibration, only: calibrate_friction, calibrate_friction_axial, calibrate_friction_rotary, calibration_type, &
                              offset_depths, offset_name, offset_one, parameter_name, set_data, set_unknowns, solutions_a_step, &
@@ -122,7 +122,7 @@ contains
       end do
    end subroutine take_predicted
 
-   !> Numbers of the hole sections named; all where none is. No fault of its own where the name of a section is at fault.
+   !> Numbers of the hole sections named; all if none is. No fault if the name of a section is at fault itself.
    subroutine take_holes(draft, group, holes, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
@@ -148,7 +148,7 @@ contains
       end do
    end subroutine take_holes
 
-   !> Lists unknowns and data; refuses what these data cannot tell.
+   !> List unknowns and data, and refuse unknowns that these data cannot determine.
    subroutine lay_out(draft, group, calibration, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
@@ -203,7 +203,7 @@ contains
       end function too_many
    end subroutine lay_out
 
-   !> A load case can be predicted where the factors found are those of its depth and operation, too.
+   !> Check load cases of a prediction. The factors of its depth and operation must be among the unknowns.
    subroutine check_predicted(draft, group, calibration, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group

@@ -23,14 +23,14 @@ module dg_fit_calibration
 
    !> Bounds of a friction factor, as those of the deck [-].
    real(wp), parameter :: least_friction = 0.0_wp, greatest_friction = 2.0_wp
-   !> A friction factor that is a large one [-].
+   !> Size of a large friction factor [-].
    real(wp), parameter :: friction_scale = 1.0_wp
    !> Steps that a fit usually takes, at most.
    integer, parameter :: usual_steps = 10
 
 contains
 
-   !> Fits one calibration with one model, and predicts what it is to predict.
+   !> Fit one calibration with one model, and make its predictions.
    subroutine fit_calibration(job, model, calibration, place, result)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -64,11 +64,11 @@ contains
       upper = greatest_friction
       scale = friction_scale
       where (calibration%unknowns%is_offset)
-         scale = maxval(measured, mask=is_hookload)     ! a gauge that shows nothing but its offset
+         scale = maxval(measured, mask=is_hookload)     ! a gauge that only shows its offset
          lower = -scale
          upper = scale
       end where
-      ! a string that does not reach its depth with the friction it has does so with less
+      ! a string that does not reach its depth with this friction does so with less
       kinds = variance_kinds(calibration)
       call fit_by_kinds(function, unknowns_type(result%start, .not. calibration%unknowns%is_offset, lower, upper, scale), &
                         measured, kinds, deviation, result%fit, result%halvings)
@@ -95,7 +95,7 @@ contains
       result%seconds = seconds_between(start, finish)
    end subroutine fit_calibration
 
-   !> Predicts the load cases that the calibration names for that, by what it has found.
+   !> Predict the load cases that the calibration names for it, by its results.
    subroutine look_ahead(model, calibration, threads, scale, result)
       type(model_type), intent(in) :: model
       type(calibration_type), intent(in) :: calibration

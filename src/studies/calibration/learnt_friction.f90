@@ -9,14 +9,14 @@ module dg_learnt_friction
    private
    public :: half_widths_of, learn_friction
 
-   !> Deviations and correlations are handed on as they are printed, so that a deck that repeats them draws the same.
+   !> Deviations and correlations are rounded as printed, so that a deck that repeats them draws the same.
    real(wp), parameter :: deviation_steps = 1.0e5_wp, correlation_steps = 1.0e4_wp
 
 contains
 
    !> Standard deviations of the coefficients of all hole sections, and their correlations. Sections that share a factor vary
-   !> together; those that were not looked for do not vary. A deviation is that of a normal distribution with the factor's 95 %
-   !> interval: few measurements make it larger than the fit's own. `known` is false where a section's factor has no interval.
+   !> together. Those without an unknown do not vary. A deviation is that of a normal distribution with the factor's 95 %
+   !> interval. With few measurements it is larger than the fit's own. `known` is false if a section's factor has no interval.
    pure subroutine learn_friction(calibration, result, deviations, correlation, known)
       type(calibration_type), intent(in) :: calibration
       type(calibration_result_type), intent(in) :: result

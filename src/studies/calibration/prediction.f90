@@ -13,7 +13,7 @@ module dg_prediction
    private
    public :: prediction_type, predict
 
-   !> One more value than unknowns, but for round-off: such a scatter tells next to nothing, and less tells nothing.
+   !> One more value than unknowns, but for round-off: with fewer a scatter is useless.
    real(wp), parameter :: least_freedom = 0.999_wp
 
    type :: prediction_type
@@ -41,7 +41,7 @@ contains
       point(:, 1) = fit%unknowns
       call function%evaluate(point, values, solved)
       where (solved(:, 1)) prediction%values = values(:, 1)
-      ! an unknown that the data do not feel, or that stands at its bound, is taken as it is
+      ! an unknown that has no effect on the data, or is at its bound, counts as exact
       certain = fit%unfelt .or. fit%at_bound
       do k = 1, size(scale)
          if (.not. certain(k) .and. is_missing(statistics%deviation(k))) return

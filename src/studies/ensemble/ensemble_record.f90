@@ -43,7 +43,7 @@ module dg_ensemble_record
       type(error_type), allocatable :: failure  !< why nothing can be written any more
    end type ensemble_type
 
-   !> Results go to disk no later than this after they came [s]: a short sweep needs no record.
+   !> Results are written no later than this after they came [s]. A short sweep needs no record.
    real(wp), parameter :: patience = 0.1_wp
 
 contains
@@ -64,8 +64,8 @@ contains
       path = job%output_dir//'/'//record_file(ensemble%what, ensemble%name, part, parts)
    end function record_path
 
-   !> Begins to keep the results of a run. Where an interrupted run has left a record its results are taken over; one of other
-   !> work is refused (bad input). With --again, so are those of a finished run, except points that did not converge.
+   !> Begin to keep the results of a run. Results of a record of an interrupted run are taken over. A record of other work is
+   !> refused (bad input). With --again, results of a finished run are also taken over, except points that did not converge.
    subroutine open_record(job, ensemble, error)
       type(job_type), intent(in) :: job
       type(ensemble_type), intent(inout) :: ensemble   !< points that are not solved, and settings
@@ -184,8 +184,8 @@ contains
          [(any(ensemble%points(i::parts)%status == result_not_converged), i=1, parts)]))//'/'//to_text(parts)
    end function failed_text
 
-   !> Notes that a point is solved and puts what waits to disk when some time has gone by. A file that cannot be written is noted in
-   !> the ensemble; the work goes on without.
+   !> Note that a point is solved, and write waiting points after some time. A file that cannot be written is noted in the
+   !> ensemble, and the work goes on without it.
    subroutine keep(ensemble, number)
       type(ensemble_type), intent(inout) :: ensemble
       integer, intent(in) :: number                       !< of a point that is solved now

@@ -35,8 +35,8 @@ module dg_ensemble_study
       character(:), allocatable :: what            !< sweep or uncertainty, in messages and names of files
       character(:), allocatable :: points          !< its points, and those that are solved
       character(:), allocatable :: points_solved
-      character(:), allocatable :: left_out        !< what becomes of those that did not converge; '': nothing
-      character(:), allocatable :: fewer           !< what makes them less
+      character(:), allocatable :: left_out        !< treatment of those that did not converge; '': none
+      character(:), allocatable :: fewer           !< advice for fewer of them
    end type range_text_type
 
    type, abstract, extends(study_type) :: ensemble_study_type
@@ -129,8 +129,8 @@ contains
       end do
    end subroutine name_ranges
 
-   !> Looks for what earlier runs have left: records of interrupted ones, or all parts where they are to be joined, with their
-   !> faults. An error (bad input) where a record does not fit the deck.
+   !> Find the results of earlier runs: records of interrupted ones, or all parts if they are to be joined, with their faults.
+   !> An error (bad input) if a record does not fit the deck.
    subroutine prepare_ensembles(self, run, error)
       class(ensemble_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
@@ -179,7 +179,7 @@ contains
       if (allocated(error)) return
    end subroutine run_ensembles
 
-   !> Solves what is left of one, writes and prints it.
+   !> Solve the rest of one, write and print it.
    subroutine run_one(self, number, run, error)
       class(ensemble_study_type), intent(inout) :: self
       integer, intent(in) :: number
@@ -253,8 +253,8 @@ contains
       seconds = seconds_between(start, finish)
    end subroutine solve_rest
 
-   !> Records of what is finished: they stay where points of any of the run did not converge. What cannot be written is told, and
-   !> raises the exit status.
+   !> Close records of finished work. They stay if points of any of the run did not converge. A file that cannot be written is
+   !> reported, and raises the exit status.
    subroutine close_records(self, run)
       class(ensemble_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run

@@ -1,5 +1,5 @@
-!> All that the results of a string depend on, in words: one line `key = value` a property, in SI units.
-!> Two models with the same lines give the same results, and where they differ the line says in what.
+!> All data on which the results of a string depend, in words: one line `key = value` a property, in SI units. Two models with
+!> the same lines give the same results. A line that differs names the difference.
 module dg_model_text
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type

@@ -1,4 +1,4 @@
-!> Why the parts of a divided run cannot be joined: all sweeps and all parts of them in one message.
+!> Reasons why the parts of a divided run cannot be joined: all sweeps and all parts of them in one message.
 module dg_part_faults
    use dg_error, only: add_fault, error_list_type, first_errors
    use dg_part_list, only: part_list_text
@@ -7,7 +7,7 @@ module dg_part_faults
    private
    public :: part_faults_type, part_whole, part_missing, part_broken, part_unfinished, start_faults, note_part, faults_text
 
-   ! What a record of a part is.
+   ! State of a record of a part.
    integer, parameter :: part_whole = 1, part_missing = 2, part_broken = 3, part_unfinished = 4
 
    type :: part_faults_type
@@ -44,8 +44,8 @@ contains
       call add_fault(faults%records, path, 0, reason//'; '//remedy//' --part '//to_text(part)//'/'//to_text(size(faults%seen, 2)))
    end subroutine note_part
 
-   !> All that is wrong, by the numbers of the parts; '' where all are whole. A part with records of several sweeps is broken if one
-   !> of them is, missing if all of them are, else not finished.
+   !> All faults, by the numbers of the parts; '' if all are whole. A part with records of several sweeps is broken if one of
+   !> them is. It is missing if all of them are, else not finished.
    pure function faults_text(faults) result(text)
       type(part_faults_type), intent(in) :: faults
       character(:), allocatable :: text

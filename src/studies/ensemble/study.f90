@@ -1,5 +1,6 @@
-!> Interface of every study: many load cases, or one again and again, for one question of a deck. It reads its groups, tells what it
-!> understood, runs, and adds its files and pictures. Studies do not know each other; what one leaves for others is in the run.
+!> Interface of every study: many load cases, or one repeatedly, for one question of a deck. It reads its groups, prints a
+!> summary of them, runs, and adds its files and pictures. Studies do not depend on each other. Results for other studies are
+!> in the run.
 module dg_study
    use dg_case_memory, only: need_type
    use dg_case_result, only: case_result_type
@@ -40,7 +41,7 @@ module dg_study
       integer :: status = 0                         !< exit status so far
    end type run_type
 
-   !> Reading a deck sets what a study tells of itself.
+   !> A study; the components are set by reading a deck.
    type, abstract :: study_type
       logical :: asked = .false.                 !< the deck asks for it
       integer :: phase = phase_cases             !< when it runs
@@ -60,7 +61,7 @@ module dg_study
    end type study_type
 
    abstract interface
-      !> Reads its groups of an open deck. Notes tell what is legal but hardly meant.
+      !> Read its groups of an open deck. Notes name legal but unusual settings.
       subroutine read_interface(self, deck, job, notes, faults)
          import :: study_type, deck_type, job_type, text_type, error_list_type
          implicit none
@@ -71,7 +72,7 @@ module dg_study
          type(error_list_type), intent(inout) :: faults
       end subroutine read_interface
 
-      !> Solves, prints and writes. Failures are told and raise the status of the run; `error` keeps what is to come from being run.
+      !> Solve, print and write. Failures are reported and raise the status of the run. `error` prevents the following work.
       subroutine run_interface(self, run, error)
          import :: study_type, run_type, error_type
          implicit none
@@ -83,7 +84,7 @@ module dg_study
 
 contains
 
-   !> Lines that tell what it understood of the deck.
+   !> Lines that summarise its groups.
    subroutine echo_nothing(self, job, lines)
       class(study_type), intent(in) :: self
       type(job_type), intent(in) :: job
@@ -112,7 +113,7 @@ contains
       end associate
    end subroutine need_of_fits
 
-   !> Looks for what keeps it from being run, before results of an earlier run are removed: an error, or faults of parts in the run.
+   !> Find reasons not to run, before results of an earlier run are removed: an error, or faults of parts in the run.
    subroutine prepare_nothing(self, run, error)
       class(study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
@@ -122,7 +123,7 @@ contains
       end associate
    end subroutine prepare_nothing
 
-   !> Ends what it keeps of unfinished work, after all studies have run and written their files.
+   !> Close records of unfinished work, after all studies have run and written their files.
    subroutine finish_nothing(self, run)
       class(study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run

@@ -1,4 +1,4 @@
-!> The points of a sweep, on all cores: their solutions, and what is left to the limits of rig and string.
+!> The points of a sweep, on all cores: their solutions, and their margins to the limits of rig and string.
 module dg_sweep_points
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
@@ -27,13 +27,13 @@ module dg_sweep_points
    private
    public :: solve_points, solve_totals, point_text, add_indicator, add_limits
 
-   !> Most points that a thread solves before it hands over their results.
+   !> Most points that a thread solves before it returns their results.
    integer, parameter :: block_size = 16
 
 contains
 
-   !> Solves the points of this part that have no result yet, as many at a time as the job allows. Points do not know of each
-   !> other: results do not depend on the number of threads, nor on what was solved before. After a signal the rest is left.
+   !> Solve the points of this part that have no result yet, as many at a time as the job allows. Points are independent:
+   !> results do not depend on the number of threads, nor on earlier points. After a signal the rest is not solved.
    subroutine solve_points(job, model, sweep, ensemble, watch)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -156,7 +156,7 @@ contains
       end function is_below_zero
    end subroutine add_limits
 
-   !> Takes the most used of rig and strengths where it is passed, and the pull until something yields.
+   !> Set the most used of rig and strengths if it is passed, and the pull until yield.
    subroutine judge_strengths(job, model, point)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model                !< its first load case is that of the point
@@ -210,8 +210,8 @@ contains
       call solve_totals(model, sweep%models(point%model), found)
    end subroutine solve_point
 
-   !> Hook load and torque of the first load case, with what its solution has to say. A signal in the midst of it leaves it
-   !> unsolved, for the next run.
+   !> Hook load and torque of the first load case, with the message of its solution. A case that is interrupted by a signal
+   !> stays unsolved, for the next run.
    subroutine solve_totals(model, number, found)
       type(model_type), intent(in) :: model
       integer, intent(in) :: number                !< of the model that solves

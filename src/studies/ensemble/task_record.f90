@@ -1,4 +1,5 @@
-!> The record of work that is split into numbered pieces: what it is about, which part of it this is, and what is done.
+!> The record of work that is split into numbered pieces: a description of the work, the part of this record, and finished
+!> pieces.
 !>
 !> A record is text, written while the work goes on. An interrupted run can be continued with it, and the parts of a divided
 !> one joined. Its settings contain all that the work depends on. Pieces of other work are therefore never taken for its own,
@@ -33,9 +34,9 @@ module dg_task_record
    character(*), parameter :: end_mark = ' ;'
    integer, parameter :: head_lines = 4
    character(*), parameter :: equals = ' = '
-   !> The setting that holds all of the solver: another one there is another way to the same solution.
+   !> Setting that holds all of the solver. Another one there still gives a solution of the same work.
    character(*), parameter :: solver_key = 'solver settings'
-   !> More pieces than any work that a deck can ask for: a head that tells them is damaged, and they would only take memory.
+   !> Largest plausible number of pieces. A larger one is a damaged head, and would only take memory.
    integer, parameter :: most_pieces = 10000000
    !> Longest value that a message repeats.
    integer, parameter :: longest_shown = 60
@@ -191,7 +192,7 @@ contains
       if (size(now) > size(then)) words = quoted(now(size(then) + 1)%text)//' is new'
    end function difference_of
 
-   !> `key was ... and is ...`. Numbers of a record are SI; those of a known quantity are told in the deck's units.
+   !> Text `key was ... and is ...`. Numbers of a record are SI. Those of a known quantity are converted to the deck's units.
    pure function told(key, then, now, units) result(words)
       character(*), intent(in) :: key                         !< as dg_model_text writes it
       character(*), intent(in) :: then, now                   !< values as text

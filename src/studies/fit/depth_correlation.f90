@@ -1,4 +1,4 @@
-!> Errors that are alike from one depth to the next, and what a fit is worth with them.
+!> Errors that are alike from one depth to the next, and their effect on a fit.
 !>
 !> Scatter of a gauge is independent of depth. Errors of the model (weights, a friction that is not the same everywhere)
 !> persist over many depths, so that many measurements count as few. Errors of an operation are assumed an autoregressive
@@ -22,9 +22,9 @@ module dg_depth_correlation
    integer, parameter :: least_pairs = 12
    !> Correlation over 1/sqrt(pairs) that independent errors exceed in one of a hundred fits (normal distribution).
    real(wp), parameter :: one_of_hundred = 2.326_wp
-   !> Most correlation of neighbours: beyond it errors of thirty depths are an offset, which measurements do not tell from one.
+   !> Largest correlation of neighbours. Beyond it errors of thirty depths are like an offset.
    real(wp), parameter :: most_correlation = 0.98_wp
-   !> Halvings of the interval of the correlation: four decimals are more than any measurements tell.
+   !> Halvings of the interval of the correlation: four decimals are enough.
    integer, parameter :: halvings = 14
    !> Spare part of a datum that is round-off [-].
    real(wp), parameter :: none_spare = 1.0e-9_wp
@@ -145,7 +145,7 @@ contains
                         + matmul(jacobian, matmul(matmul(taken, transpose(succession%inverse)), transpose(jacobian)))
    end subroutine let_errors_be
 
-   !> Standard deviation of some errors by their residuals, and its degrees of freedom; as they are where nothing is spare.
+   !> Standard deviation of some errors by their residuals, and its degrees of freedom. Both stay if no value is spare.
    pure subroutine scatter_along(succession, residual, among, scatter, freedom)
       type(succession_type), intent(in) :: succession   !< `correlation` > 0
       real(wp), intent(in) :: residual(:)
@@ -167,7 +167,7 @@ contains
       freedom = max(1.0_wp, spare**2/squares)
    end subroutine scatter_along
 
-   !> Covariance and intervals of the unknowns. Each is what it was for independent errors, times what A R A' makes of it.
+   !> Covariance and intervals of the unknowns. Each is that for independent errors, times the factor of A R A'.
    pure subroutine widen_intervals(succession, growth, by_residuals, freedom, columns, statistics)
       type(succession_type), intent(in) :: succession   !< `correlation` > 0
       real(wp), intent(in) :: growth(:)          !< factor on the standard deviation of each datum that the fit has gone by

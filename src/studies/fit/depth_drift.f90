@@ -1,4 +1,4 @@
-!> Drift of errors with depth, and how far it may lead predictions below the data astray.
+!> Drift of errors with depth, and its effect on predictions below the data.
 !>
 !> Some model errors grow with depth: a friction that changes, a wrong weight per metre. Errors of an operation are
 !> e = scatter + b (depth - mean depth), with a rate b of its own. Rates follow from the residuals by least squares, beside the fitted
@@ -14,7 +14,7 @@ module dg_depth_drift
    private
    public :: drift_type, find_drift, with_drift
 
-   !> Data from which on the drift of a group is looked for: of fewer, chance makes one too often.
+   !> Least number of data of a group with a drift: with fewer, chance makes one too often.
    integer, parameter :: least_data = 5
 
    type :: drift_type
@@ -24,7 +24,7 @@ module dg_depth_drift
 
 contains
 
-   !> Drift of one kind of data. Not found where data are few, or the unknowns alone can follow it.
+   !> Find the drift of one kind of data. It is not found if data are few, or if the unknowns alone can follow it.
    pure subroutine find_drift(jacobian, residual, deviation, depth, group, drift)
       real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns found), over the deviations
       real(wp), intent(in) :: residual(:)        !< over the deviations [-]
@@ -67,7 +67,7 @@ contains
       drift%rate = sqrt(max(excess, 0.0_wp))
    end subroutine find_drift
 
-   !> Standard deviation of a measurement at a depth, with what the drift may have become there [N or N.m].
+   !> Standard deviation of a measurement at a depth, with the effect of the drift there [N or N.m].
    elemental function with_drift(deviation, drift, depth) result(wider)
       real(wp), intent(in) :: deviation    !< without it [N or N.m]
       type(drift_type), intent(in) :: drift

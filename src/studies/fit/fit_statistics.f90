@@ -30,21 +30,20 @@ module dg_fit_statistics
    !> Residuals over deviations that are as small as the last steps of a fit [-]. No gauge is as exact. Such data are copies of
    !> one reading or results of a program, and do not show the error of readings.
    real(wp), parameter :: no_scatter = 1.0e-5_wp
-   !> Degrees of freedom with which Student's distribution is the normal one for all purposes.
+   !> Degrees of freedom from which on Student's distribution is the normal one.
    integer, parameter :: as_normal = 100000
    !> Singular values below this part of the largest [-]: two columns then make an angle of less than 0.2 rad. Their factors
    !> then correlate by more than 0.98.
    real(wp), parameter :: separable = 0.1_wp
    !> Unknowns with at least this share in such a combination are named.
    real(wp), parameter :: sharing = 0.25_wp
-   !> Part of the largest singular value under which nothing at all is known of a combination: that of round-off in a
-   !> difference quotient.
+   !> Part of the largest singular value below which a combination is unknown: the round-off of a difference quotient.
    real(wp), parameter :: nothing_known = 1.0e-6_wp
 
 contains
 
-   !> Statistics of a fit. Where deviations of the data are known they set the intervals, else the residuals do; then there
-   !> must be more data than unknowns. With data of several kinds the deviations must be those of dg_variance_components.
+   !> Statistics of a fit. Known deviations of the data set the intervals. Else the residuals do, and then there must be more
+   !> data than unknowns. With data of several kinds the deviations must be those of dg_variance_components.
    subroutine find_statistics(jacobian, residual, found, kinds, statistics)
       real(wp), intent(in) :: jacobian(:, :)     !< (data, unknowns), over the deviations
       real(wp), intent(in) :: residual(:)        !< over the deviations

@@ -27,11 +27,11 @@ module dg_least_squares
          class(measured_function_type), intent(inout) :: self
          real(wp), intent(in) :: points(:, :)     !< (unknowns, points)
          real(wp), intent(out) :: values(:, :)    !< (data, points)
-         logical, intent(out) :: solved(:, :)     !< (data, points); where not, the value means nothing
+         logical, intent(out) :: solved(:, :)     !< (data, points); where false, the value is not valid
       end subroutine evaluate_points
    end interface
 
-   !> Where a fit begins, and what its unknowns may be.
+   !> Start of a fit, and bounds of its unknowns.
    type :: unknowns_type
       real(wp), allocatable :: start(:)
       logical, allocatable :: lessened(:)   !< begin with half of it where the function has no values there
@@ -50,19 +50,19 @@ module dg_least_squares
       integer :: lost = 0                        !< number of a datum without value, where that ended the fit
    end type fit_type
 
-   !> Differences are taken over this part of an unknown's scale: small beside its curvature, large beside the residual to
-   !> which models iterate.
+   !> Step of differences over an unknown's scale: small compared with its curvature, large compared with the residual of
+   !> models.
    real(wp), parameter :: difference_share = 1.0e-3_wp
-   !> A step smaller than this part of the scale ends the fit: far below what any measurement tells.
+   !> A step smaller than this part of the scale ends the fit: far below any measurement.
    real(wp), parameter :: rest_share = 1.0e-7_wp
    !> Largest possible decrease of the sum of squares, as a part of it, at which the fit ends.
    real(wp), parameter :: rest_gain = 1.0e-12_wp
    integer, parameter :: most_iterations = 60
-   !> Damping: first, by what it changes, and the most.
+   !> First damping, its factor of change, and the largest damping.
    real(wp), parameter :: first_damping = 1.0e-4_wp, damping_factor = 10.0_wp, most_damping = 1.0e12_wp
-   !> An unknown is not felt where its whole scale moves no datum by this part of its deviation.
+   !> An unknown has no effect if its whole scale moves no datum by this part of its deviation.
    real(wp), parameter :: felt = 1.0e-2_wp
-   !> Nor where it moves no datum by this part of the datum: iterations leave as much noise in a difference.
+   !> It also has no effect if it moves no datum by this part of the datum, which is the noise of iterations in a difference.
    real(wp), parameter :: noise = 1.0e-5_wp
 
    !> Maximum number of halvings of a start without values: a sixteenth of any friction is little.
@@ -153,9 +153,9 @@ contains
       fit%status = fit_out_of_iterations
    end subroutine fit_least_squares
 
-   !> Derivatives of the values over the deviations, by one-sided differences that stay within the bounds. An unknown on one side of
-   !> which the function has no values is looked at on the other. Where it has none there either, the fit is without values, and
-   !> fit%lost is one that lacks.
+   !> Derivatives of the values over the deviations, by one-sided differences within the bounds. If the function has no values
+   !> on one side of an unknown, the other side is used. If it has none there either, the fit is without values, and fit%lost
+   !> is a datum without value.
    subroutine differentiate(function, scale, lower, upper, deviation, fit)
       class(measured_function_type), intent(inout) :: function
       real(wp), intent(in) :: scale(:), lower(:), upper(:), deviation(:)

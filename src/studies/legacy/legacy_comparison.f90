@@ -1,4 +1,4 @@
-!> Another program's results against ours along the hole: differences, and where they arise.
+!> Comparison of another program's results with ours along the hole: differences, and their places of origin.
 !>
 !> Forces of a string are summed from the bit up. A difference at some depth may come from anywhere below. Its growth over each
 !> interval of the hole shows the place.
@@ -33,10 +33,10 @@ module dg_legacy_comparison
 
    !> Largest difference over the largest value up to which two programs agree [-].
    real(wp), parameter :: agreement = 1.0e-3_wp
-   !> Two programs part where the difference has grown to this share of the largest one [-].
+   !> Two programs part where the difference has grown to this part of the largest one [-].
    real(wp), parameter :: parted = 0.05_wp
 
-   !> One quantity: how far two programs are apart, and where they part.
+   !> One quantity: the difference between two programs, and the depth where they part.
    type :: parting_type
       logical :: present = .false.
       logical :: agrees = .true.              !< to `agreement`
@@ -45,8 +45,8 @@ module dg_legacy_comparison
       real(wp) :: largest_md = 0.0_wp         !< [m]
       real(wp) :: mean = 0.0_wp               !< of absolute differences [SI]
       real(wp) :: parting_md = 0.0_wp         !< lowest depth above which they are apart [m]
-      real(wp) :: at_bottom = 0.0_wp          !< difference that is there at the lowest depth already, of what is summed up [SI]
-      integer :: worst = 0                    !< interval over which the difference grows most; 0: most is there at the lowest depth
+      real(wp) :: at_bottom = 0.0_wp          !< difference at the lowest depth, of a quantity that is summed up [SI]
+      integer :: worst = 0                    !< interval with the largest growth of the difference; 0: the lowest depth has more
       real(wp) :: share = 0.0_wp              !< of that in all growth and what is there at the lowest depth [-]
       real(wp), allocatable :: growth(:)      !< of the difference over each interval, from its lower to its upper end [SI];
                                               !< for side force the integral of the difference [N]

@@ -1,4 +1,4 @@
-!> The group &steering of a deck: the load cases whose assemblies are asked where they drill to.
+!> The group &steering of a deck: the load cases whose direction of drilling is wanted.
 module dg_deck_steering
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, real_of, reals_of, optional_of

@@ -1,4 +1,4 @@
-!> The curvature at which an assembly drills on: that of the hole in which its bit wants to go nowhere else.
+!> Curvature at which an assembly drills on: that of the hole in which its bit has no tendency to leave the hole's direction.
 !>
 !> The lowest part of a string is solved in holes of constant curvature k. They end at the bit in the direction of the given
 !> hole. F is the side force of the bit on the formation and a its tilt against the hole axis, both as vectors across the hole.
@@ -35,13 +35,13 @@ module dg_equilibrium_curvature
    !> Change of curvature for differences, the last step, and the longest one [1/m].
    real(wp), parameter :: apart = 0.5_wp*degree/30.0_wp, settled = 0.01_wp*degree/30.0_wp, longest = 10.0_wp*degree/30.0_wp
    integer, parameter :: most_steps = 12, most_trials = 4
-   !> Toolfaces at which a bend that turns is seen.
+   !> Number of tool faces for a bend that turns.
    integer, parameter :: toolfaces_round = 8
-   !> Inclination of the hole under which it has no high side to speak of [rad].
+   !> Inclination below which the hole has no usable high side [rad].
    real(wp), parameter :: least_inclination = 2.0_wp*degree
-   !> Largest turn of the hole along the part that is solved [rad]; where it curves more less of the string is solved.
+   !> Largest turn of the hole along the solved part [rad]. In a stronger curve a shorter part is solved.
    real(wp), parameter :: most_turn = 100.0_wp*degree
-   !> Said of a curvature for which no beam on short elements was found, as between stabilizers and walls of 1e10 kN/m2.
+   !> Message if moments of short elements were not found, as between stabilizers and walls of 1e10 kN/m2.
    character(*), parameter :: rough_message = 'side force, tilt and dogleg may be off by 20 %: no solution on short '// &
       'elements. A softer wall (gk_max, mud_sheath) helps'
    !> Distance of stations [m].
@@ -62,8 +62,8 @@ module dg_equilibrium_curvature
 
 contains
 
-   !> Fills a result of a load case at a toolface [rad]. It is marked as not found where the string has no equilibrium in such a
-   !> hole, or Newton's method no end.
+   !> Set a result of a load case at a tool face [rad]. It is marked as not found if the string has no equilibrium in such a
+   !> hole, or if Newton's method does not converge.
    subroutine find_equilibrium_curvature(model, case_index, toolface, length, side_cutting, result, enlargement, &
                                          measured)
       type(model_type), intent(in) :: model
@@ -177,8 +177,8 @@ contains
       end do
    end subroutine enlarge_hole
 
-   !> Side cutting s [-] that makes a(k) + s F(k)/W = 0 towards the toolface in a hole of the measured dogleg; missing where none
-   !> above 0 does.
+   !> Side cutting s [-] with a(k) + s F(k)/W = 0 towards the tool face in a hole of the measured dogleg; missing if there is
+   !> none above 0.
    subroutine fit_side_cutting(probe, measured, toolface, side_cutting)
       type(probe_type), intent(inout) :: probe
       real(wp), intent(in) :: measured          !< [1/m]; missing: not known

@@ -16,8 +16,8 @@ module dg_steering
       type(optional_real) :: side_cutting      !< penetration of the bit sideways over that ahead, for the same force [-]
    end type steering_type
 
-   !> Where an assembly drills to: its bit in the hole as it is, and the curvature at which the hole goes on. Pairs are parts
-   !> towards the high side (north where the hole is vertical) and to the right of it, looking down the hole.
+   !> Direction of drilling of an assembly: its bit in the given hole, and the curvature at which the hole goes on. Pairs are
+   !> parts towards the high side (north where the hole is vertical) and to the right of it, looking down the hole.
    type :: steering_result_type
       integer :: case_index = 0
       real(wp) :: toolface = missing          !< [rad]; missing: a straight string, or the mean over a turn
@@ -27,9 +27,10 @@ module dg_steering
       real(wp) :: tilt(2) = missing           !< to which the bit points there, against the hole axis [rad]
       real(wp) :: curvature(2) = missing      !< at which the hole goes on [1/m]
       real(wp) :: three_points = missing      !< curvature of a stiff assembly on three points [1/m]; missing: it has no bend
-      real(wp) :: side_cutting = missing      !< that gives the measured dogleg [-]; missing: none was measured, or none does
+      real(wp) :: side_cutting = missing      !< side cutting that gives the measured dogleg [-]; missing: none was measured, or
+                                              !< there is none
       integer :: solutions = 0                !< of the string
       logical :: found = .false.
-      character(:), allocatable :: message    !< why not
+      character(:), allocatable :: message    !< reason without a result
    end type steering_result_type
 end module dg_steering

@@ -1,4 +1,4 @@
-!> &steering: where assemblies drill to, each load case at each toolface.
+!> &steering: direction of drilling of assemblies, each load case at each tool face.
 module dg_steering_study
    use dg_kinds, only: wp
    use dg_case_result, only: result_not_converged
@@ -123,7 +123,7 @@ contains
       end function toolface_of
    end subroutine solve_all
 
-   !> Tells what has no curvature, and of what is known roughly.
+   !> Report cases without a curvature, and those known roughly.
    subroutine report_lost(run, results, lost)
       type(run_type), intent(inout) :: run
       type(steering_result_type), intent(in) :: results(:)

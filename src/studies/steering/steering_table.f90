@@ -1,4 +1,5 @@
-!> Where assemblies drill to: steering.csv, one row per load case and toolface, and in print. Every printed line fits 120 columns.
+!> Directions of drilling: steering.csv, one row per load case and tool face, and in print. Every printed line fits 120
+!> columns.
 module dg_steering_table
    use dg_constants, only: degree, pi
    use dg_job, only: job_type

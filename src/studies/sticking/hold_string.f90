@@ -18,9 +18,9 @@ module dg_hold_string
    private
    public :: resistance, free_point, usual_solutions
 
-   !> Pulls and torques are looked for within this many measured hook loads and torques [-].
+   !> Range of pulls and torques of the search, over measured hook loads and torques [-].
    real(wp), parameter :: widest = 10.0_wp
-   !> Deviation where none is known, over the measured value [-]: one datum for one unknown is met, whatever it weighs.
+   !> Deviation if none is known, over the measured value [-]. One datum for one unknown is met with any weight.
    real(wp), parameter :: any_deviation = 1.0e-3_wp
    !> A free point is found to this part of the bit's depth [-], far finer than stretch can be measured.
    real(wp), parameter :: depth_share = 1.0e-6_wp
@@ -30,7 +30,7 @@ module dg_hold_string
    !> Least depth of a free point over that of the bit [-]: some string must be left.
    real(wp), parameter :: shallowest = 1.0e-3_wp
 
-   !> Hook load and torque at the top of a string that is held at its lower end, as a function of pull and torque there.
+   !> Hook load and torque at the top of a string held at its lower end, as a function of pull and torque there.
    type, extends(measured_function_type) :: stuck_function_type
       type(model_type) :: model                !< its string ends where it is held
       integer :: number = 0                    !< of the model that solves
@@ -41,7 +41,7 @@ module dg_hold_string
 
 contains
 
-   !> Resistance at a known depth: pull and torque above it that give what was measured, less those of a free string.
+   !> Resistance at a known depth: pull and torque above it that give the measured values, less those of a free string.
    subroutine resistance(model, sticking, result, progress)
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking

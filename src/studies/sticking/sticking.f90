@@ -26,7 +26,7 @@ module dg_sticking
    end type sticking_type
 
    integer, parameter :: sticking_found = 1
-   integer, parameter :: sticking_at_bound = 2       !< less torque arrives than friction takes
+   integer, parameter :: sticking_at_bound = 2       !< the torque that arrives is less than friction takes
    integer, parameter :: sticking_below_bit = 3      !< the whole string stretches less: it is free down to the bit
    integer, parameter :: sticking_no_solution = 4
    character(*), parameter :: sticking_status_name(4) = [character(11) :: 'found', 'at_bound', 'below_bit', 'no_solution']

@@ -1,4 +1,4 @@
-!> The groups &uncertainty of a deck: a range of depths, and what is not known of well, mud and gauges.
+!> The groups &uncertainty of a deck: a range of depths, and uncertain data of well, mud and gauges.
 module dg_deck_uncertainty
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, claim_name, group_fault, integer_of, is_given, is_sound, named, real_of, &

@@ -1,4 +1,4 @@
-!> The model of one sample: friction, mud and survey as they may be.
+!> The model of one sample, with random friction, mud and survey.
 module dg_sampled_model
    use dg_kinds, only: wp
    use dg_constants, only: pi
@@ -14,7 +14,7 @@ module dg_sampled_model
    public :: draw_model, draw_of
    public :: quantity_friction, quantity_density, quantity_inclination, quantity_azimuth, quantity_hookload, quantity_torque
 
-   !> Quantities that are drawn; each has its own numbers, so that a deck with one more uncertainty keeps the others'.
+   !> Random quantities. Each has its own numbers, so that a deck with one more uncertainty keeps the others'.
    integer, parameter :: quantity_friction = 1     !< index: hole section
    integer, parameter :: quantity_density = 2
    integer, parameter :: quantity_inclination = 3  !< index: station; 0: all alike
@@ -74,7 +74,7 @@ contains
       if (density < heaviest) share = density/heaviest
    end function share_of
 
-   !> Stations with angles as they may be. An inclination below 0 or beyond pi is the same direction seen from the other side.
+   !> Stations with random angles. An inclination below 0 or beyond pi is the same direction seen from the other side.
    subroutine draw_survey(model, uncertainty, sample, drawn, error)
       type(model_type), intent(in) :: model
       type(uncertainty_type), intent(in) :: uncertainty

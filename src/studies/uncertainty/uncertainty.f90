@@ -69,8 +69,8 @@ contains
       end do
    end function correlation_of
 
-   !> Cholesky's factor of the covariance of friction. The first section goes by the first number alone, so that decks with one
-   !> section, and sections without correlation, draw what they always drew. A pivot that is nothing but round-off is none.
+   !> Cholesky's factor of the covariance of friction. The first section depends on the first number only. Decks with one
+   !> section, and sections without correlation, therefore always draw the same. A pivot within round-off counts as zero.
    pure subroutine friction_factor_of(deviations, correlation, factor, regular)
       real(wp), intent(in) :: deviations(:)         !< one a hole section [-]
       real(wp), intent(in) :: correlation(:, :)

@@ -1,4 +1,4 @@
-!> &uncertainty: quantiles of hook load and torque over bit depth, where well, mud, friction and gauges are not known for sure.
+!> &uncertainty: quantiles of hook load and torque over bit depth, for uncertain well, mud, friction and gauges.
 module dg_uncertainty_study
    use dg_column, only: fields_of, row_type
    use dg_deck_draft, only: deck_type
@@ -107,7 +107,7 @@ contains
       end do
    end subroutine echo
 
-   !> Takes what others have found out about friction, then looks for earlier points.
+   !> Take the friction estimates of other studies, then find earlier points.
    subroutine prepare(self, run, error)
       class(uncertainty_study_type), intent(inout) :: self
       type(run_type), intent(inout) :: run
@@ -259,7 +259,7 @@ contains
       allocate (texts, source=lines%lines(:lines%count))
    end function uncertainty_lines
 
-   !> The samples of a Monte Carlo that failed: a row a point. Its table and its file tell how many locked up where.
+   !> Note the failed samples of a Monte Carlo: a row a point. Its table and its file count those that locked up.
    pure subroutine note_uncertainty(outcome, uncertainty, pieces)
       type(outcome_type), intent(inout) :: outcome
       type(uncertainty_type), intent(in) :: uncertainty
