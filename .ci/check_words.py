@@ -95,7 +95,7 @@ def faults_of(path, limit, told):
 OPERATOR = r"(?:==|/=|<=|>=|\*\*|//|->|=>|[=<>+*/^~-])"
 FORMULA = re.compile(rf"\S+(?: {OPERATOR} \S+)+")
 SHOWN = re.compile(r" {3,}(?=.* (?:=|<=?|>=?|-) )(?!(?:.* [A-Za-z]{4,}(?= |$)){3})")   # a line that shows a formula, no prose
-ITEM = re.compile(r"(?:[-*]|\d{1,2}[.)]|\(?[a-z]\)) ")
+ITEM = re.compile(r"(?:[-*]|\d{1,2}[.)]) ")
 SHORT = re.compile(r"\b(e\.g|i\.e|cf|et al|vs|(?:eqs?|fig|no|vol|pp?)(?=\. *\d))\.", re.I)   # a full stop that ends no sentence
 
 
