@@ -8,9 +8,9 @@
 !> bound. In compression no simple formula is known, and none is given.
 !>
 !> With the body's contact the moment at a joint in tension also has a closed form. The same paper has no contact, contact at
-!> mid-span, and contact along a length. The body's distance v from a line that follows the hole at the joints obeys EI v'''' -
-!> T v'' = T/R. At the joint v = v' = 0. At the wall, at x = a, v is the stand-off and v' = 0. With a = L it touches at a
-!> point. If the moment there would exceed EI/R, it lies on the wall from an a < L on, at which v'' = 0.
+!> mid-span, and contact along a length. The body's distance v from a line that follows the hole at the joints obeys EI
+!> v'''' - T v'' = T/R. At the joint v = v' = 0. At the wall, at x = a, v is the stand-off and v' = 0. With a = L it touches at
+!> a point. If the moment there would exceed EI/R, it lies on the wall from an a < L on, at which v'' = 0.
 module dg_joint_bending
    use dg_kinds, only: wp
    use dg_constants, only: pi

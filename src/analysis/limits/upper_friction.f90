@@ -1,8 +1,8 @@
 !> Friction at the upper end of the 95 % interval, in the combination that matters for a load case.
 !>
 !> A calibration finds the friction of two hole sections from sums of both: one may be larger where the other is smaller. All
-!> of them at the upper ends of their own intervals would be less likely than 1 in 20. With correlations R, half widths h and H
-!> = diag(h), the interval of the sum g.f of frictions f is sqrt(g H R H g). There f changes by H R H g over that interval.
+!> of them at the upper ends of their own intervals would be less likely than 1 in 20. With correlations R, half widths h and
+!> H = diag(h), the interval of the sum g.f of frictions f is sqrt(g H R H g). There f changes by H R H g over that interval.
 module dg_upper_friction
    use dg_kinds, only: wp
    use dg_contact_friction, only: shift_friction

@@ -20,8 +20,8 @@ module dg_sinusoidal_shape
 
 contains
 
-   !> Swing A to either side [rad] as a function of b, 0 up to b = 1. Mitchell's (1997) fit to his solutions is 5 % larger at b
-   !> = 1.05 and 7 % smaller at 1.4.
+   !> Swing A to either side [rad] as a function of b, 0 up to b = 1. Mitchell's (1997) fit to his solutions is 5 % larger at
+   !> b = 1.05 and 7 % smaller at 1.4.
    elemental function sinusoidal_swing(b) result(swing)
       real(wp), intent(in) :: b    !< compression over the sinusoidal limit [-]
       real(wp) :: swing

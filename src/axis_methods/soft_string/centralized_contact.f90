@@ -4,10 +4,10 @@
 !>
 !>   d = q L^4/(384 E I (1 + T/T_c)),   T_c = 4 pi^2 E I/L^2,
 !>
-!> Tension T stiffens it. T_c is the buckling load of clamped columns, and the formula is within 2 % of the closed form up to T
-!> = 2 T_c. The centralizers hold it off the wall by h. With d > h it touches at mid-span with (1 - h/d)/2 of the load of the
-!> span, like a clamped beam on a third support. From d = 3 h on it lies on the wall, and the centralizers carry x = 4/3 (3
-!> h/(16 d))^(1/4). There d has the free length, 3/2 x L, in T_c. A bow yields by C times its load: h = g - C (1 - share).
+!> Tension T stiffens it. T_c is the buckling load of clamped columns, and the formula is within 2 % of the closed form up to
+!> T = 2 T_c. The centralizers hold it off the wall by h. With d > h it touches at mid-span with (1 - h/d)/2 of the load of the
+!> span, like a clamped beam on a third support. From d = 3 h on it lies on the wall, and the centralizers carry x = 4/3
+!> (3 h/(16 d))^(1/4). There d has the free length, 3/2 x L, in T_c. A bow yields by C times its load: h = g - C (1 - share).
 module dg_centralized_contact
    use dg_kinds, only: wp
    use dg_centralizer, only: bow_opening, bow_stiffness

@@ -12,9 +12,9 @@
 !> Running forces of bow springs per length are added to f n. If a component has centralizers they share the contact with the
 !> body between them (dg_centralized_contact). Brett et al. 1989 (the paper's flexible type) use the same balance.
 !>
-!> With `coiled`, compression F above the helical load presses the string on the wall all around. The contact force is c F^2/(4
-!> EI) per metre (Mitchell 1986) where that is more than n. Friction then grows with F squared. Above some weight on bit no
-!> push at the top is enough (Wu & Juvkam-Wold 1993).
+!> With `coiled`, compression F above the helical load presses the string on the wall all around. The contact force is c
+!> F^2/(4 EI) per metre (Mitchell 1986) where that is more than n. Friction then grows with F squared. Above some weight on bit
+!> no push at the top is enough (Wu & Juvkam-Wold 1993).
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit

@@ -10,12 +10,12 @@
 !>   d|f| = n.dr,  dn = (tau tau + (1 - chi) t t)/|f| dr,  dt = chi k t.dr,  dtau = chi (k x n) t.dr - n tau.dr/|f|
 !> Friction makes the derivative unsymmetric.
 !>
-!> Near a helix a string that does not rotate takes M_GA as a couple that bends it. P = -dV/dr' acts on its slope r' and F =
-!> -dV/dr on its place r. Both derive from V = r R a d.n with the unit tangent d = r'/|r'|. That is the same moment d x P = -r
-!> R a tau to first order, and in addition F_tau = -r R a (d.tau)/|f| along tau. As a plain vector, M_GA would do work on a
-!> helix that turns as a whole about the hole. In a vertical hole nothing balances that work, and no equilibrium exists. On a
-!> real string friction around the hole, at rest, balances it. F_tau, some per cent of R, is the smallest force that cancels
-!> that work. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
+!> Near a helix a string that does not rotate takes M_GA as a couple that bends it. P = -dV/dr' acts on its slope r' and
+!> F = -dV/dr on its place r. Both derive from V = r R a d.n with the unit tangent d = r'/|r'|. That is the same moment d x
+!> P = -r R a tau to first order, and in addition F_tau = -r R a (d.tau)/|f| along tau. As a plain vector, M_GA would do work
+!> on a helix that turns as a whole about the hole. In a vertical hole nothing balances that work, and no equilibrium exists.
+!> On a real string friction around the hole, at rest, balances it. F_tau, some per cent of R, is the smallest force that
+!> cancels that work. Elsewhere F_tau is wrong: at a stabilizer |f| is small, and F_tau large.
 module dg_gap_contact
    use dg_kinds, only: wp
    implicit none

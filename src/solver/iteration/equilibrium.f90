@@ -1,9 +1,9 @@
 !> Newton-Raphson iteration to equilibrium with contact forces as unknowns of their own (Eq. 12 with Eqs. 7 and 8).
 !>
 !> A stiff wall makes contact hard for an iteration, as it turns micrometres into kilonewtons. Here a contact force R does not
-!> follow from the depth |f|. Both are unknowns, and meet at equilibrium. A gap is closed where
-!> R + rho (|f| - depth(R)) > 0. The stiffness rho softens the wall during the iteration (dg_contact_problem). Residual, tangent
-!> and the test of a step depend on R, which changes smoothly.
+!> follow from the depth |f|. Both are unknowns, and meet at equilibrium. A gap is closed where R + rho (|f| - depth(R)) > 0.
+!> The stiffness rho softens the wall during the iteration (dg_contact_problem). Residual, tangent and the test of a step
+!> depend on R, which changes smoothly.
 !>
 !> One iteration:
 !> 1. The linear problem of dg_contact_problem gives the step and the contact forces at its end. It opens and closes gaps. The
@@ -19,7 +19,6 @@
 !> 5. A step that still raises the energy, and does not reduce the residual, is refused, and damping is raised.
 !> 6. A stable string that goes on moving though no gap changes for long is drifting. From then on friction holds it sideways
 !> too (dg_held_coils).
-!>
 !> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A
 !> damped string is stable and has stopped moving. No element that may still be cut is outside its hole.
 module dg_equilibrium

@@ -279,8 +279,9 @@ contains
    end function lag
 
    !> Angle that a helix has not turned at a phase x from its end [rad]. Between the axis and the wall it does not turn: from a
-   !> centred end its rate grows as (1 - cos x)/2. Where it reaches the wall, the rate is u = beta tanh(beta s) with beta^2 =
-   !> F/(2 EI). This solves the beam's equation along the wall without torque, EI (u'' - 2 u^3) + F u = 0 (Mitchell 1988).
+   !> centred end its rate grows as (1 - cos x)/2. Where it reaches the wall, the rate is u = beta tanh(beta s) with
+   !> beta^2 = F/(2 EI). This solves the beam's equation along the wall without torque, EI (u'' - 2 u^3) + F u = 0 (Mitchell
+   !> 1988).
    pure function held_back(ends, away) result(angle)
       type(end_type), intent(in) :: ends
       real(wp), intent(in) :: away    !< [rad]

@@ -1,10 +1,10 @@
 !> Drift of errors with depth, and its effect on predictions below the data.
 !>
 !> Some model errors grow with depth: a friction that changes, a wrong weight per metre. Errors of an operation are
-!> e = scatter + b (depth - mean depth), with a rate b of its own. Rates follow from the residuals by least squares, beside the fitted
-!> unknowns. The part of a drift that the unknowns absorb is therefore included. The variance of the rates is the mean of b^2
-!> over operations, less the median of its part by scatter. That part is var b times chi-square over its freedom (Wilson &
-!> Hilferty 1931). The variance is never negative. Half of the fits of data without a drift thus find one. With the mean in
+!> e = scatter + b (depth - mean depth), with a rate b of its own. Rates follow from the residuals by least squares, beside the
+!> fitted unknowns. The part of a drift that the unknowns absorb is therefore included. The variance of the rates is the mean
+!> of b^2 over operations, less the median of its part by scatter. That part is var b times chi-square over its freedom (Wilson
+!> & Hilferty 1931). The variance is never negative. Half of the fits of data without a drift thus find one. With the mean in
 !> place of the median, intervals hold less of the data if a drift is hardly visible.
 module dg_depth_drift
    use dg_kinds, only: wp

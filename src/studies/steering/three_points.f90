@@ -1,9 +1,9 @@
 !> Dogleg of a stiff bent assembly that touches its hole at three points: the circle through them.
 !>
 !> Karlsson, Brassfield & Krueger 1985 (SPE 13474): bit, first and second contact. Heights above the bit are a and b, and the
-!> bend of angle t is at c <= b. Backwards from the bit the hole rises by k s^2/2 above its tangent there, the tool by t (s -
-!> c) above the bend. The tool is off the hole axis by half the clearances there, e_1 away from the tool face and e_2 towards
-!> it. Eccentric blades towards the tool face add to e_1 and take from e_2.
+!> bend of angle t is at c <= b. Backwards from the bit the hole rises by k s^2/2 above its tangent there, the tool by t
+!> (s - c) above the bend. The tool is off the hole axis by half the clearances there, e_1 away from the tool face and e_2
+!> towards it. Eccentric blades towards the tool face add to e_1 and take from e_2.
 !>
 !>   k = 2 (t (b - c) - t max(a - c, 0) b/a - e_1 b/a - e_2)/(b (b - a)),
 !>
