@@ -1,4 +1,4 @@
-!> The deck of an imported case. A comment stands at each value that the files leave out or that was guessed.
+!> The deck of an imported case. A comment marks each value that the files lack or that was guessed.
 module dg_case_deck
    use dg_constants, only: degree
    use dg_imported_case, only: imported_case_type, imported_hole_type, imported_part_type, lined_up
@@ -210,7 +210,7 @@ contains
 
    contains
 
-      !> A number that the files have, or a guess; without a guess nothing.
+      !> Put a number of the files, or a guess; without a guess no line.
       subroutine put_known(key, number, unit, guess, remark)
          character(*), intent(in) :: key
          real(wp), intent(in) :: number, unit               !< [SI]

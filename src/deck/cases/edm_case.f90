@@ -20,7 +20,8 @@ module dg_edm_case
 
 contains
 
-   !> Takes survey, hole, string and mud of a wellbore. `failure` names those to choose from, or the value that is no number.
+   !> Read survey, hole, string and mud of a wellbore. `failure` lists the wellbores to choose from, or the value that is not a
+   !> number.
    subroutine read_edm_case(tree, wanted, case, failure)
       type(xml_tree_type), intent(in) :: tree
       character(*), intent(in) :: wanted           !< name of a well or wellbore; '': the only one

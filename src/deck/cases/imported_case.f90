@@ -1,5 +1,4 @@
-!> A case of another program: survey, hole, string and mud, as far as its files hold them. SI units; 0 or '' is what they do
-!> not say.
+!> A case of another program: survey, hole, string and mud, as far as its files hold them. SI units; unknown data are 0 or ''.
 module dg_imported_case
    use dg_kinds, only: wp
    use dg_merge_sort, only: sorted_places
@@ -48,12 +47,12 @@ module dg_imported_case
       'drillpipe', 'drillpipe', 'casing', 'casing', 'cas', 'casing', 'liner', 'casing', 'tubing', 'tubing', 'tbg', 'tubing', &
       'motor', 'motor', 'mud_mot', 'motor', 'mwd', 'mwd', 'lwd', 'mwd', 'jar', 'jar', 'bit', 'bit', 'dp', 'drillpipe', &
       'dc', 'collar', 'mot', 'motor'], [2, 23])
-   !> Words that mean a component only where they stand alone.
+   !> Words that mean a component only by themselves.
    character(*), parameter :: alone(6) = [character(4) :: 'hw', 'dp', 'dc', 'mot', 'cas', 'bit']
 
 contains
 
-   !> A case of which nothing is known.
+   !> An empty case.
    pure function empty_case() result(case)
       type(imported_case_type) :: case
       case%well = ''
@@ -85,7 +84,7 @@ contains
       end associate
    end subroutine add_part
 
-   !> Kind of a component by what another program calls it; ''.
+   !> Kind of a component by its name in another program; '' if unknown.
    pure function kind_of_part(text) result(kind)
       character(*), intent(in) :: text
       character(:), allocatable :: kind
@@ -107,7 +106,7 @@ contains
       end do
    end function kind_of_part
 
-   !> Sections that abut, from those of a file, which may cover each other. `notes` tell of gaps.
+   !> Sections that abut, from those of a file, which may overlap. `notes` name gaps.
    pure subroutine lined_up(given, units, holes, notes)
       type(imported_hole_type), intent(in) :: given(:)
       type(unit_system_type), intent(in) :: units  !< of the notes
@@ -165,7 +164,8 @@ contains
       end subroutine next_section
    end subroutine lined_up
 
-   !> Which of two sections at the same depth counts: casing before open hole, the narrower casing, the shallower open hole.
+   !> True if the first of two sections at one depth counts: casing before open hole, the narrower casing, the shallower open
+   !> hole.
    pure function counts_before(one, other) result(counts)
       type(imported_hole_type), intent(in) :: one, other
       logical :: counts
@@ -175,7 +175,7 @@ contains
       if (one%cased) counts = one%diameter < other%diameter
    end function counts_before
 
-   !> True if a name is the one asked for, letter case aside.
+   !> True if a name is the wanted one, letter case aside.
    pure function is_meant(name, wanted) result(is)
       character(*), intent(in) :: name, wanted
       logical :: is

@@ -55,7 +55,7 @@ contains
    !> Path of the catalogue for a deck ('' for none): `named` in the deck, or the first one that is there, or that of the program.
    subroutine find_catalogue(deck, named, path)
       character(*), intent(in) :: deck          !< path
-      character(*), intent(in) :: named         !< by the deck, from its folder; '': not
+      character(*), intent(in) :: named         !< named by the deck, from its folder; '': not named
       character(:), allocatable, intent(out) :: path
       character(:), allocatable :: variable
       integer :: length, status
@@ -82,8 +82,8 @@ contains
       if (.not. is) path = catalogue_within
    end subroutine find_catalogue
 
-   !> Reads the table `path` with all its faults. Two rows of one name, one of them a grade or not, leave open which is meant: a
-   !> fault, too.
+   !> Read the table `path` with all its faults. Two rows of one name, one of them a grade or not, are ambiguous and also a
+   !> fault.
    subroutine read_catalogue(path, catalogue, faults, asked)
       character(*), intent(in) :: path
       type(catalogue_type), intent(out) :: catalogue
@@ -238,8 +238,8 @@ contains
       if (entry%name == '') call add_fault(faults, path, line, 'catalogue: the row has no name')
    end subroutine read_entry
 
-   !> Entry and grade of that name, letter case and number of blanks aside; 0 where there is none. A grade stands behind the
-   !> name of a pipe.
+   !> Find entry and grade of a name, letter case and number of blanks aside; 0 if there is none. A grade follows the name of a
+   !> pipe.
    pure subroutine find_entry(catalogue, name, entry, grade)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name

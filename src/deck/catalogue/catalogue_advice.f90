@@ -9,21 +9,21 @@ module dg_catalogue_advice
    private
    public :: catalogue_advice
 
-   !> Most names that a message tells.
+   !> Most names in a message.
    integer, parameter :: most_told = 8
    !> Letters of the longest name of an entry with its grade.
    integer, parameter :: longest = 80
    !> Two sizes or weights are the same up to this [in, lbm/ft].
    real(wp), parameter :: same = 5.0e-3_wp
-   !> A weight is near up to this share of it [-]: nominal, adjusted and rounded weights differ by less.
+   !> Largest relative difference of near weights [-]: nominal, adjusted and rounded weights differ by less.
    real(wp), parameter :: near = 0.1_wp
    !> Marks and units behind a number.
    character(*), parameter :: marks(7) = [character(6) :: 'lbm/ft', 'lbs/ft', 'lb/ft', 'ppf', '#', '"', 'in']
-   !> First words of names, and what else people write.
+   !> First words of names, and their other spellings.
    character(*), parameter :: kind_words(2, 7) = reshape([character(10) :: 'drillpipe', 'dp', 'pipe', 'dp', 'heavywate', 'hwdp', &
       'hw', 'hwdp', 'collar', 'dc', 'casing', 'csg', 'tubing', 'tbg'], [2, 7])
 
-   !> A name, taken apart.
+   !> Parts of a name.
    type :: parts_type
       character(:), allocatable :: kind      !< first word, small letters; '': none
       character(:), allocatable :: grade     !< small letters, without hyphens; '': none
@@ -93,7 +93,7 @@ contains
       if (size(found) > most_told) advice = advice//' --list-catalogue lists more'
    end function catalogue_advice
 
-   !> Takes a name apart: kind, size, weight, grade, and the rest.
+   !> Split a name: kind, size, weight, grade, and the rest.
    subroutine take_parts(catalogue, name, parts)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
@@ -134,7 +134,7 @@ contains
       parts%rest = trim(adjustl(parts%rest))
    end subroutine take_parts
 
-   !> The first word of names that a word means; '' where no entry has it.
+   !> First word of names that a word means; '' if no entry has it.
    pure function kind_of(catalogue, word) result(kind)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: word

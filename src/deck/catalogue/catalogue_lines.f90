@@ -1,5 +1,5 @@
-!> The catalogue of pipe that the program carries with it: input/catalogue.csv without its comments, for an installed program
-!> that is run anywhere. Written by .ci/embed_catalogue.py --write; change the table, not this.
+!> The catalogue of pipe within the program: input/catalogue.csv without its comments, for an installed program in any folder.
+!> Written by .ci/embed_catalogue.py --write. Change the table, not this file.
 module dg_catalogue_lines
    implicit none
    private

@@ -1,5 +1,5 @@
-!> Fills components of a deck from the catalogue: what the deck gives goes before what the catalogue gives, and that before
-!> the defaults.
+!> Fill components of a deck from the catalogue. Values of the deck have priority over the catalogue, and the catalogue over
+!> defaults.
 module dg_deck_catalogue
    use dg_kinds, only: wp
    use dg_catalogue, only: catalogue_type, find_catalogue, find_entry, number_of, numeric_keys, read_catalogue
@@ -14,7 +14,7 @@ module dg_deck_catalogue
 
 contains
 
-   !> Fills every component of the deck `path` that names an entry. The catalogue is read only where one does.
+   !> Fill every component of the deck `path` that names an entry. The catalogue is only read if one does.
    subroutine fill_from_catalogue(path, groups, file, faults)
       character(*), intent(in) :: path
       type(checked_group_type), intent(inout) :: groups(:)

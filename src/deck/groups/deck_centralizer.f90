@@ -1,4 +1,4 @@
-!> Reads &centralizer and puts centralizers on the components that they name.
+!> Read &centralizer and put centralizers on the components that they name.
 module dg_deck_centralizer
    use dg_kinds, only: wp
    use dg_centralizer, only: centralizer_type
@@ -19,7 +19,7 @@ contains
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
-      !> Keys that say nothing of a rigid centralizer.
+      !> Keys without effect on a rigid centralizer.
       character(*), parameter :: of_bows(3) = [character(15) :: 'restoring_force', 'running_force', 'rated_hole']
       type(centralizer_type) :: centralizer
       logical :: meant(size(draft%components))    ! by a group
@@ -92,7 +92,7 @@ contains
       centralizer%friction_rotary = real_of(group, 'friction_rotary', friction)
    end subroutine draft_centralizer
 
-   !> Tells of a group whose name and string no component has.
+   !> Report a group whose name and string no component has.
    subroutine report_unknown(draft, group, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group

@@ -26,8 +26,7 @@ module dg_deck_check
 
 contains
 
-   !> Brings the hole sections into the order of depth, gives open ends their default and checks that they abut
-   !> from surface on.
+   !> Sort the hole sections by depth, set defaults of open ends and check that they abut from surface on.
    subroutine close_holes(draft, faults)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
@@ -117,8 +116,8 @@ contains
       end do
    end subroutine check_draft
 
-   !> The load case from which a change of length counts: another one, with the same string at the same depth, that counts from
-   !> no other. A packer that holds the string finds the load itself.
+   !> Find the load case from which a change of length counts. It must be another one, with the same string at the same depth,
+   !> that counts from no other. For a packer that holds the string its load is found from it.
    subroutine find_reference(draft, item, faults)
       type(draft_type), intent(in) :: draft
       type(draft_case_type), intent(inout) :: item
@@ -235,7 +234,7 @@ contains
       integer :: k, n
 
       associate (case => item%load_case)
-         if (size(draft%components) == 0) return     ! said already
+         if (size(draft%components) == 0) return     ! reported already
          allocate (parts(size(draft%components)))
          n = 0
          do k = 1, size(draft%components)
@@ -264,7 +263,7 @@ contains
       end associate
    end subroutine check_string
 
-   !> Tells what checks of the model have found, with the lines of the deck, and empties the list.
+   !> Report faults of the model's checks, with the lines of the deck, and empty the list.
    subroutine report_faults(draft, found, faults, item)
       type(draft_type), intent(in) :: draft
       type(error_list_type), intent(inout) :: found

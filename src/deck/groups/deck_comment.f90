@@ -121,7 +121,7 @@ contains
       end do
    end function scaled
 
-   !> A number as text, as a person would write it.
+   !> Number as a person would write it.
    pure function shortest(number) result(text)
       real(wp), intent(in) :: number
       character(:), allocatable :: text

@@ -21,8 +21,7 @@ module dg_deck_convert
 
 contains
 
-   !> The lines of a deck without fault, in other units. Files that it names stay as they are: the converted deck
-   !> tells their units.
+   !> The lines of a deck without fault, in other units. Files that it names stay, and the converted deck states their units.
    subroutine convert_deck(path, read, units, other, groups, lines)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: read(:)            !< the lines of the deck

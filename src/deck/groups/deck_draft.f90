@@ -72,8 +72,8 @@ module dg_deck_draft
       logical :: has_stations = .false.        !< stations are without fault
       integer :: trajectory_line = 0
       integer :: interpolation = interpolation_minimum_curvature
-      logical :: tortuous = .false.            !< stations are those of a plan with tortuosity laid on it
-      type(text_type), allocatable :: path_notes(:) !< what was added to the stations of the deck
+      logical :: tortuous = .false.            !< stations are those of a plan with tortuosity
+      type(text_type), allocatable :: path_notes(:) !< additions to the stations of the deck
       type(text_type), allocatable :: path_warnings(:) !< positions of a survey file that differ from its stations
       type(draft_hole_type), allocatable :: holes(:)
       type(draft_component_type), allocatable :: components(:)
@@ -95,7 +95,7 @@ module dg_deck_draft
       real(wp), allocatable :: wob(:), tob(:)  !< by operation, or one for all [N, N.m]
    end type string_use_type
 
-   !> A deck as it is read: its parts, its groups for whoever has some of its own, and what these leave for each other.
+   !> A deck while it is read: its parts, its groups for studies with groups of their own, and results that these share.
    type :: deck_type
       type(draft_type) :: draft
       type(checked_group_type), allocatable :: groups(:)

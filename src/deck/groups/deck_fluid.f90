@@ -61,14 +61,14 @@ contains
       call check_fluid(begun, 0, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
-            if (key_of(wrong) == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! said already
+            if (key_of(wrong) == 'float_collar' .and. is_given(group, 'above_bit')) cycle     ! reported already
             call group_fault(group, key_of(wrong), wrong%message, faults)
          end associate
       end do
    end subroutine draft_fluid
 
-   !> The fluids of the model; air where the deck has none. Faults: a true vertical depth that the hole does not reach, a fluid
-   !> that another hides.
+   !> Make the fluids of the model; air if the deck has none. Faults: a true vertical depth that the hole does not reach, a
+   !> fluid that another hides.
    subroutine place_fluids(draft, trajectory, mud, faults)
       type(draft_type), intent(in) :: draft
       type(trajectory_type), intent(in) :: trajectory
@@ -93,7 +93,7 @@ contains
       call report_faults(draft, found, faults)
    end subroutine place_fluids
 
-   !> One note a matter, with the first load case where it is so.
+   !> Add one note a matter, with the first load case that has it.
    subroutine note_fluids(model, units, notes)
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units

@@ -21,20 +21,20 @@ module dg_deck_notes
    private
    public :: note_oddities
 
-   !> Holes wider than so many strings: inches or metres among millimetres.
+   !> Ratio of hole and string diameters of an unlikely hole: inches or metres among millimetres.
    real(wp), parameter :: widest_hole = 12.0_wp
    !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53). Pounds a
    !> foot are 0.67 of kilogrammes a metre, 0.8 of the tube for jointed pipe. Tools have hollows.
    real(wp), parameter :: least_mass = 0.75_wp, least_pipe_mass = 0.92_wp, most_mass = 1.6_wp
-   !> Young's moduli of what strings are made of [Pa]: glass fibre has 45, steel 206.
+   !> Range of Young's moduli of strings [Pa]: glass fibre has 45e9, steel 206e9.
    real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
-   !> The sharpest bend that the program has been tried on, coiled tubing in 300 deg/30 m [rad/m], and something.
+   !> Sharpest bend in tests, coiled tubing in 300 deg/30 m, and a margin [rad/m].
    real(wp), parameter :: sharpest = 310.0_wp*degree/30.0_wp
    !> Lighter than any foam that is pumped [kg/m3]: a specific gravity, or a number of another unit.
    real(wp), parameter :: lightest_mud = 300.0_wp
    !> Deeper than any hole so far [m]: feet among metres.
    real(wp), parameter :: deepest = 16.0e3_wp
-   !> To compare with: water [kg/m3] and steel [Pa].
+   !> For comparison: water [kg/m3] and steel [Pa].
    real(wp), parameter :: water = 1000.0_wp, steel = 206.0e9_wp
    !> Threshold of Eqs. 7-8 above which the contact force that it hides shows in the hook load [-]. In a build of 900 m it is
    !> 1e-4 at this threshold, 2 % at the largest legal one.
@@ -43,13 +43,13 @@ module dg_deck_notes
    !> [rad]. With stations every 9 to 30 m random wells have less in all but sharp bends, and drag differs by 1 to 17 %. With
    !> stations only where the plan changes it is 8 to 44 deg, and drag differs by 17 to 540 %.
    real(wp), parameter :: sparse = 3.0_wp*degree
-   !> Notes on components that are told.
+   !> Most components with notes.
    integer, parameter :: most_notes = 200
    integer, parameter :: digits = 6, few_digits = 4, angle_digits = 3
 
 contains
 
-   !> Adds to `notes` what is odd in a deck that is without fault.
+   !> Add unusual data of a deck without fault to `notes`.
    subroutine note_oddities(draft, job, uses, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
@@ -106,7 +106,7 @@ contains
       end do
    end function density_question
 
-   !> Bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
+   !> Note bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
    subroutine note_tools(draft, job, uses, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
@@ -146,7 +146,7 @@ contains
       end subroutine note_model
    end subroutine note_tools
 
-   !> A survey that goes deeper, or turns more sharply, than any hole does.
+   !> Note a survey that goes deeper, or turns more sharply, than any hole does.
    subroutine note_path(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -171,7 +171,7 @@ contains
       end associate
    end subroutine note_path
 
-   !> A spline that swings between its stations.
+   !> Note a spline that swings between its stations.
    subroutine note_spline(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -195,7 +195,7 @@ contains
       end associate
    end subroutine note_spline
 
-   !> Numbers of a component that do not go together.
+   !> Note numbers of a component that do not fit each other.
    subroutine note_component(draft, item, narrowest, notes)
       type(draft_type), intent(in) :: draft
       type(draft_component_type), intent(in) :: item
@@ -274,7 +274,7 @@ contains
       end function depth_of
    end subroutine find_uses
 
-   !> A component that never enters the hole: its string is not named, or the parts below it fill every hole.
+   !> Note a component that never enters the hole: its string is not named, or the parts below it fill every hole.
    subroutine note_unused(draft, item, deepest_bit, below, notes)
       type(draft_type), intent(in) :: draft
       type(draft_component_type), intent(in) :: item
@@ -291,7 +291,7 @@ contains
       end if
    end subroutine note_unused
 
-   !> A tool that opens, but stands above its depth of opening whatever the deck asks for.
+   !> Note a tool that opens, but stays above its depth of opening in all cases.
    subroutine note_closed(draft, item, lower_end, notes)
       type(draft_type), intent(in) :: draft
       type(draft_component_type), intent(in) :: item

@@ -1,5 +1,4 @@
-!> Makes holes, components, load cases, boundary, rig and solver settings of checked groups, with the checks that
-!> concern one group alone.
+!> Make holes, components, load cases, boundary, rig and solver settings of checked groups, and check each group by itself.
 module dg_deck_parts
    use dg_kinds, only: wp
    use dg_constants, only: psi
@@ -129,7 +128,7 @@ contains
 
    contains
 
-      !> Coefficients of its own, or scales of the hole's: not both for one way.
+      !> Check coefficients of its own, and scales of the hole's: not both for one direction.
       subroutine check_friction()
          logical :: refused
          refused = .false.
@@ -137,7 +136,7 @@ contains
          call refuse_both('rotary', item%component%friction_rotary, refused)
       end subroutine check_friction
 
-      !> A coefficient of its own in one way leaves nothing to scale there.
+      !> Refuse a scale where there is a coefficient of its own.
       subroutine refuse_both(way, own, refused)
          character(*), intent(in) :: way
          real(wp), intent(in) :: own

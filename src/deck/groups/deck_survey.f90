@@ -1,4 +1,4 @@
-!> The stations of a deck: from &trajectory itself or from the survey file that it names, with those of the hole that it leaves.
+!> The stations of a deck: from &trajectory itself or from the survey file that it names, with those of the parent hole.
 module dg_deck_survey
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, is_given, is_sound, line_of, reals_of, text_of
@@ -34,8 +34,8 @@ module dg_deck_survey
 
 contains
 
-   !> Stations of the group &trajectory, in SI units and fit for new_trajectory where `sound`; every fault else. `notes` receives
-   !> messages on the survey files, `warnings` those on positions that differ.
+   !> Read the stations of the group &trajectory, in SI units. `sound` is true if new_trajectory can use them. Every fault is
+   !> noted. `notes` receives messages on the survey files, `warnings` those on positions that differ.
    subroutine read_stations(group, units, stations, sound, notes, warnings, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
@@ -290,8 +290,8 @@ contains
       end subroutine check_range
    end subroutine check_stations
 
-   !> Puts the stations of a parent that lie above the first one of a survey before these. `words` tells how many, and how the hole
-   !> turns between the two. `failure` says why nothing was joined; else ''.
+   !> Put the stations of a parent above the first one of a survey before these. `words` state their number, and the turn of
+   !> the hole between the two. `failure` is '', or the reason why no stations were joined.
    subroutine join_parent(parent, units, stations, words, failure)
       type(station_list_type), intent(in) :: parent      !< without fault
       type(unit_system_type), intent(in) :: units        !< of the words

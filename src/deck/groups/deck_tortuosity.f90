@@ -13,7 +13,7 @@ module dg_deck_tortuosity
    private
    public :: take_tortuosity
 
-   !> A section has so many periods at least: less is a bend of the plan.
+   !> Least number of periods of a section: less is a bend of the plan.
    real(wp), parameter :: least_periods = 2.0_wp
    !> Depth within which a section ends at the last station [m].
    real(wp), parameter :: at_end = 1.0e-6_wp
@@ -21,8 +21,8 @@ module dg_deck_tortuosity
 
 contains
 
-   !> All groups &tortuosity, in the order of the deck; the draft has its stations, which are changed. `draft%path_notes` tells what
-   !> was laid on, and how much more the hole turns.
+   !> Apply all groups &tortuosity, in the order of the deck, to the stations of the draft. `draft%path_notes` states them, and
+   !> the additional turn of the hole.
    subroutine take_tortuosity(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
@@ -66,7 +66,7 @@ contains
          section%number = size(sections) + 1
       end function section_of
 
-      !> A section lies within the survey, holds two periods, and overlaps no other.
+      !> Check that a section is within the survey, has two periods, and overlaps no other.
       subroutine check(section)
          type(tortuosity_type), intent(inout) :: section
          real(wp) :: last
@@ -94,7 +94,7 @@ contains
       end function depth
    end subroutine take_tortuosity
 
-   !> Lays sections on the stations. A plan that makes no path is left as it is: building the model tells why.
+   !> Apply sections to the stations. A plan without a valid path stays, and building the model gives the reason.
    subroutine lay(sections, lines, draft)
       type(tortuosity_type), intent(in) :: sections(:)
       integer, intent(in) :: lines(:)                !< of their groups

@@ -13,7 +13,7 @@ module dg_listed_positions
 
    !> Difference up to which positions are the same: listings are rounded [m].
    real(wp), parameter :: same = 0.01_wp
-   !> Difference from which on the file was hardly read as it is meant [m].
+   !> Difference above which the file was probably misread [m].
    real(wp), parameter :: far = 1.0_wp
    character(*), parameter :: names(3) = [character(5) :: 'TVD', 'north', 'east']
    !> Their places in a position: north, east, down.

@@ -1,5 +1,5 @@
-!> Opens a deck: reads it with all that it names and checks it; groups of studies are left to these. Closes it: builds what is to be
-!> computed, in SI units. All faults come back together; nothing is built where there is one.
+!> Opening of a deck: it is read with all files that it names, and checked. Groups of studies are read by the studies. Closing
+!> of a deck: the model is built, in SI units. All faults are reported together, and no model is built if there is one.
 module dg_open_deck
    use dg_catalogue, only: catalogue_within
    use dg_checked_group, only: checked_group_type, group_fault, integer_of, is_given, is_sound, logical_of, optional_of, &
@@ -37,7 +37,7 @@ module dg_open_deck
 
 contains
 
-   !> Opens a deck whose lines are read. Where not even the units are `known` nothing else can be read.
+   !> Open a deck whose lines are read. If its units are not `known`, nothing else is read.
    subroutine open_deck(path, lines, rules, deck, job, known, faults)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
@@ -64,7 +64,7 @@ contains
          if (k > 0) then
             call check_group(path, groups(i), rules(k)%keys, deck%draft%units, deck%groups(i), faults)
          else
-            deck%groups(i)%name = ''        ! said already
+            deck%groups(i)%name = ''        ! reported already
          end if
          deallocate (groups(i)%entries)
       end do
@@ -80,7 +80,7 @@ contains
       deck%inputs = inputs_of(path, deck%groups, catalogue)
    end subroutine open_deck
 
-   !> Builds the model of a deck without faults. `notes` tells what is legal but hardly meant.
+   !> Build the model of a deck without faults. `notes` name legal but unusual settings.
    subroutine close_deck(deck, job, model, notes, faults)
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(inout) :: job
@@ -165,8 +165,8 @@ contains
       if (catalogue /= '' .and. catalogue /= catalogue_within) call append_text(inputs, catalogue)
    end function inputs_of
 
-   !> Units of the deck, needed before anything else is read: SI where it is silent. `known` is false, and the faults of &job are
-   !> noted, where it names none that is known.
+   !> Find the units of the deck, which all else needs: SI by default. `known` is false if &job names an unknown system, and
+   !> the faults of &job are noted.
    subroutine find_units(path, groups, rules, units, known, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
@@ -224,7 +224,7 @@ contains
       end do
    end subroutine take_job
 
-   !> The load that the rig may carry is told by &job or by &rig.
+   !> Take the load that the rig may carry from &job or &rig.
    subroutine take_rig_limit(groups, draft, job, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
@@ -317,7 +317,7 @@ contains
       end function count_of
    end subroutine take_draft
 
-   !> Builds the model. Faults left to find are a path that the stations do not allow, and what fluids need the path for.
+   !> Build the model. Remaining faults are stations without a valid path, and data of fluids that need the path.
    subroutine build_model(draft, model, faults)
       type(draft_type), intent(in) :: draft
       type(model_type), intent(out) :: model

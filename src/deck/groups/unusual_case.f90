@@ -1,4 +1,4 @@
-!> Loads, speeds and temperatures of a load case or a study that are legal and far from what is usual. Each has one note.
+!> Notes on legal but unusual loads, speeds and temperatures of a load case or a study. Each has one note.
 module dg_unusual_case
    use dg_kinds, only: wp
    use dg_deck_draft, only: string_use_type

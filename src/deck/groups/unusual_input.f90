@@ -1,5 +1,5 @@
-!> Numbers of a deck that are legal and far from what is usual: mostly another unit, or something left out. Each has one note: what
-!> is unusual, where, what is usual.
+!> Notes on legal but unusual numbers of a deck: mostly another unit, or a missing value. Each has one note with the number,
+!> its place, and the usual range.
 module dg_unusual_input
    use dg_kinds, only: wp
    use dg_component, only: component_type, has_joints, is_bit, is_hwdp, is_pipe, opens, tube_area
@@ -22,7 +22,7 @@ module dg_unusual_input
    real(wp), parameter :: longest_bha_pipe = 100.0_wp
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
-   !> Widest hole that is drilled, 36, as a number of inches that is read as one of millimetres [m].
+   !> Widest drilled hole, 36 in, if its number of inches is read as millimetres [m].
    real(wp), parameter :: widest_of_inches = 36.5e-3_wp
    !> Deeper than any hole of a laboratory [m].
    real(wp), parameter :: deepest_model = 100.0_wp

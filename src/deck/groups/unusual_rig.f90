@@ -1,4 +1,5 @@
-!> Hook loads, measured or of the block, that do not fit the weight of their string: mostly another unit, or two that are swapped.
+!> Notes on hook loads, measured or of the block, that do not fit the weight of their string. Mostly they are in another unit,
+!> or two are swapped.
 module dg_unusual_rig
    use dg_kinds, only: wp
    use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
@@ -35,7 +36,7 @@ module dg_unusual_rig
 
 contains
 
-   !> One note a matter, with the first load case where it is so.
+   !> Add one note a matter, with the first load case that has it.
    subroutine note_rig(model, units, notes)
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units

@@ -1,4 +1,4 @@
-!> Surveys that are legal and far from what is usual: angles in radians, columns swapped, mistyped stations. Each has one note.
+!> Notes on legal but unusual surveys: angles in radians, columns swapped, mistyped stations. Each has one note.
 module dg_unusual_survey
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi

@@ -1,4 +1,4 @@
-!> Files that are no text tables, told by their first bytes.
+!> Kinds of files that are not text tables, by their first bytes.
 module dg_file_kind
    use dg_file_lines, only: file_begin
    use dg_text, only: lower_case

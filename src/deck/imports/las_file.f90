@@ -22,9 +22,9 @@ contains
       end do
    end function is_las
 
-   !> Mnemonics and units of the curves, what separates the data and where they begin, and the number that stands for none (''
-   !> where none is named). An index curve without a unit has that of the depth at which the log starts.
-   !> `failure` says what keeps it from being read; else ''.
+   !> Mnemonics and units of the curves, separator and first line of the data, and the number for no value ('' if none is
+   !> named). An index curve without a unit has that of the depth at which the log starts. `failure` is '', or the reason why
+   !> the file cannot be read.
    pure subroutine las_table(lines, names, units, separator, first_row, null, failure)
       type(text_type), intent(in) :: lines(:)
       type(text_type), allocatable, intent(out) :: names(:), units(:)

@@ -31,9 +31,9 @@ module dg_survey_columns
       integer :: first_header = 0, first_row = 0 !< first line of the header, line below it and its units
       integer, allocatable :: extent(:, :)       !< first and last letter of each column, (2, width); empty where not known
       logical :: has_null = .false.
-      real(wp) :: null = 0.0_wp                  !< what stands for no value
-      character(:), allocatable :: foreign       !< what is wrong with a unit, for a message; '': nothing
-      character(:), allocatable :: unknown       !< what is wrong with a name in the deck, for a message; '': nothing
+      real(wp) :: null = 0.0_wp                  !< number for no value
+      character(:), allocatable :: foreign       !< fault of a unit, for a message; '': none
+      character(:), allocatable :: unknown       !< fault of a name in the deck, for a message; '': none
    end type layout_type
 
    integer, parameter :: no_extent(2, 0) = reshape([integer ::], [2, 0])
@@ -48,7 +48,7 @@ module dg_survey_columns
 
 contains
 
-   !> Takes columns by their headings. Of several for one quantity that of the lowest rank is taken, the first of these.
+   !> Choose columns by their headings. Of several for one quantity that of the lowest rank is taken, and the first of these.
    subroutine choose_columns(headings, names, units, layout)
       type(heading_type), intent(in) :: headings(:)
       type(column_names_type), intent(in) :: names

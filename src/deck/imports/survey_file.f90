@@ -21,7 +21,7 @@ module dg_survey_file
 
 contains
 
-   !> Reads the table `path`; stations without fault only where `sound`.
+   !> Read the table `path`. Stations have no fault if `sound`.
    subroutine read_survey_file(path, units, stations, sound, faults, units_told, asked, named)
       character(*), intent(in) :: path
       type(unit_system_type), intent(in) :: units     !< of numbers whose heading names no unit
@@ -83,7 +83,7 @@ contains
       stations%columns = chosen//stations%columns
    end subroutine read_survey_file
 
-   !> Makes blanks of feeds of pages, of marks of the end of a file, and of blanks that do not break a line (UTF-8).
+   !> Replace form feeds, marks of the end of a file, and non-breaking blanks (UTF-8) by blanks.
    pure subroutine blank_controls(lines)
       type(text_type), intent(inout) :: lines(:)
       character(*), parameter :: no_break = char(194)//char(160), controls = achar(11)//achar(12)//achar(26)
@@ -102,7 +102,7 @@ contains
       end do
    end subroutine blank_controls
 
-   !> Stations in order, each once, with what is to be told of the file.
+   !> Sort stations, remove doubles, and collect remarks on the file.
    subroutine finish_stations(layout, skipped, stations, sound, faults)
       type(layout_type), intent(in) :: layout
       type(skipped_rows_type), intent(in) :: skipped(:)      !< of the kinds in `kind_names`

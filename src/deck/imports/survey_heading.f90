@@ -14,8 +14,8 @@ module dg_survey_heading
    integer, parameter :: no_column = 0, column_md = 1, column_inc = 2, column_azi = 3, column_tvd = 4, column_north = 5, &
                          column_east = 6
    character(*), parameter :: column_name(6) = [character(5) :: 'md', 'inc', 'azi', 'tvd', 'north', 'east']
-   !> Ranks of headings: the lowest is taken. From `loose_rank` on the quantity is only likely, and a heading that names it surely
-   !> leaves no choice. Ranks of an azimuth tell its north.
+   !> Ranks of headings: the lowest is taken. From `loose_rank` on the quantity is only likely. A heading that names it surely
+   !> has priority. Ranks of an azimuth give its north.
    integer, parameter :: plain_rank = 1, modified_rank = 2, drift_rank = 3, loose_rank = 10, plan_rank = 5
    integer, parameter :: north_rank(5) = [1, 2, 3, 4, 6]     ! grid, corrected, true, none named, magnetic
    integer, parameter :: grid_north = 1, corrected_north = 2, true_north = 3, no_north = 4, magnetic_north = 5

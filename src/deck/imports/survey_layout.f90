@@ -16,8 +16,8 @@ module dg_survey_layout
    private
    public :: find_layout, is_rule, is_unit_row
 
-   !> Words of a title that tell the unit of a table whose headings name none. Other units of length do not stand in a title by
-   !> themselves without meaning something else, too.
+   !> Words of a title that give the unit of a table whose headings name none. Other units of length also mean something else
+   !> in a title.
    character(*), parameter :: feet_words(5) = [character(7) :: 'ft', 'feet', 'usft', 'foot', 'kft']
    character(*), parameter :: metre_words(4) = [character(7) :: 'metre', 'metres', 'meter', 'meters']
    character(*), parameter :: angle_words(6) = [character(7) :: 'gon', 'gons', 'mrad', 'mils', 'radian', 'radians']
@@ -26,8 +26,8 @@ module dg_survey_layout
 
 contains
 
-   !> Finds header, columns and units. The header names md and inc; where no line does the one that is most like a header is told
-   !> to be a bad one. Rows of units may stand above or below it. A header may stand in a comment right above the numbers.
+   !> Find header, columns and units. The header names md and inc. If no line does, the line most like a header is reported as
+   !> faulty. Rows of units may be above or below it. A header may be in a comment right above the numbers.
    subroutine find_layout(path, lines, names, units, units_told, layout, sound, faults)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)

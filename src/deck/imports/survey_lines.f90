@@ -1,4 +1,4 @@
-!> Lines of a survey file that hold no station, and those that may hold a damaged one.
+!> Lines of a survey file without a station, and lines that may be a damaged station.
 module dg_survey_lines
    use dg_deck_number, only: is_number
    use dg_survey_columns, only: layout_type

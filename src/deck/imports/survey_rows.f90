@@ -1,4 +1,4 @@
-!> Rows of a survey table: stations, lines that are none and are counted by kind, and lines that may be damaged stations.
+!> Rows of a survey table: stations, other lines counted by kind, and lines that may be damaged stations.
 module dg_survey_rows
    use dg_constants, only: degree
    use dg_deck_number, only: is_number

@@ -1,4 +1,4 @@
-!> Stations of a survey file: their order, the same station twice, and what the file shows of them beside md, inc and azi.
+!> Stations of a survey file: their order, doubles, and columns beside md, inc and azi.
 module dg_survey_stations
    use dg_constants, only: degree
    use dg_kinds, only: wp
@@ -48,8 +48,8 @@ contains
       stations%lines = stations%lines(places)
    end subroutine pick_stations
 
-   !> Turns stations round that are listed deepest first, and drops a station that stands in the file a second time. Any other
-   !> station that is not below the one before it stays, for a fault.
+   !> Reverse stations that are listed deepest first, and remove a station that is in the file a second time. Any other station
+   !> that is not below the one before it stays, for a fault.
    pure subroutine order_stations(stations, turned, repeated, first_repeated)
       type(station_list_type), intent(inout) :: stations
       logical, intent(out) :: turned

@@ -1,4 +1,4 @@
-!> Rows and headings of tables as people have them: separators, quotes, comments, units behind names.
+!> Rows and headings of tables in their usual forms: separators, quotes, comments, units behind names.
 module dg_table_text
    use dg_table_number, only: plain_number
    use dg_text, only: append_text, lower_case, text_type, to_text

@@ -1,4 +1,4 @@
-!> Units as people write them beside the name of a column: 'ft', '(ftKB)', '[m RKB]', 'deg TN', a degree sign.
+!> Units in their usual spellings beside the name of a column: 'ft', '(ftKB)', '[m RKB]', 'deg TN', a degree sign.
 module dg_table_unit
    use dg_kinds, only: wp
    use dg_constants, only: degree, foot, survey_foot
@@ -26,8 +26,8 @@ module dg_table_unit
 
 contains
 
-   !> Unit of a column by a text: its SI value [m or rad], 0 where the text names no unit. A datum or a north beside it does not
-   !> count. Not `known` is whatever else stands there: taken for no unit, it would make wrong numbers of right ones.
+   !> Unit of a column by a text: its SI value [m or rad], 0 if the text names no unit. A datum or a north beside it is
+   !> ignored. Any other text is not `known`: ignored, it would make correct numbers wrong.
    pure subroutine read_unit(text, angle, value, known)
       character(*), intent(in) :: text
       logical, intent(in) :: angle     !< .true. for a column of angles, else lengths are looked for

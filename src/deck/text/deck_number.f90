@@ -1,5 +1,5 @@
-!> Numbers and logicals as a namelist writes them. Read with rules of our own, because a processor's
-!> list-directed read takes more than it should (1*, infinities) and says less than a user needs.
+!> Numbers and logicals as a namelist writes them. They are not read list-directed, because that accepts too much (1*,
+!> infinities) and explains too little.
 module dg_deck_number
    use dg_kinds, only: wp
    use dg_text, only: lower_case

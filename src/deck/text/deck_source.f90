@@ -1,4 +1,4 @@
-!> Where the lines of a deck come from: a file, or standard input under the name '-'.
+!> Source of the lines of a deck: a file, or standard input under the name '-'.
 module dg_deck_source
    use dg_file_lines, only: read_lines
    use dg_text, only: lower_case, text_type
@@ -14,7 +14,7 @@ module dg_deck_source
 
 contains
 
-   !> Reads the lines of a deck. `failure` is '' or tells why `lines` is empty.
+   !> Read the lines of a deck. `failure` is '' or the reason why `lines` is empty.
    subroutine read_source(deck, name, lines, failure)
       character(*), intent(in) :: deck                       !< as on the command line
       character(:), allocatable, intent(out) :: name         !< of the deck in messages; paths are relative to its folder

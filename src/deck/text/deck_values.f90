@@ -1,5 +1,5 @@
-!> Turns the texts of a group's entries into numbers, logicals and names after the table of keys, and notes
-!> every fault against it. Numbers come out in SI units.
+!> Conversion of the texts of a group's entries into numbers, logicals and names by the table of keys, with every fault against
+!> it. Numbers are in SI units.
 module dg_deck_values
    use dg_kinds, only: wp
    use dg_checked_group, only: value_type, checked_group_type

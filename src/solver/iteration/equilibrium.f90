@@ -19,6 +19,7 @@
 !> 5. A step that still raises the energy, and does not reduce the residual, is refused, and damping is raised.
 !> 6. A stable string that goes on moving though no gap changes for long is drifting. From then on friction holds it sideways
 !> too (dg_held_coils).
+!>
 !> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A
 !> damped string is stable and has stopped moving. No element that may still be cut is outside its hole.
 module dg_equilibrium
