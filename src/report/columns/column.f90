@@ -1,5 +1,5 @@
 !> Columns of result files. One statement puts a column into a row: name, quantity, meaning and value. Every writer (CSV, HDF5,
-!> Table 1, page) and the check of output/README.md go by that.
+!> Table 1, page) and the check of output/README.md use these rows.
 module dg_column
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
@@ -65,7 +65,7 @@ contains
       if (unit%suffix /= '') header = header//'_'//trim(unit%suffix)
    end function column_header
 
-   !> Place of the first column of that name. Ends the program where there is none: a slip in the sources.
+   !> Place of the first column of that name. The program ends if there is none, as that is a slip in the sources.
    function place_of(row, name) result(place)
       type(row_type), intent(in) :: row
       character(*), intent(in) :: name
@@ -76,7 +76,7 @@ contains
       call unknown_column(name)
    end function place_of
 
-   !> A row of the columns of those names. Ends the program where one is unknown.
+   !> A row of the columns of those names. The program ends if one is unknown.
    function fields_of(row, names) result(shown)
       type(row_type), intent(in) :: row
       character(*), intent(in) :: names(:)
@@ -89,7 +89,7 @@ contains
       end do
    end function fields_of
 
-   !> Ends the program: a column is asked for that no table has.
+   !> End the program: a wanted column is in no table.
    subroutine unknown_column(name)
       character(*), intent(in) :: name
       write (error_unit, '(a)') 'no column has the name '//trim(name)

@@ -34,7 +34,7 @@ contains
       if (.not. is_missing(share)) percent = 100.0_wp*share
    end function percent_of
 
-   !> The hook load that a gauge of the rig is compared with: what its indicator shows, or where no rig is given the string's own.
+   !> Hook load to compare with a gauge of the rig: the reading of its indicator, or without a rig the string's own.
    elemental function as_measured(hookload, weight_indicator) result(load)
       real(wp), intent(in) :: hookload
       real(wp), intent(in) :: weight_indicator     !< missing where no rig is given

@@ -45,7 +45,7 @@ contains
              depth_text(units, load_case%bit_depth)
    end function task_text
 
-   !> Why the answer is no, in one clause with numbers; '' for another answer.
+   !> Reason why the answer is no, in one clause with numbers; '' for another answer.
    pure function verdict_reason(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
@@ -152,7 +152,7 @@ contains
          text = 'the top must be held down with '//force_text(units, push)
    end function push_text
 
-   !> Why it is impossible without weight on bit or overpull, too; '' where it is not.
+   !> Reason why it is also impossible without weight on bit or overpull; '' if it is possible.
    pure function without_load_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
@@ -170,7 +170,7 @@ contains
       text = '. Not possible without '//either('overpull', 'weight on bit', load_case%wob < 0.0_wp)//' either: '//text
    end function without_load_text
 
-   !> Remedy that makes the operation possible, as far as it is known; '' else.
+   !> Remedy that makes the operation possible, if known; else ''.
    pure function help_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
@@ -208,7 +208,7 @@ contains
          either('of the other limits only pressure is checked', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
 
-   !> The overpull that is possible, of a case that is impossible with more; '' where that is not known.
+   !> Largest possible overpull, for a case that is impossible with more; '' if unknown.
    pure function overpull_text(units, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(verdict_type), intent(in) :: verdict
@@ -221,7 +221,7 @@ contains
              ' is possible: then '//shown_title(verdict%pull_limit)//' is at its limit'
    end function overpull_text
 
-   !> The limit used most and what is left of it.
+   !> The limit used most and its margin.
    pure function nearest_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case

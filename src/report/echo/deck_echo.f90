@@ -35,7 +35,7 @@ contains
    pure subroutine echo_lines(job, model, before, after, lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      type(text_type), intent(in) :: before(:), after(:)   !< what studies tell, before and after the settings of the solver
+      type(text_type), intent(in) :: before(:), after(:)   !< summaries of studies, before and after the settings of the solver
       type(text_type), allocatable, intent(out) :: lines(:)
       type(line_list_type) :: list
       character(:), allocatable :: models
@@ -112,7 +112,7 @@ contains
       call add_fluids(lines, units, model)
    end subroutine add_hole
 
-   !> The casing of a hole section, nothing where its wear is not asked for.
+   !> The casing of a hole section, '' without a calculation of its wear.
    pure function casing_text(units, hole) result(text)
       type(unit_system_type), intent(in) :: units
       type(hole_section_type), intent(in) :: hole
@@ -225,7 +225,7 @@ contains
              friction_text(' rotary ', centralizer%friction_rotary, 1.0_wp)
    end function centralizer_text
 
-   !> Friction of a component, axial or rotary. Empty where it has the friction of the hole.
+   !> Friction of a component, axial or rotary. Empty if it has the friction of the hole.
    pure function friction_text(way, own, scale) result(text)
       character(*), intent(in) :: way
       real(wp), intent(in) :: own, scale    !< missing: none; one: none [-]
@@ -338,7 +338,7 @@ contains
       real(wp), intent(in) :: unit       !< SI value of the deck's unit
       character(*), intent(in) :: label
       character(:), allocatable :: text
-      real(wp), parameter :: round_off = 1.0e-9_wp ! metres and the like: nothing that a deck can mean
+      real(wp), parameter :: round_off = 1.0e-9_wp ! round-off of metres and other units
       real(wp) :: shown
       shown = value
       if (abs(value) < round_off*unit .and. label /= '') shown = 0.0_wp

@@ -1,6 +1,6 @@
 !> An HDF5 file as it is written: groups, columns of numbers, attributes. The only module that uses HDF5's library.
 !>
-!> Errors are sticky: after the first one nothing more is done, and closing the file tells what failed. A file is
+!> Errors are sticky: after the first one nothing more is done, and closing the file reports the first failure. A file is
 !> written under another name and takes its own when it is complete.
 module dg_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
@@ -30,7 +30,7 @@ module dg_hdf5_file
       character(:), allocatable :: path        !< name that it is to have
       character(:), allocatable :: unfinished  !< name that it has as long as it is written
       character(:), allocatable :: failure     !< what failed first; '' while all is well
-      ! What is written to in a row is found once: to look for it costs more than an attribute.
+      ! The open object: repeated searches for it cost more than an attribute.
       integer(hid_t) :: object = -1            !< group or dataset that is open; < 0: none
       character(:), allocatable :: object_path !< its path
       integer(hid_t) :: text = -1              !< type of a text in UTF-8 of any length
@@ -58,7 +58,7 @@ module dg_hdf5_file
 
 contains
 
-   !> Begins a file. What fails is told by close_hdf5.
+   !> Begin a file. A failure is reported by close_hdf5.
    subroutine create_hdf5(file, path)
       type(hdf5_file_type), intent(out) :: file
       character(*), intent(in) :: path

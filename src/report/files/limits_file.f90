@@ -1,4 +1,4 @@
-!> limits.csv: what limits the string as a whole, one row per case and model.
+!> limits.csv: limits of the string as a whole, one row per case and model.
 module dg_limits_file
    use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name

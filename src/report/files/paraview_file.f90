@@ -1,11 +1,11 @@
 !> view_<case>_<model>.hdf and hole_<case>_<model>.hdf: string and hole in space, for ParaView (5.11 or later) or VTK (9.2 or
 !> later).
 !>
-!> VTK's own HDF5 format as its documentation has it, version 1.0: one unstructured grid a file, which every reader since knows.
-!> The string is a line through the places where it lies, with every column along the string that has values on its points. It is
-!> one line from change to change of component, hole section or fluid, so that no line has two points at one place. The hole is a
-!> tube. Points are (east, north, up) in the deck's unit of length, so that up is up on the screen. The offset of the
-!> string from the hole axis is kept as a vector beside them: 'Warp By Vector' magnifies it.
+!> VTK's own HDF5 format by its documentation, version 1.0: one unstructured grid a file, which every reader since supports.
+!> The string is a line through its places, with every column along the string that has values on its points. It is one line
+!> from change to change of component, hole section or fluid, so that no line has two points at one place. The hole is a tube.
+!> Points are (east, north, up) in the deck's unit of length, so that up is up on the screen. The offset of the string from the
+!> hole axis is a vector beside them, which 'Warp By Vector' magnifies.
 module dg_paraview_file
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
@@ -31,7 +31,7 @@ module dg_paraview_file
    integer, parameter :: format_version(2) = [1, 0]
    !> Corners of a section of the tube.
    integer, parameter :: sides = 24
-   !> A ring of the tube may stand no farther along than this turn of the hole [rad].
+   !> Largest turn of the hole between two rings of the tube [rad].
    real(wp), parameter :: ring_angle = 0.02_wp
    !> VTK's numbers of kinds of cells.
    integer, parameter :: line_cell = 4, strip_cell = 6
@@ -144,7 +144,7 @@ contains
       axis(3, :) = profile%tvd
    end function axis_of
 
-   !> Where the string lies off the hole axis, north-east-down [m]: displacement at the clock angle (convention 4).
+   !> Offset of the string from the hole axis, north-east-down [m]: displacement at the clock angle (convention 4).
    pure function string_offsets(profile) result(offset)
       type(profile_type), intent(in) :: profile
       real(wp) :: offset(3, size(profile%md))

@@ -1,4 +1,4 @@
-!> results.h5: everything of a run in one file, as output/README.md describes it.
+!> results.h5: all results of a run in one file, as described in output/README.md.
 !>
 !> - /cases/<case>/<model>/<column>: along the string, as in profile_<case>_<model>.csv
 !> - /cases/<case>/<model>/history/<column>: as in history_<case>_<model>.csv
@@ -61,7 +61,7 @@ contains
       call close_hdf5(file, error)
    end subroutine write_results_h5
 
-   !> Where the numbers come from, as attributes of the root.
+   !> Origin of the numbers, as attributes of the root.
    subroutine put_provenance(file, job)
       type(hdf5_file_type), intent(inout) :: file
       type(job_type), intent(in) :: job

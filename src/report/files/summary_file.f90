@@ -40,7 +40,7 @@ contains
       call write_table(table, path, error)
    end subroutine write_summary
 
-   !> A result in the columns of summary.csv: nothing that was calculated where it did not converge. New columns are put at the end
+   !> A result in the columns of summary.csv, without calculated values if it did not converge. New columns are put at the end
    !> only, as others rely on the names and the order.
    pure function summary_row(load_case, result, verdict, units) result(row)
       type(load_case_type), intent(in) :: load_case

@@ -52,7 +52,7 @@ contains
       call put(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
    end function wear_series
 
-   !> Writes what a string that turns makes of its components to `path`.
+   !> Write the fatigue of the components of a string that turns to `path`.
    subroutine write_fatigue(path, job, model, result, along, error)
       character(*), intent(in) :: path
       type(job_type), intent(in) :: job

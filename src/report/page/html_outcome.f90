@@ -1,4 +1,4 @@
-!> The headline of a page: how many solutions a run has asked for, how many failed, and which.
+!> The headline of a page: number of solutions of a run, and those that failed.
 module dg_html_outcome
    use dg_column, only: row_type
    use dg_error, only: status_not_converged
@@ -42,7 +42,7 @@ contains
          call append_rows(lines, units, rows, spread(.false., 1, size(rows)))
       end if
    contains
-      !> Lock-up is an answer about the string.
+      !> Lock-up is a result of the string, not a failure.
       pure function locked_text() result(text)
          character(:), allocatable :: text
          text = ''

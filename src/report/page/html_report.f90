@@ -1,5 +1,5 @@
-!> report.html: one page of a run that can be mailed and opened anywhere: answers, results, limits, warnings, pictures, what was
-!> assumed, the deck. It refers to nothing outside itself.
+!> report.html: one page of a run that can be mailed and opened anywhere. It has answers, results, limits, warnings, pictures,
+!> assumptions and the deck. It refers to no other file.
 module dg_html_report
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
@@ -50,15 +50,15 @@ module dg_html_report
    character(*), parameter :: most_shown(*) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
       'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
-   !> Of these, the columns up to here are for all models; the others tell what only gap elements find.
+   !> Of these, the columns up to here are for all models; the others are for gap elements only.
    integer, parameter :: most_of_all_models = 10
    integer, parameter :: few = 4    !< digits
 
 contains
 
-   !> Writes the page into the output folder: answers, results, warnings, charts of the load case nearest to a limit; then, folded,
-   !> all else. `printed` has the tables of studies and what became of all solutions; `echo` is the deck as the program understood
-   !> it, line by line.
+   !> Write the page into the output folder: answers, results, warnings, charts of the load case nearest to a limit. All else
+   !> is folded. `printed` has the tables of studies and the outcome of all solutions. `echo` is the summary of the deck, line
+   !> by line.
    subroutine write_html_report(job, model, results, wholes, alongs, printed, pictures, echo, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -140,7 +140,7 @@ contains
       end do
    end subroutine append_script
 
-   !> Head of the page: title, when and with what it was made.
+   !> Head of the page: title, time and program.
    subroutine start_page(job, lines)
       type(job_type), intent(in) :: job
       type(line_list_type), intent(out) :: lines
@@ -272,7 +272,7 @@ contains
       end do
    end subroutine append_limits
 
-   !> By what loads were multiplied before they were compared with strengths.
+   !> Factors on loads before they are compared with strengths.
    pure function factors_text(design) result(text)
       type(design_factors_type), intent(in) :: design
       character(:), allocatable :: text

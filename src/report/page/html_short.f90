@@ -1,4 +1,4 @@
-!> A run in a few sentences: range of the hook load, what buckles, how far results may be trusted.
+!> A run in a few sentences: range of the hook load, buckling, accuracy of the results.
 module dg_html_short
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
@@ -81,7 +81,7 @@ contains
       end if
    end subroutine append_loads
 
-   !> Which cases were found to buckle, or by models on the axis are beyond the published limit.
+   !> Append the cases that buckle by beams, or that are above the published limit by models on the axis.
    subroutine append_buckled(lines, model, results, wholes)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
@@ -105,7 +105,7 @@ contains
       end if
    end subroutine append_buckled
 
-   !> Hook loads against what was measured, and against another calculation.
+   !> Append hook loads against measured ones, and against another calculation.
    subroutine append_errors(lines, units, model, results)
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units

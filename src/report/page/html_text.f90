@@ -19,7 +19,7 @@ module dg_html_text
    private
    public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, number_cell, said, said_number, switched
 
-   !> A column of residuals: its size tells, however small.
+   !> A column of residuals: its order of magnitude matters, however small.
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'

@@ -23,7 +23,7 @@ module dg_page_curves
    public :: curve_series, curve_text, profile_curves
 
    character(*), parameter :: clock = 'clock', joint_force = 'side_force_on_joint'
-   !> Length of string that the extra curve adds up side force on, a joint of pipe, and places of it.
+   !> Length of string for the additional curve of side force, a joint of pipe, and number of its places.
    real(wp), parameter :: joint = 9.5_wp
    integer, parameter :: joint_places = 1000
    integer, parameter :: digits = 5, longest_pair = 32

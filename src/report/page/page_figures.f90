@@ -96,7 +96,7 @@ contains
       end do
    end function texts_of
 
-   !> Entries of the legend; one that is white tells something in words alone.
+   !> Entries of the legend. A white one is words only.
    pure function keys_text(chart) result(text)
       type(chart_type), intent(in) :: chart
       character(:), allocatable :: text

@@ -1,5 +1,5 @@
-!> The script and the style that a page carries: page.js, well.js, page.css. The hash of the script lets it run.
-!> Written by .ci/embed_page.py --write; change those files, not this.
+!> The script and the style of a page: page.js, well.js, page.css. The hash of the script permits it. Written by
+!> .ci/embed_page.py --write. Change those files, not this one.
 module dg_page_script
    implicit none
    private

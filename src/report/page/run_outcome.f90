@@ -1,5 +1,5 @@
-!> Outcome of every solution of a run: the number that each part asked for, the number found, and those that are missing. The
-!> headline of the page has it, and agrees with the exit status.
+!> Outcome of every solution of a run: the wanted number of each part, the number found, and those that are missing. The
+!> headline of the page shows it, and agrees with the exit status.
 module dg_run_outcome
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
    use dg_column, only: put, quantity_length, quantity_none, quantity_text, row_type
@@ -39,7 +39,7 @@ module dg_run_outcome
       type(text_type), allocatable :: sentences(:)      !< of studies, for the head of the page
    end type outcome_type
 
-   !> Rows of a run: a page is to be read, and a Monte Carlo may lose thousands.
+   !> Most rows of a run: a Monte Carlo may lose thousands of solutions.
    integer, parameter :: most_rows = 300
 
 contains

@@ -235,8 +235,8 @@ contains
                     "center font ',9' textcolor rgb '#333333'", [.false., .false.])
    end subroutine name_part
 
-   !> Arrows where the wall presses, on the side on which it does, seen from here. Their forces stand beside them, but lesser ones
-   !> are left out where they would lie on another.
+   !> Add arrows at the contact points, on the side of the wall. Their forces are beside them. Lesser ones are left out if they
+   !> would cover another.
    subroutine add_contacts(chart, view, result)
       type(chart_type), intent(inout) :: chart
       type(view_type), intent(in) :: view

@@ -1,5 +1,5 @@
-!> A picture as data: panels with axes, curves, lines across them and notes; title and legend above. Numbers are in the units that
-!> are shown, places in parts of the picture. dg_gnuplot_script draws it.
+!> A picture as data: panels with axes, curves, lines across them and notes; title and legend above. Numbers are in the
+!> displayed units, places in parts of the picture. dg_gnuplot_script draws it.
 module dg_chart
    use dg_kinds, only: wp
    use dg_curve_look, only: colour_grey, letter_width
@@ -17,7 +17,7 @@ module dg_chart
 
    !> Points that are joined, marked or filled.
    type :: curve_type
-      !> (:, n): to the right, up, and what else the look needs of each point; `missing` breaks a line.
+      !> (:, n): to the right, up, and further values of each point for the look; `missing` breaks a line.
       real(wp), allocatable :: points(:, :)
       character(:), allocatable :: look         !< gnuplot's `with`
       logical :: along_depth = .false.          !< points that cannot be seen are left out
@@ -347,7 +347,7 @@ contains
       real(wp), intent(in), optional :: given(2)
       real(wp), intent(in), optional :: most          !< end of the axis at most
       real(wp), parameter :: air = 1.05_wp
-      !> Most steps and fewest: two numbers tell a scale. Letters between two numbers.
+      !> Most and fewest steps: two numbers define a scale. Letters between two numbers.
       integer, parameter :: most_steps = 5, fewest = 2, blank = 2, digits = 8
       real(wp) :: ends(2), step, room
       integer :: i, letters

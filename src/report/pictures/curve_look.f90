@@ -15,7 +15,7 @@ module dg_curve_look
    character(*), parameter :: dashes(style_count) = [character(14) :: '1', '(12,4)', '(3,3)', '(12,4,3,4)', '(20,5)', '(6,3)', &
       '(12,3,3,3,3,3)']
    integer, parameter :: marks(style_count) = [7, 5, 9, 13, 11, 15, 3]
-   !> Black is also the colour of what was measured, whatever the curves.
+   !> Black is also the colour of measured values, whatever the curves.
    character(*), parameter :: colour_grey = '#999999', colour_black = '#000000', colour_white = '#ffffff'
    !> Of limits, whatever the curves.
    character(*), parameter :: limit_dash = '(3,3)'

@@ -22,7 +22,7 @@ module dg_forces_picture
    private
    public :: forces_chart
 
-   !> Most marks in a panel: more make a band, and tell no more.
+   !> Most marks in a panel: more make a band.
    integer, parameter :: most_marks = 300
    !> Left, right, bottom and top of the panels, and the gap between them, in parts of the picture.
    real(wp), parameter :: all_panels(4) = [0.075_wp, 0.985_wp, 0.125_wp, 0.82_wp], gap = 0.03_wp
@@ -129,7 +129,7 @@ contains
       end associate
    end subroutine add_limit
 
-   !> Arrows at the edge of the axis beyond which the sinusoidal limit lies.
+   !> Add arrows at the edge of the axis where the sinusoidal limit is beyond it.
    subroutine add_arrows(chart, md, limit, ends, some_shown)
       type(chart_type), intent(inout) :: chart
       real(wp), intent(in) :: md(:), limit(:)   !< as many

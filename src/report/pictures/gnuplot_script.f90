@@ -1,6 +1,6 @@
-!> Turns a chart into a script for gnuplot, which draws it.
+!> Conversion of a chart into a script for gnuplot, which draws it.
 !>
-!> No text of a deck becomes part of a script but through `spelled`: gnuplot runs what stands in its scripts.
+!> Text of a deck only enters a script through `spelled`, as gnuplot executes its scripts.
 module dg_gnuplot_script
    use dg_kinds, only: wp
    use dg_chart, only: axis_type, chart_type, curve_type, panel_type

@@ -31,7 +31,7 @@ module dg_hookload_picture
 
 contains
 
-   !> All hook loads beside what was measured.
+   !> Make the chart of all hook loads with measured ones.
    function hookload_chart(job, model, results, marked) result(chart)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model

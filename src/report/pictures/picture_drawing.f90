@@ -1,5 +1,5 @@
-!> Has gnuplots draw the scripts of pictures, two at a time. A picture is drawn under another name and gets its own once it is
-!> whole.
+!> Drawing of pictures by gnuplot from their scripts, two at a time. A picture is drawn under another name and gets its own
+!> once it is complete.
 module dg_picture_drawing
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_child_process, only: child_type, end_child, start_child, wait_for_child
@@ -18,9 +18,9 @@ module dg_picture_drawing
    !> Longest time that gnuplot may draw without beginning another picture [s]. It takes 10 ms for one of 1000 rows and two minutes
    !> for one of four million, on a slow machine twice that.
    real(wp), parameter :: usual_patience = 300.0_wp
-   !> Where gnuplot complains; kept only where it failed.
+   !> File of gnuplot's error messages; only kept if it failed.
    character(*), parameter :: complaint_file = 'gnuplot.log'
-   !> Variables of the environment that change what gnuplot does: its terminal, its start, where it looks for scripts and fonts.
+   !> Variables of the environment that change gnuplot: its terminal, its start, its folders of scripts and fonts.
    character(*), parameter :: hidden_variables(2) = [character(4) :: 'GNU', 'FIT_']
    !> End of a complete picture.
    character(*), parameter :: last_mark = '</svg>'
@@ -179,8 +179,9 @@ contains
       silent = drawing%begun == before
    end function is_silent
 
-   !> After a gnuplot has ended: takes its pictures. Where it failed none of them counts, and each is to be drawn alone, unless it
-   !> was. So it is where the disk was full meanwhile: gnuplot leaves a piece out and goes on when there is room again.
+   !> End a drawing: take the pictures of a gnuplot that has ended. If it failed they are all invalid, and each is drawn alone,
+   !> unless it was. The same holds if the disk was full meanwhile: gnuplot leaves a piece out and goes on when there is room
+   !> again.
    subroutine end_drawing(drawing, folder, names, drawn, shares, known, reason)
       type(drawing_type), intent(inout) :: drawing
       character(*), intent(in) :: folder
@@ -219,7 +220,8 @@ contains
       if (.not. drawn) call delete_file(unfinished_path(folder, name))
    end subroutine take_picture
 
-   !> Asks the system why a picture that has been begun ends early; gnuplot does not tell. `reason` stays where there is room.
+   !> Find the system's reason why a started picture ends early, which gnuplot does not report. `reason` stays if there is
+   !> room.
    subroutine note_reason(path, reason)
       character(*), intent(in) :: path
       character(:), allocatable, intent(inout) :: reason

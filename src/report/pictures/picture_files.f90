@@ -30,7 +30,7 @@ module dg_picture_files
    private
    public :: begin_pictures, end_pictures
 
-   !> Script that draws all, for whoever wants them again.
+   !> Script that draws all pictures again.
    character(*), parameter :: whole_script = 'all'
 
    !> Columns of the tables beneath pictures, of the files that these are drawn from.

@@ -1,4 +1,4 @@
-!> The pictures of a run as their scripts are written: names, what they show in words and in numbers, which are there.
+!> The pictures of a run as their scripts are written: names, captions, numbers, and whether they are drawn.
 module dg_picture_list
    use dg_chart, only: chart_type, is_empty
    use dg_column, only: row_type

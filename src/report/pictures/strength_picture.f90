@@ -23,7 +23,7 @@ module dg_strength_picture
    character(*), parameter :: strength_look = "with lines lw 2.5 dt solid lc rgb '"//colour_black//"'", &
                               makeup_look = "with lines lw 2.5 dt (6,3) lc rgb '"//colour_black//"'", &
                               factor_look = "with lines lw 1.5 dt (6,3) lc rgb '"//colour_black//"'"
-   !> Safety factors are shown up to so many times the least one, and up to this at least: more tell nothing.
+   !> Largest displayed safety factor over the least one, and its lower bound.
    real(wp), parameter :: most_of_least = 4.0_wp, most_factor = 4.0_wp
 
 contains

@@ -1,6 +1,6 @@
-!> List of the files that a run has written into its output folder. It is kept there in drillgap_files.txt: the next run removes the
-!> listed files that it does not write anew, and no others. Before that, a check: a run must not write over its input, or through a
-!> link.
+!> List of the files that a run has written into its output folder, kept there in drillgap_files.txt. The next run removes the
+!> listed files that it does not write anew, and no others. A check comes first: a run must not write over its input, or
+!> through a link.
 module dg_written_files
    use dg_error, only: error_type, raise, status_bad_input, status_failure
    use dg_file_identity, only: identity_of, identity_of_link, identity_type, is_same_file, link_target
@@ -17,7 +17,7 @@ module dg_written_files
    private
    public :: check_inputs, check_links, check_picture_folder, begin_files, note_file, end_files, other_records
 
-   !> The list, in the output folder, and its first line: a file without it is none of ours.
+   !> The list, in the output folder, and its first line. A file without that line is not a list of this program.
    character(*), parameter :: list_name = 'drillgap_files.txt'
    character(*), parameter :: title = 'drillgap wrote these files here; its next run removes them'
 
@@ -26,8 +26,8 @@ module dg_written_files
 
 contains
 
-   !> Refuses (bad input) a run that would write over, or remove, a file that it reads, by whatever name: told with both names.
-   !> Nothing is written.
+   !> Refuse (bad input) a run that would write over, or remove, a file that it reads, under any name. The message has both
+   !> names. No file is written.
    subroutine check_inputs(job, model, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -110,8 +110,8 @@ contains
       if (job%plots) call append_text(names, picture_folder//'/'//complaint_file)
    end subroutine names_to_write
 
-   !> Refuses (failure) a run for which links stand in the output folder where it would write, wherever they lead. Nothing is
-   !> written outside the output folder: links under names of pictures are replaced.
+   !> Refuse (failure) a run if there are links in the output folder under names that it would write, wherever they lead. No
+   !> file is written outside the output folder. Links under names of pictures are replaced.
    subroutine check_links(job, model, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -132,7 +132,7 @@ contains
                                   'them, or give another folder by output_dir or --output'//links)
    end subroutine check_links
 
-   !> Refuses (failure) a folder of pictures that stands elsewhere, behind a link, or is not a folder.
+   !> Refuse (failure) a folder of pictures that is elsewhere, behind a link, or not a folder.
    subroutine check_picture_folder(job, error)
       type(job_type), intent(in) :: job
       type(error_type), allocatable, intent(out) :: error
@@ -148,8 +148,8 @@ contains
       end if
    end subroutine check_picture_folder
 
-   !> Begins the results of a run that holds the folder: removes what earlier runs have left, writes the list of what is to
-   !> come. A part of a divided run leaves results alone.
+   !> Begin the results of a run that holds the folder. Remove results of earlier runs, and write the list of the new ones. A
+   !> part of a divided run does not touch results.
    subroutine begin_files(job, model, error)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -189,7 +189,7 @@ contains
       if (status /= 0) call raise(error, status_failure, 'cannot write '//folder//'/'//list_name//' (is the disk full?)')
    end subroutine note_file
 
-   !> Ends the results of a run: the list holds what is there.
+   !> End the results of a run: the list has the existing files.
    subroutine end_files(job, error)
       type(job_type), intent(in) :: job
       type(error_type), allocatable, intent(out) :: error
@@ -210,7 +210,7 @@ contains
       call write_list(job%output_dir, there(:n), error)
    end subroutine end_files
 
-   !> Names of records of unfinished work that this run does not go on with. They may hold hours of work: they stay.
+   !> Names of records of unfinished work that this run does not continue. They may hold hours of work, and stay.
    subroutine other_records(job, names)
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(out) :: names(:)
@@ -287,8 +287,7 @@ contains
       end do
    end function is_input
 
-   !> Removes what a run that was killed was just writing. A part of a divided run does so with its own files alone: others may
-   !> be at work.
+   !> Remove unfinished files of a run that was killed. A part of a divided run only removes its own: others may be at work.
    subroutine remove_unfinished(job, place)
       type(job_type), intent(in) :: job
       character(*), intent(in) :: place        !< folder within the output folder, with its slash; '': that itself

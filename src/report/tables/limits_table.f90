@@ -1,5 +1,5 @@
-!> A short block on standard output: how near the string came to its limits, the worst of the solved cases of a
-!> model. The rest is in limits.csv.
+!> A short block on standard output: how near the string came to its limits, for the worst of the solved cases of a model. The
+!> rest is in limits.csv.
 module dg_limits_table
    use dg_kinds, only: wp
    use dg_named_states, only: buckling_none
@@ -29,13 +29,13 @@ module dg_limits_table
 
    integer, parameter :: head_width = 30
    integer, parameter :: few = 3
-   !> Increase of von Mises stress by bending between tool joints from which on a line names it [-].
+   !> Least increase of von Mises stress by bending between tool joints that a line names [-].
    real(wp), parameter :: least_joint_bending = 0.01_wp
-   !> Turns of a helix from which on they are told to three digits.
+   !> Least number of turns of a helix that is shown with three digits.
    real(wp), parameter :: many_turns = 100.0_wp
    character(*), parameter :: jar_kind = 'jar'
 
-   !> Wind-up under which a string counts as not wound up [rad]: half of the last digit shown.
+   !> Least wind-up that is shown [rad]: half of the last digit.
    real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
 
 contains
@@ -225,7 +225,7 @@ contains
       if (text /= '') call append_text(lines, '  Ratings of connections used in '//name//': '//text)
    end subroutine append_ratings
 
-   !> Fatigue of body or connections that are tired most.
+   !> Fatigue of body or connections with the most fatigue.
    pure subroutine append_fatigue(lines, units, head, fatigue)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -247,7 +247,7 @@ contains
       if (text /= '') call append_text(lines, '    '//text)
    end subroutine append_fatigue
 
-   !> The worst groove in casing, and what it leaves.
+   !> The worst groove in casing, and the wall and strength that are left.
    pure subroutine append_groove(lines, units, name, groove)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units

@@ -21,7 +21,7 @@ module dg_model_table
    integer, parameter :: share_width = 9
    integer, parameter :: seconds_width = 10
    real(wp), parameter :: one = 1.0_wp
-   !> Torque under which a difference in per cent says nothing [N.m].
+   !> Torque below which a difference in per cent is not shown [N.m].
    real(wp), parameter :: least_torque = 1.0_wp
 
 contains

@@ -1,5 +1,4 @@
-!> Two tables of every model on standard output: the paper's Table 1, and what each case cost.
-!> Every line fits 120 columns.
+!> Two tables of every model on standard output: the paper's Table 1, and the cost of each case. Every line fits 120 columns.
 module dg_result_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name
@@ -117,7 +116,7 @@ contains
       call add_cell(table, 'Seconds', seconds_width, sum(results%seconds), one, 3)
    end subroutine add_sums
 
-   !> Summary of the meshes, and local scales that asked for shorter elements than the deck, in all cases together.
+   !> Summary of the meshes, and of local scales that required shorter elements than the deck, in all cases together.
    pure function mesh_line(results, units) result(line)
       type(case_result_type), intent(in) :: results(:)
       type(unit_system_type), intent(in) :: units

@@ -20,8 +20,8 @@ module dg_table_1
    private
    public :: append_table_1, page_columns
 
-   !> Rows for which a column of numbers says anything: all, strings that move along or turn, cases with a measured or reference
-   !> hook load, rigs.
+   !> Rows to which a column of numbers applies: all, strings that move along or turn, cases with a measured or reference hook
+   !> load, rigs.
    integer, parameter :: for_all = 0, for_moving = 1, for_turning = 2, for_measured = 3, for_reference = 4, for_rigs = 5
 
    !> A column of numbers: one of summary.csv, which has its values, meaning and unit.
@@ -29,7 +29,7 @@ module dg_table_1
       character(18) :: name
       character(28) :: head              !< three lines with '|' between
       integer :: width, decimals
-      integer :: rows                    !< for which it says anything
+      integer :: rows                    !< rows to which it applies
    end type number_type
 
    type(number_type), parameter :: numbers(*) = [ &
@@ -55,7 +55,7 @@ module dg_table_1
    !> Narrower than that a column of words tells nothing.
    integer, parameter :: least_section = 15, least_name = 6
 
-   !> Which columns there are, and how wide those of words are.
+   !> Columns that are present, and widths of those of words.
    type :: layout_type
       logical :: shown(size(numbers)) = .false.
       integer :: section = 0, operation = 0, name = 0
@@ -64,7 +64,7 @@ module dg_table_1
 
 contains
 
-   !> Table 1 of some results and their cases, and how far they are from what was measured and from the reference.
+   !> Append Table 1 of some results and their cases, and their errors against measured and reference values.
    subroutine append_table_1(lines, units, cases, results, verdicts)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
@@ -109,7 +109,7 @@ contains
       call append_error(lines, 'Torque against measurement', cases, results, load, other)
    end subroutine append_table_1
 
-   !> Columns that have something to show. Where the page is too narrow names are cut, then labels of sections.
+   !> Choose the columns with any value. If the page is too narrow names are cut, then labels of sections.
    pure function layout_of(units, cases, results, marks) result(layout)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
@@ -174,7 +174,7 @@ contains
       end do
    end subroutine add_case
 
-   !> Head of a column. With &rig measured is what the indicator shows.
+   !> Head of a column. With &rig measured values are those of the indicator.
    pure function head_of(column, layout) result(head)
       integer, intent(in) :: column
       type(layout_type), intent(in) :: layout
@@ -183,8 +183,8 @@ contains
       if (numbers(column)%name == 'measured' .and. any(layout%shown .and. numbers%rows == for_rigs)) head = 'Measured|indicator|'
    end function head_of
 
-   !> True where a column says something of a case. As in the paper, friction belongs to axial motion and torque to rotation.
-   !> Torque on bit belongs to a sliding string, too: a motor turns its bit.
+   !> True if a column applies to a case. As in the paper, friction belongs to axial motion and torque to rotation. Torque on
+   !> bit also belongs to a sliding string: a motor turns its bit.
    elemental function says(rows, load_case, result) result(is)
       integer, intent(in) :: rows        !< of the column
       type(load_case_type), intent(in) :: load_case

@@ -110,7 +110,7 @@ contains
       end function named
    end function summary_line
 
-   !> Says that answers go by calibrated friction without an interval; '' where none does.
+   !> Say that answers use calibrated friction without an interval; '' if none does.
    pure function interval_line(wholes) result(text)
       type(whole_string_type), intent(in) :: wholes(:)
       character(:), allocatable :: text
@@ -184,7 +184,7 @@ contains
       if (size(job%models) > 1) heading = heading//' By model '//trim(model_name(leading_model(job)))
    end function verdict_heading
 
-   !> Cases that another model answers otherwise than the leading one; '' where there are none.
+   !> Cases that another model answers differently from the leading one; '' if there are none.
    pure function unlike_text(job, model, results, wholes, number) result(text)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
