@@ -19,6 +19,9 @@ contains
       suite = TestSuite('can_be_done')
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
       call suite%addTest(TestMethod('advice_followed', test_advice))
+      call suite%addTest(TestMethod('torque_advice_followed', test_torque))
+      call suite%addTest(TestMethod('more_friction_in_coils', test_more_friction))
+      call suite%addTest(TestMethod('weight_that_string_brings', test_most_weight))
       call suite%addTest(TestMethod('overpull_left_out', test_overpull))
       call suite%addTest(TestMethod('reaming', test_reaming))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
@@ -125,6 +128,73 @@ contains
          read (number, *) value
       end function factor_after
    end subroutine test_advice
+
+   !> 'The answer becomes yes at about' after a NO by torque of the top drive: yes with 1 % less friction than that, NO with 1 %
+   !> more. By beams the factor is an estimate: 4 %.
+   subroutine test_torque()
+      character(*), parameter :: models(2) = ['soft', 'mcge']
+      real(wp), parameter :: beside(2) = [0.01_wp, 0.04_wp]
+      character(:), allocatable :: factor
+      type(run_type) :: run
+      real(wp) :: part
+      integer :: i, k
+      do i = 1, 2
+         run = run_deck_text(turning(models(i), 1.0_wp))
+         call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
+         factor = number_after(run%output, 'The answer becomes yes at about ')
+         read (factor, *) part
+         do k = -1, 1, 2
+            run = run_deck_text(turning(models(i), part*(1.0_wp + k*beside(i))))
+            call assertTrue(index(run%output, newline//'slide  '//trim(merge('yes', 'NO ', k < 0))//' ') > 0, message=run%output)
+         end do
+      end do
+   contains
+      !> Rotary drilling with part of the friction, by a top drive that is too weak.
+      function turning(model, part) result(text)
+         character(*), intent(in) :: model
+         real(wp), intent(in) :: part
+         character(:), allocatable :: text
+         text = replaced(deck("operation = 'rotary', wob = 5, tob = 3, friction = "//to_text(0.3_wp*part), .false.), &
+                         'max_torque = 30', 'max_torque = 10')
+         text = replaced(text, "models = 'soft'", "models = '"//model//"'")
+      end function turning
+   end subroutine test_torque
+
+   !> 'run it with more friction' after a yes of beams that turn in helical buckling: with twice and four times the friction there
+   !> is an answer each, and the last is NO by torque.
+   subroutine test_more_friction()
+      type(run_type) :: run
+      run = run_deck_text(coiled(0.3_wp))
+      call assertTrue(index(unwrapped(run%output), 'as the string turns in helical buckling: run it with more friction') > 0, &
+                      message=run%output)
+      run = run_deck_text(coiled(0.6_wp))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(coiled(1.2_wp))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+      call assertTrue(index(run%output, 'Torque of the top drive: ') > 0, message=run%output)
+   contains
+      function coiled(friction) result(text)
+         real(wp), intent(in) :: friction
+         character(:), allocatable :: text
+         text = replaced(deck("operation = 'rotary', wob = 30, tob = 3, friction = "//to_text(friction), .false.), &
+                         "models = 'soft'", "models = 'mcge'")
+      end function coiled
+   end subroutine test_more_friction
+
+   !> 'String weight brings at most about' a load to the bit, of a yes: yes with 1 % less, NO with 1 % more.
+   subroutine test_most_weight()
+      type(run_type) :: run
+      character(:), allocatable :: number
+      real(wp) :: most
+      run = run_deck_text(deck("operation = 'sliding', wob = 5, friction = 0.25", .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      number = number_after(run%output, 'String weight brings at most about ')
+      read (number, *) most
+      run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = "//to_text(0.99_wp*most), .false.))
+      call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
+      run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = "//to_text(1.01_wp*most), .false.))
+      call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
+   end subroutine test_most_weight
 
    !> Overpull is left out. After 'Not possible without overpull either': NO, by as much as it says. After 'Overpull up to about':
    !> yes with that overpull.

@@ -160,12 +160,17 @@ contains
       run = run_deck_text(deck(250.0_wp))
       call assertTrue(index(unwrapped(run%output), 'Compressed pipe yields, its buckling counted: WOB 250 kN, ') > 0, &
                       message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Model mcge solves its bending') > 0, message=run%output)
       most = value_after(run%output, 'WOB 250 kN, ')
       run = run_deck_text(deck(most))
       call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), 'Close to its limit: yield under WOB, WOB ') > 0, message=run%output)
       run = run_deck_text(deck(1.01_wp*most))
       call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      run = run_deck_text(replaced(deck(1.03_wp*most), "'soft'", "'mcge'"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Von Mises stress at ') > 0, message='by its bending: '//run%output)
    contains
       function deck(wob) result(text)
          real(wp), intent(in) :: wob     !< [kN]

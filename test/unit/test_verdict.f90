@@ -182,6 +182,10 @@ contains
       push = weight_of(model)*(0.7_wp*sin(angle) - cos(angle))
       call expect(optional_real(), 'String weight alone brings no load to the bit, 50 kN asked. Not possible without weight on '// &
                   'bit either: '//'string weight is '//kilonewtons(push)//' short. No shallower bit depth is possible either')
+      model%cases(1)%wob = 0.0_wp
+      model%cases(1)%bit_depth = 0.1_wp*depth
+      call judge(model, optional_real(), verdict)
+      call assertEqual(answer_no, verdict%answer, message='shallower')
       call build(model, operation_trip_out, -asked)
       load = weight_of(model)*(cos(angle) + friction*sin(angle))
       call expect(given(load - 9.0e3_wp), ', with 50 kN of overpull at the bit. Not possible without overpull either: hook '// &
