@@ -138,6 +138,7 @@ contains
       call assertEqual(result_not_converged, result%status, message='beyond it')
       call assertFalse(allocated(result%profile%md), message='no state')
       call assertGreaterThan(index(result%message, 'No stable equilibrium found'), 0, message=result%message)
+      call assertGreaterThan(index(result%message, '. Lower wob or tob'), 0, message=result%message)
       call assertGreaterThan(index(result%message, 'elements up to 1 m (usual start, soft walls'), 0, message=result%message)
       model%numerics%max_iterations = 10
       call solve_static_analysis(model, 1, result, error)

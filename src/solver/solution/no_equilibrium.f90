@@ -11,7 +11,10 @@ module dg_no_equilibrium
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: add_place, add_tried, list_tried
+   public :: add_place, add_tried, list_tried, no_stable
+
+   !> Beginning of the message on a string in balance that a small push moves away.
+   character(*), parameter :: no_stable = 'No stable equilibrium found'
 
    !> Digits of a length and of a depth in a message.
    integer, parameter :: shown = 2, shown_depth = 6
@@ -67,14 +70,19 @@ contains
       if (size(attempts) > 0) text = text//')'
    end subroutine list_tried
 
-   !> Add to the message of a case without equilibrium what was tried, and why the search ended.
-   pure subroutine add_tried(model, tried, worked_out, result)
+   !> Add to the message of a case without equilibrium what was tried, why the search ended, and what helps. Advice of the message
+   !> so far is enough.
+   pure subroutine add_tried(model, case_index, tried, worked_out, result)
       type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
       character(*), intent(in) :: tried                 !< on all meshes
       logical, intent(in) :: worked_out                 !< true if a mesh has used its allowed work
       type(case_result_type), intent(inout) :: result
       type(numerics_type) :: usual
+      logical :: advised, unstable
       if (result%status /= result_not_converged) return
+      advised = index(result%message, 'Set ') > 0
+      unstable = index(result%message, no_stable) == 1
       result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
       if (worked_out) then
          result%message = result%message//'. The search ended at the most work that '//to_text(result%elements)// &
@@ -82,6 +90,16 @@ contains
       else if (model%numerics%max_iterations < usual%max_iterations) then
          result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
             ', its default, which allows more attempts'
+         advised = .true.
       end if
+      if (advised) return
+      associate (load_case => model%cases(case_index))
+         if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
+            result%message = result%message//'. Lower wob or tob'
+         else
+            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and '// &
+               'torque: it leaves out bending stiffness'
+         end if
+      end associate
    end subroutine add_tried
 end module dg_no_equilibrium

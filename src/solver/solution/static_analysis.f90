@@ -110,7 +110,7 @@ contains
          end associate
       end do
       if (result%status == result_not_converged) then
-         call add_tried(model, tried, work_is_done(model%numerics, result), result)
+         call add_tried(model, case_index, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
          call add_message(result, 'Converged with elements of at most '// &
                           in_units(model%units, unit_length, length, shown)//'. Others found no equilibrium in '// &

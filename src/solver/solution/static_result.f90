@@ -10,7 +10,7 @@ module dg_static_result
    use dg_mesh, only: mesh_type, widest_beside
    use dg_missing, only: is_missing
    use dg_model, only: model_type
-   use dg_no_equilibrium, only: add_place
+   use dg_no_equilibrium, only: add_place, no_stable
    use dg_numerics, only: gap_location_name, numerics_type
    use dg_outcome, only: outcome_converged, outcome_outside, outcome_singular
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
@@ -93,7 +93,7 @@ contains
          case default
             result%status = result_not_converged
             if (last%residual_force < in_balance*equations%force_scale) then
-               result%message = 'No stable equilibrium found: the string is in balance, but the least push would move it away'
+               result%message = no_stable//': the string is in balance, but the least push would move it away'
             else
                result%message = 'No equilibrium found: at the end '// &
                   in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
