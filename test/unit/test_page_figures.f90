@@ -6,6 +6,7 @@ module dg_test_page_figures
    use dg_curve_look, only: look_part, marked_line_style
    use dg_line_list, only: line_list_type
    use dg_missing, only: missing
+   use dg_page_code, only: coded_curve, coded_depths, rounded, scale_type, scale_within
    use dg_page_figures, only: append_figures, is_live
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_force, quantity_none
@@ -22,6 +23,7 @@ contains
       suite = TestSuite('page_figures')
       call suite%addTest(TestMethod('looks', test_looks))
       call suite%addTest(TestMethod('blocks', test_blocks))
+      call suite%addTest(TestMethod('code', test_code))
    end function page_figures_suite
 
    !> Find the text that follows a word of a look; a word within another does not count.
@@ -36,8 +38,21 @@ contains
       call assertEqual('', look_part('', 'pt'))
    end subroutine test_looks
 
-   !> Rows of their own begin a block; a value that lacks is empty; a black curve has the ink of the page; a curve has a name and an
-   !> entry of the legend.
+   !> Digits worked out by hand: a step back; levels of a scale, zero among them; values too far apart for a scale.
+   subroutine test_code()
+      real(wp), parameter :: near(3) = [-1.0_wp, 0.0_wp, 1.0_wp], far(2) = [2.0e6_wp, 0.001_wp]
+      type(scale_type) :: scale
+      call assertEqual('"~7~7h,"', coded_depths([1.0_wp, 2.0_wp, 1.5_wp]))
+      scale = scale_within(near, 2.0e-4_wp)
+      call assertEqual('[-4049,0.0002470356,0,"#$P~~|"]', coded_curve(scale, '0', near))
+      call assertEqual(0.0_wp, rounded(scale, 0.0_wp))
+      scale = scale_within(far, 1.0e-3_wp)
+      call assertEqual('[0,1,0,"jc7R^C-I~~~~"]', coded_curve(scale, '0', [far, missing]))
+      call assertTrue(all(abs(rounded(scale, far) - far) <= 1.0e-9_wp*far))
+   end subroutine test_code
+
+   !> Rows of their own begin a block; a value that lacks has the greatest level; a black curve has the ink of the page; a curve has
+   !> a name and an entry of the legend.
    subroutine test_blocks()
       type(picture_list_type) :: list
       type(line_list_type) :: lines
@@ -73,10 +88,10 @@ contains
          '{"text":"before","look":{"stroke":"currentColor"},"mark":6,"marks":true},'// &
          '{"text":"interval","look":{"stroke":"#0072B2"},"mark":0,"marks":true}],"blocks":['// &
          '{"rows":["first","\u003C/script\u003E"],"panels":[{"label":"friction","quantity":"q0","lines":['// &
-         '{"name":"before","keys":[0],"look":{"stroke":"currentColor"},"mark":6,"marks":true,"points":"1000 0.25 1000 "},'// &
-         '{"name":"interval","keys":[1],"look":{"stroke":"#0072B2"},"mark":0,"marks":true,"points":"2000 0.3",'// &
-         '"low":"2000 0.2","high":"2000 0.4"}]}]},{"rows":["first","\u003C/script\u003E"],"panels":['// &
+         '{"name":"before","keys":[0],"look":{"stroke":"currentColor"},"mark":6,"marks":true,"points":[1,0.25,"~7~7","#~"]},'// &
+         '{"name":"interval","keys":[1],"look":{"stroke":"#0072B2"},"mark":0,"marks":true,"points":[1,0.3,"R}L","#"],'// &
+         '"low":[1,0.2,"R}L","#"],"high":[1,0.4,"R}L","#"]}]}]},{"rows":["first","\u003C/script\u003E"],"panels":['// &
          '{"label":"offset","quantity":"force","lines":[{"name":"before","keys":[0],'// &
-         '"look":{"stroke":"#0072B2","stroke-dasharray":"8 4"},"points":"1000 4 1000 5"}]}]}]}]', text)
+         '"look":{"stroke":"#0072B2","stroke-dasharray":"8 4"},"points":[2915984,1.37175e-6,"~7~7","###~~{"]}]}]}]}]', text)
    end subroutine test_blocks
 end module dg_test_page_figures

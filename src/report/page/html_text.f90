@@ -37,6 +37,9 @@ module dg_html_text
    !> A text longer than this is a sentence, which may be broken.
    integer, parameter :: longest_name = 40
 
+   !> Attributes that gnuplot writes into each group of a picture; they say what holds without them.
+   character(*), parameter :: idle_attributes = ' stroke-linecap="butt" stroke-linejoin="miter"'
+
    integer, parameter :: last_ascii = 127
 
 contains
@@ -259,8 +262,8 @@ contains
       call add_line(lines, '</pre>')
    end subroutine append_preformatted
 
-   !> A picture within the page: what stands before <svg> left out, groups without content too; names of its marks made its own by
-   !> `prefix`.
+   !> A picture within the page: what stands before <svg> left out, groups without content and idle attributes too; names of its
+   !> marks made its own by `prefix`.
    pure subroutine append_inline_svg(lines, svg, prefix)
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: svg(:)      !< lines of the file
@@ -297,9 +300,12 @@ contains
       pure function own(text) result(changed)
          character(*), intent(in) :: text
          character(:), allocatable :: changed
+         integer :: at
          changed = text
+         at = index(text, idle_attributes)
+         if (at > 0) changed = text(:at - 1)//text(at + len(idle_attributes):)
          if (index(text, '''') == 0) return       ! they stand in single quotes
-         changed = renamed(renamed(renamed(renamed(text, 'gpPt'), 'gpDot'), 'textbox'), 'greybox')
+         changed = renamed(renamed(renamed(renamed(changed, 'gpPt'), 'gpDot'), 'textbox'), 'greybox')
       end function own
 
       pure function renamed(text, name) result(changed)

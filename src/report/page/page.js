@@ -13,15 +13,47 @@ let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, not
 let paper = null                                             // while the page is printed: width and height of charts
 
 // ---- data
-function curve_of(text) {                                    // "step value step value ..." in thousandths of D.units' length
-   const t = text === '' ? [] : text.split(' '), n = t.length / 2, d = new Float64Array(n), v = new Float64Array(n)
-   for (let i = 0, sum = 0; i < n; i++) { d[i] = (sum += +t[2 * i]) / 1000; v[i] = t[2 * i + 1] === '' ? NaN : +t[2 * i + 1] }
-   return {d, v}
+const level_of = code => code - 35 - (code > 60) - (code > 92)        // a digit of base 90, see page_code.f90
+function depths_of(text) {                                   // steps in thousandths of D.units' length
+   const d = []
+   for (let i = 0, sum = 0, n = 0; i < text.length; i++) {
+      const digit = level_of(text.charCodeAt(i))
+      n = n * 45 + digit % 45
+      if (digit < 45) { d.push((sum += n % 2 ? -(n + 1) / 2 : n / 2) / 1000); n = 0 }
+   }
+   return Float64Array.from(d)
 }
-for (const p of D.profiles ?? []) for (const name in p.curves) {
-   const curve = p.curves[name]                              // a number: the same as an earlier one
-   const more = {words: D.columns[name].words, turns: name === 'clock'}
-   p.curves[name] = typeof curve === 'number' ? D.profiles[curve].curves[name] : {...curve_of(curve), ...more}
+function values_of(text, first, step, count) {               // the last level: no value
+   const v = new Float64Array(count), digits = text.length / count
+   for (let i = 0; i < count; i++) {
+      let level = 0
+      for (let k = i * digits; k < (i + 1) * digits; k++) level = level * 90 + level_of(text.charCodeAt(k))
+      v[i] = digits < 4 ? (first + level) * step : (Math.floor(level / 90) - 364500) * 10 ** (level % 90 - 45)
+      if (level === 90 ** digits - 1) v[i] = NaN
+   }
+   return v
+}
+function curve_of(written, rows) {                           // depths: their own, those of rows (0), or even ones
+   const [first, step, depths, values] = written ?? [0, 1, '', '']
+   const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))
+   const d = depths === 0 ? rows : typeof depths === 'string' ? depths_of(depths) : even(depths)
+   return {d, v: values_of(values, first, step, d.length)}
+}
+function curve_by({d, v}, pieces) {                          // from another curve: rows, factor, addend of each component
+   const made = new Float64Array(v.length)
+   for (let k = 0, i = 0; k < pieces.length; k += 3) {
+      for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]
+   }
+   return {d, v: made}
+}
+for (const p of D.profiles ?? []) {
+   const rows = depths_of(p.depths ?? '')
+   for (const name in p.curves) {
+      const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === 'clock'}
+      if (typeof curve === 'number') p.curves[name] = D.profiles[curve].curves[name]      // the same as an earlier one
+      else if (typeof curve[0] === 'string') p.curves[name] = curve_by(p.curves[curve[0]], curve.slice(1))
+      else p.curves[name] = {...curve_of(curve, rows), ...more}
+   }
 }
 const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression
 for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {

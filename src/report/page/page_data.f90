@@ -11,7 +11,7 @@ module dg_page_data
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
-   use dg_page_curves, only: curve_series, profile_curves
+   use dg_page_curves, only: curve_series, has_own_depths, profile_curves
    use dg_page_figures, only: append_figures, look_text
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_rows => rows, system_base, system_name
@@ -50,6 +50,8 @@ module dg_page_data
    !> Thinning of curves, over the range of a column [-]: the finest with which the data stay below `most_letters`.
    real(wp), parameter :: tolerances(3) = [3.0e-4_wp, 1.0e-3_wp, 3.0e-3_wp]
    integer, parameter :: most_letters = 4000000
+   !> Length from the bit upwards that the script draws with its contacts (shown_length of page.js) [m].
+   real(wp), parameter :: assembly_length = 40.0_wp
    integer, parameter :: digits = 7, contact_digits = 4, tolerance_digits = 2
    real(wp), parameter :: percent = 0.01_wp
 
@@ -92,7 +94,7 @@ contains
       type(along_string_type), intent(in) :: alongs(:)      !< as many
       type(picture_list_type), intent(in) :: pictures
       integer, intent(in) :: shown                          !< load case that is shown first; 0: none
-      type(text_type), allocatable :: curves(:, :)
+      type(text_type), allocatable :: curves(:, :), rows(:)
       type(series_list_type) :: list
       real(wp) :: tolerance
       integer :: i
@@ -100,7 +102,7 @@ contains
       if (shown > 0) then
          i = findloc(has_curves(results), .true., dim=1)
          list = curve_series(results(i)%profile, alongs(i))    ! for their names
-         call find_curves(job, results, alongs, list%count, curves, tolerance)
+         call find_curves(job, results, alongs, list%count, curves, rows, tolerance)
       else
          allocate (list%items(0))
       end if
@@ -117,7 +119,7 @@ contains
             call add_line(lines, trim(charts(i)))
          end do
          call add_line(lines, '],"profiles":[')
-         call append_profiles(lines, job, model, results, list, curves, shown)
+         call append_profiles(lines, job, model, results, list, curves, rows, shown)
          call add_line(lines, '],')
       end if
       call append_figures(lines, pictures, tolerance)
@@ -125,19 +127,21 @@ contains
    end subroutine append_page_data
 
    !> Curves of all results, thinned as little as their size allows.
-   subroutine find_curves(job, results, alongs, columns, curves, tolerance)
+   subroutine find_curves(job, results, alongs, columns, curves, rows, tolerance)
       type(job_type), intent(in) :: job
       type(case_result_type), intent(in) :: results(:)
       type(along_string_type), intent(in) :: alongs(:)          !< as many
       integer, intent(in) :: columns                            !< their number
       type(text_type), allocatable, intent(out) :: curves(:, :) !< by column and result
+      type(text_type), allocatable, intent(out) :: rows(:)      !< depths of the rows of results, '' where no curve has them
       real(wp), intent(out) :: tolerance                        !< to which they are thinned
       integer :: i, k
-      allocate (curves(columns, size(results)))
+      allocate (curves(columns, size(results)), rows(size(results)))
       do k = 1, size(tolerances)
          tolerance = tolerances(k)
          do i = 1, size(results)
-            if (has_curves(results(i))) call profile_curves(results(i)%profile, alongs(i), job%units, tolerance, curves(:, i))
+            if (has_curves(results(i))) &
+               call profile_curves(results(i)%profile, alongs(i), job%units, tolerance, curves(:, i), rows(i))
          end do
          if (letters_of(curves) <= most_letters) exit
       end do
@@ -256,28 +260,33 @@ contains
    end function parts_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
-   subroutine append_profiles(lines, job, model, results, list, curves, shown)
+   subroutine append_profiles(lines, job, model, results, list, curves, rows, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(series_list_type), intent(in) :: list
       type(text_type), intent(in) :: curves(:, :)   !< of its columns, by result
+      type(text_type), intent(in) :: rows(:)        !< depths of their rows
       integer, intent(in) :: shown                  !< load case that is shown first
-      integer :: rows(count(has_curves(results))), i, k, j, same
+      integer :: places(count(has_curves(results))), i, k, j, same
       character(:), allocatable :: text
-      rows = pack([(i, i=1, size(results))], has_curves(results))
-      do i = 1, size(rows)
-         call add_line(lines, '{"case":'//to_text(results(rows(i))%case_index - 1)//',"model":'// &
-                          json_string(trim(model_name(results(rows(i))%model)))//',"key":'// &
-                          profile_key(job, model, results(rows(i)), shown)//',"curves":{')
+      places = pack([(i, i=1, size(results))], has_curves(results))
+      do i = 1, size(places)
+         call add_line(lines, '{"case":'//to_text(results(places(i))%case_index - 1)//',"model":'// &
+                          json_string(trim(model_name(results(places(i))%model)))//',"key":'// &
+                          profile_key(job, model, results(places(i)), shown)//',')
+         if (rows(places(i))%text /= '') call add_line(lines, '"depths":'//rows(places(i))%text//',')
+         if (allocated(results(places(i))%contacts)) call add_line(lines, '"contacts":['// &
+                                                                  contacts_text(job, results(places(i)))//'],')
+         call add_line(lines, '"curves":{')
          text = ''
          do k = 1, list%count
-            associate (curve => curves(k, rows(i))%text)
+            associate (curve => curves(k, places(i))%text)
                if (curve == '') cycle
                same = 0
                do j = 1, i - 1
-                  if (curves(k, rows(j))%text == curve) exit
+                  if (curves(k, places(j))%text == curve .and. has_own_depths(curve)) exit
                   same = j
                end do
                if (text /= '') call add_line(lines, text//',')
@@ -285,13 +294,12 @@ contains
                if (j < i) then
                   text = text//to_text(same)
                else
-                  text = text//'"'//curve//'"'
+                  text = text//curve
                end if
             end associate
          end do
          call add_line(lines, text)
-         call add_line(lines, '},"contacts":['//contacts_text(job, results(rows(i)))//']}'// &
-                          trim(merge(',', ' ', i < size(rows))))
+         call add_line(lines, '}}'//trim(merge(',', ' ', i < size(places))))
       end do
    end subroutine append_profiles
 
@@ -314,17 +322,19 @@ contains
       key = '{"text":'//json_string(model%cases(result%case_index)%name//' '//trim(model_name(result%model)))//key//'}'
    end function profile_key
 
-   !> Depth, force and clock angle of each contact.
+   !> Depth, force and clock angle of each contact of the assembly.
    function contacts_text(job, result) result(text)
       type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: result
+      type(case_result_type), intent(in) :: result      !< with contacts
       character(:), allocatable :: text
+      real(wp) :: top
       integer :: i
       text = ''
-      if (.not. allocated(result%contacts)) return
+      top = result%profile%md(size(result%profile%md)) - assembly_length
       do i = 1, size(result%contacts)
          associate (contact => result%contacts(i))
-            if (i > 1) text = text//','
+            if (contact%md < top) cycle
+            if (text /= '') text = text//','
             text = text//'['//to_text(contact%md/job%units%length, digits)//','// &
                    to_text(contact%force/job%units%force, contact_digits)//','// &
                    to_text(contact%clock/job%units%angle, contact_digits)//']'

@@ -153,17 +153,16 @@ contains
          if (i > 1) text = text//','
          text = text//to_text(curve%keys(i) - 1)
       end do
-      text = text//']'//look_text(curve%look)//',"points":"'
+      text = text//']'//look_text(curve%look)//',"points":'
       associate (x => curve%points(1, :), y => curve%points(2, :))
          select case (look_part(curve%look, 'with'))
          case ('lines', 'linespoints')
-            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, tolerance)//'"'
+            text = text//curve_text(y, x, tolerance)
          case ('xerrorbars', 'boxxyerror')
-            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, 0.0_wp)//'","low":"'// &
-                   curve_text(y, curve%points(3, :), 1.0_wp, 1.0_wp, 0.0_wp)//'","high":"'// &
-                   curve_text(y, curve%points(4, :), 1.0_wp, 1.0_wp, 0.0_wp)//'"'
+            text = text//curve_text(y, x, 0.0_wp)//',"low":'//curve_text(y, curve%points(3, :), 0.0_wp)//',"high":'// &
+                   curve_text(y, curve%points(4, :), 0.0_wp)
          case default
-            text = text//curve_text(y, x, 1.0_wp, 1.0_wp, 0.0_wp)//'"'
+            text = text//curve_text(y, x, 0.0_wp)
          end select
       end associate
       text = text//'}'

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'b9sCkI7g93LHoZl4uUThpouKsE023mW06y5lF0iv4yg='
+   character(*), parameter :: script_hash = '8i495VO4ZeEGE31TB2creirsJIaVGezt0fyL+p71cmY='
    character(130), parameter :: script_lines_1(100) = [character(130) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -20,17 +20,47 @@ module dg_page_script
       'const shown_length = 40 / D.quantities.length.SI[1]', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
       'let paper = null', &
-      'function curve_of(text) {', &
-      'const t = text === '''' ? [] : text.split('' ''), n = t.length / 2, d = new Float64Array(n), v = new Float64Ar'// &
-      'ray(n)', &
-      'for (let i = 0, sum = 0; i < n; i++) { d[i] = (sum += +t[2 * i]) / 1000; v[i] = t[2 * i + 1] === '''' ? NaN : '// &
-      '+t[2 * i + 1] }', &
-      'return {d, v}', &
+      'const level_of = code => code - 35 - (code > 60) - (code > 92)', &
+      'function depths_of(text) {', &
+      'const d = []', &
+      'for (let i = 0, sum = 0, n = 0; i < text.length; i++) {', &
+      'const digit = level_of(text.charCodeAt(i))', &
+      'n = n * 45 + digit % 45', &
+      'if (digit < 45) { d.push((sum += n % 2 ? -(n + 1) / 2 : n / 2) / 1000); n = 0 }', &
       '}', &
-      'for (const p of D.profiles ?? []) for (const name in p.curves) {', &
-      'const curve = p.curves[name]', &
-      'const more = {words: D.columns[name].words, turns: name === ''clock''}', &
-      'p.curves[name] = typeof curve === ''number'' ? D.profiles[curve].curves[name] : {...curve_of(curve), ...more}', &
+      'return Float64Array.from(d)', &
+      '}', &
+      'function values_of(text, first, step, count) {', &
+      'const v = new Float64Array(count), digits = text.length / count', &
+      'for (let i = 0; i < count; i++) {', &
+      'let level = 0', &
+      'for (let k = i * digits; k < (i + 1) * digits; k++) level = level * 90 + level_of(text.charCodeAt(k))', &
+      'v[i] = digits < 4 ? (first + level) * step : (Math.floor(level / 90) - 364500) * 10 ** (level % 90 - 45)', &
+      'if (level === 90 ** digits - 1) v[i] = NaN', &
+      '}', &
+      'return v', &
+      '}', &
+      'function curve_of(written, rows) {', &
+      'const [first, step, depths, values] = written ?? [0, 1, '''', '''']', &
+      'const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))', &
+      'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : even(depths)', &
+      'return {d, v: values_of(values, first, step, d.length)}', &
+      '}', &
+      'function curve_by({d, v}, pieces) {', &
+      'const made = new Float64Array(v.length)', &
+      'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
+      'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
+      '}', &
+      'return {d, v: made}', &
+      '}', &
+      'for (const p of D.profiles ?? []) {', &
+      'const rows = depths_of(p.depths ?? '''')', &
+      'for (const name in p.curves) {', &
+      'const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === ''clock''}', &
+      'if (typeof curve === ''number'') p.curves[name] = D.profiles[curve].curves[name]', &
+      'else if (typeof curve[0] === ''string'') p.curves[name] = curve_by(p.curves[curve[0]], curve.slice(1))', &
+      'else p.curves[name] = {...curve_of(curve, rows), ...more}', &
+      '}', &
       '}', &
       'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})', &
       'for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {', &
@@ -80,7 +110,8 @@ module dg_page_script
       'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))', &
       'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)', &
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
-      'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
+      'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))']
+   character(130), parameter :: script_lines_2(100) = [character(130) :: &
       '}', &
       'function put_marks(parent, places, {mark, look: {stroke}}) {', &
       'const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('''')', &
@@ -117,8 +148,7 @@ module dg_page_script
       '}', &
       'function text_at(line, q) {', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
-      'pth)']
-   character(130), parameter :: script_lines_2(100) = [character(130) :: &
+      'pth)', &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
       'igh[i], q)})`)', &
       '}', &
@@ -195,7 +225,8 @@ module dg_page_script
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &
       '}', &
-      'function draw_panels() {', &
+      'function draw_panels() {']
+   character(130), parameter :: script_lines_3(100) = [character(130) :: &
       'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
@@ -229,8 +260,7 @@ module dg_page_script
       'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
       'return [label, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at('// &
       'b) - at(a)))]', &
-      '}']
-   character(130), parameter :: script_lines_3(100) = [character(130) :: &
+      '}', &
       'return [', &
       '[''quantity'', ''unit'', ...list.map(p => p.key.text), ...heads],', &
       '[''component'', '''', ...list.map(p => there(p)?.name ?? ''\u2013''), ...pairs.map(() => '''')],', &
@@ -302,7 +332,8 @@ module dg_page_script
       'view.panels.style.setProperty(''--bands'', Math.max(0, y_of(wanted[1]) - y_of(wanted[0])) + ''px'')', &
       '}', &
       'const point = e => {', &
-      'const y = y_in(e)', &
+      'const y = y_in(e)']
+   character(130), parameter :: script_lines_4(100) = [character(130) :: &
       'if (isNaN(y)) return', &
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
@@ -336,8 +367,7 @@ module dg_page_script
       'q.set(''chart'', S.title ?? S.charts[state.chart].title)', &
       'const zoomed = state.top > first || state.bottom < end_of()', &
       'for (const k of zoomed ? [''depth'', ''top'', ''bottom''] : [''depth'']) q.set(k, +state[k].toFixed(3))', &
-      'if (units !== D.units) q.set(''units'', units)']
-   character(130), parameter :: script_lines_4(100) = [character(130) :: &
+      'if (units !== D.units) q.set(''units'', units)', &
       'history.replaceState(null, '''', ''#'' + q)', &
       '}, 300)', &
       '}', &
@@ -409,7 +439,8 @@ module dg_page_script
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
       '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
-      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
+      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units']
+   character(130), parameter :: script_lines_5(100) = [character(130) :: &
       '}', &
       'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
@@ -445,8 +476,7 @@ module dg_page_script
       'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
       've all points.`)', &
       'put_switch(document.querySelector(''h1 + p''))', &
-      'follow_address()']
-   character(130), parameter :: script_lines_5(100) = [character(130) :: &
+      'follow_address()', &
       'document.documentElement.classList.add(''scripted'')', &
       'if (location.hash) active.root.scrollIntoView()', &
       'function well_figures(b) {', &
@@ -455,7 +485,7 @@ module dg_page_script
       'const {clock} = p.curves, i = row_at(clock, d), off = k => value_at(p, ''displacement'', clock.d[k]) > 0', &
       'return (off(i) && off(i + 1) ? value_at(p, ''clock'', d) : clock.v[off(i) ? i : i + 1]) * Math.PI / 180', &
       '}', &
-      'const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]', &
+      'const leading = () => shown().find(p => p.contacts) ?? shown()[0]', &
       'const lower = make(root, ''h:div'', {class: ''lower''})', &
       'const picture = (parent, label, more) => make(make(parent, ''h:figure'', {}), ''svg'', {role: ''img'', ''aria-'// &
       'label'': label, ...more})', &
@@ -524,7 +554,8 @@ module dg_page_script
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
+   character(130), parameter :: script_lines_6(87) = [character(130) :: &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
       '}', &
@@ -560,8 +591,7 @@ module dg_page_script
       '30)', &
       'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * 150', &
       'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))', &
-      'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`']
-   character(130), parameter :: script_lines_6(55) = [character(130) :: &
+      'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`', &
       'const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)', &
       'const edge = (from, to, v_of) => between(from, to, 80).map(d => point(x_of(d), y_of(v_of(d))))', &
       'const write = writer(assembly, W), start = Math.max(top, p.curves.hole.d[0])', &
@@ -580,7 +610,7 @@ module dg_page_script
       '}', &
       'for (const t of ticks(0, shown_length * factor(''length''), W / 120)) write(x_of(bit - t / factor(''length''))'// &
       ', T - 4, String(t))', &
-      'const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])', &
+      'const contacts = (p.contacts ?? []).filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])', &
       'for (const [d, force, clock] of contacts) {', &
       'const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2)', &
       'const y1 = y2 - side * (8 + 20 * force / contacts[0][1])', &
@@ -624,7 +654,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(130), parameter :: script_lines(555) = [ &
+   character(130), parameter :: script_lines(587) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

@@ -6,7 +6,7 @@ function well_figures(b) {
       const {clock} = p.curves, i = row_at(clock, d), off = k => value_at(p, 'displacement', clock.d[k]) > 0
       return (off(i) && off(i + 1) ? value_at(p, 'clock', d) : clock.v[off(i) ? i : i + 1]) * Math.PI / 180
    }
-   const leading = () => shown().find(p => p.contacts.length) ?? shown()[0]     // contacts are known to gap elements alone
+   const leading = () => shown().find(p => p.contacts) ?? shown()[0]     // contacts are known to gap elements alone
    const lower = make(root, 'h:div', {class: 'lower'})
    const picture = (parent, label, more) => make(make(parent, 'h:figure', {}), 'svg', {role: 'img', 'aria-label': label, ...more})
    const section = picture(lower, 'string in the hole at this depth', {viewBox: '0 -6 200 214'})
@@ -113,7 +113,7 @@ function well_figures(b) {
          write((x_of(from) + x_of(to)) / 2, 14, part.name)
       }
       for (const t of ticks(0, shown_length * factor('length'), W / 120)) write(x_of(bit - t / factor('length')), T - 4, String(t))
-      const contacts = p.contacts.filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])
+      const contacts = (p.contacts ?? []).filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])
       for (const [d, force, clock] of contacts) {
          const side = Math.cos(clock * Math.PI / 180) < 0 ? -1 : 1, y2 = y_of(side * hole / 2)
          const y1 = y2 - side * (8 + 20 * force / contacts[0][1])
