@@ -9,7 +9,7 @@ import pathlib
 import sys
 import zipfile
 
-from check_page import told_by
+from browser import told_by
 
 NIGHT = "screen and (prefers-color-scheme:dark)"
 RULES = """

@@ -19,7 +19,8 @@ import sys
 import tempfile
 import urllib.parse
 
-from check_page import CLOSE, dom, faults_of_labels, faults_of_phone, told_by
+from browser import MADE, View, browser, opened
+from check_page import CLOSE, WIDTHS, faults_of_labels, faults_of_phone, view_of_phone, views_of_labels
 
 HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
 DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
@@ -60,10 +61,12 @@ MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 24
 DEPTHS = (300, 850, 1250, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
 FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
 DASH = "\u2013"
+SPREAD, SPREAD_DEPTHS = "Uncertainty spread, model soft", (600, 1000, 1500, 2000, 2400)
+CALIBRATION, LOADS = f"Calibration {HOSTILE}, model soft", "Hook load of all cases"
+SWEEPS = (("beams", "mcge"), ("locked", "soft"))
 MOST_SHEETS = 10
 FEWEST = 200                            # values that must have been compared
 
-FRAMES = "<script>requestAnimationFrame = f => setTimeout(f, 0)</script>"        # without a screen there are none
 ACTIONS = """
 setTimeout(() => {
    const b = blocks.find(b => b.S.title === TITLE), root = b.S.root, told = []
@@ -85,7 +88,7 @@ setTimeout(() => {
       told.push((b.state.bottom - b.state.top) / whole, document.querySelectorAll('img').length)
       panel().dispatchEvent(new MouseEvent('dblclick', {bubbles: true})); await later()
       told.push((b.state.bottom - b.state.top) / whole)
-      document.title = 'TOLD' + JSON.stringify(told)
+      document.title = 'FOUND' + JSON.stringify(told)
    }
    run()
 }, 300)
@@ -106,13 +109,13 @@ setTimeout(async () => {
    location.hash = '#chart=' + encodeURIComponent(TITLE) + '&depth=1250'; await later(100)
    blocks[2].S.root.querySelector('.bar button').click(); await later(600)
    told.push(captions(), location.hash)
-   document.title = 'TOLD' + JSON.stringify(told)
+   document.title = 'FOUND' + JSON.stringify(told)
 }, 300)
 """
 
 
 SCROLLED = """
-setTimeout(() => document.title = 'TOLD' + JSON.stringify(blocks.find(b => b.S.title === TITLE).S.root.getBoundingClientRect().top), 400)
+setTimeout(() => document.title = 'FOUND' + JSON.stringify(blocks.find(b => b.S.title === TITLE).S.root.getBoundingClientRect().top), 400)
 """
 
 
@@ -132,11 +135,8 @@ def readouts(text, title):
     return tables
 
 
-def view(page, title, depth, faults, units=""):
-    query = urllib.parse.urlencode({"chart": title, "depth": depth} | ({"units": units} if units else {}))
-    text, complaints = dom(page, query)
-    faults += [f"{title}: the browser complains: {c}" for c in complaints]
-    return readouts(text, title)
+def address(title, depth, units=""):
+    return urllib.parse.urlencode({"chart": title, "depth": depth} | ({"units": units} if units else {}))
 
 
 def line_at(points, depth):
@@ -169,14 +169,22 @@ def lines_of_sweep(path):
     return lines, marks
 
 
-def faults_of_sweep(folder, name, model, count):
+def title_of_sweep(name, model):
+    return f"Sweep {name}, model {model}"
+
+
+def units_at(depth):
+    return "field" if depth == DEPTHS[1] else ""
+
+
+def faults_of_sweep(folder, name, model, shown_at, count):
     faults = []
     lines, marks = lines_of_sweep(folder / f"sweep_{name}.csv")
-    title = f"Sweep {name}, model {model}"
+    title = title_of_sweep(name, model)
     for depth in DEPTHS:
-        units = "field" if depth == DEPTHS[1] else ""
+        units = units_at(depth)
         f = FIELD if units else dict.fromkeys(FIELD, 1.0)
-        (told,) = view(folder / "report.html", title, depth, faults, units)
+        (told,) = shown_at(title, depth, units)
         wanted = {}
         for line, points in lines.items():
             extents = [max(v) - min(v) for v in ([p[k] for p in points if p[k] is not None] for k in (1, 2))]
@@ -203,13 +211,13 @@ def faults_of_sweep(folder, name, model, count):
     return faults
 
 
-def faults_of_spread(folder, count):
+def faults_of_spread(folder, shown_at, count):
     faults, points = [], {}
     for row in rows_of(folder / "uncertainty_spread.csv"):
         for k in ("p10", "p50", "p90"):
             points.setdefault(f"{NAMES[row['operation']]}, {k.upper()}", []).append((float(row["bit_depth_m"]), float(row[f"weight_indicator_{k}_kN"]), float(row[f"torque_{k}_kNm"])))
-    for depth in (600, 1000, 1500, 2000, 2400):
-        (told,) = view(folder / "report.html", "Uncertainty spread, model soft", depth, faults)
+    for depth in SPREAD_DEPTHS:
+        (told,) = shown_at(SPREAD, depth)
         for line, these in points.items():
             for k in (1, 2) if line.startswith("rotating") else (1,):
                 count[0] += 1
@@ -219,21 +227,27 @@ def faults_of_spread(folder, count):
     return faults
 
 
-def faults_of_rows(folder, count):
+def factors_of(folder):
+    return [row for row in rows_of(folder / "calibration.csv") if row["parameter"] == "friction"]
+
+
+def cases_of(folder):
+    return list(dict.fromkeys(row["case"] for row in rows_of(folder / "summary.csv")))
+
+
+def faults_of_rows(folder, shown_at, count):
     """The calibration's factors and the hook loads of all cases, a row each."""
     faults = []
-    title = f"Calibration {HOSTILE}, model soft"
-    factors = [row for row in rows_of(folder / "calibration.csv") if row["parameter"] == "friction"]
-    for number, row in enumerate(factors, 1):
-        told = view(folder / "report.html", title, number, faults)[0]
+    for number, row in enumerate(factors_of(folder), 1):
+        told = shown_at(CALIBRATION, number)[0]
         interval = f"{float(row['value']):.3f} ({float(row['lower']):.3f} to {float(row['upper']):.3f})"
         for name, text in (("before", f"{float(row['start']):.3f}"), ("after", f"{float(row['value']):.3f}"), ("95 % interval", interval)):
             count[0] += 1
             if told.get(name) != [text]:
                 faults.append(f"calibration, row {number}: {name} is shown as {told.get(name)}, the file has {text}")
-    cases = list(dict.fromkeys(row["case"] for row in rows_of(folder / "summary.csv")))
+    cases = cases_of(folder)
     for row in rows_of(folder / "summary.csv"):
-        (told,) = view(folder / "report.html", "Hook load of all cases", cases.index(row["case"]) + 1, faults)
+        (told,) = shown_at(LOADS, cases.index(row["case"]) + 1)
         values = [float(row["weight_indicator_kN"]), float(row["error_pct"]), float(row["torque_kNm"]) if row["case"] == "turn" else None]
         for text, value in zip(told.get(row["model"], []), values):
             count[0] += 1
@@ -242,34 +256,35 @@ def faults_of_rows(folder, count):
     return faults
 
 
-def acted(folder, script, title, view=""):
-    """What a script tells that acts on the page, opened by an address."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', FRAMES, (folder / "report.html").read_text(encoding="utf-8"))
-    with tempfile.TemporaryDirectory() as scratch:
-        copy = pathlib.Path(scratch) / "actions.html"
-        copy.write_text(text.replace("</body>", f"<script>{script.replace('TITLE', json.dumps(title))}</script></body>"), encoding="utf-8")
-        made, complaints = dom(copy, view)
-    found = re.search(r"<title>TOLD(.*?)</title>", made, re.S)
-    return json.loads(html.unescape(found.group(1))) if found else None, [f"actions: the browser complains: {c}" for c in complaints]
+def views_at(folder):
+    """A view for each chart and depth, or row, that is compared; by title, depth and units."""
+    wanted = [(title_of_sweep(*sweep), depth, units_at(depth)) for sweep in SWEEPS for depth in DEPTHS]
+    wanted += [(SPREAD, depth, "") for depth in SPREAD_DEPTHS]
+    wanted += [(CALIBRATION, number, "") for number, _ in enumerate(factors_of(folder), 1)]
+    wanted += [(LOADS, number, "") for number, _ in enumerate(cases_of(folder), 1)]
+    return {key: View(folder / "report.html", address(*key)) for key in wanted}
 
 
-def faults_of_addresses(folder):
+def views_of_actions(page):
+    """Scripts that act on a sweep, on addresses, on a page that is opened at a sweep."""
+    title = title_of_sweep(*SWEEPS[0])
+    scripts = {"actions": (ACTIONS, ""), "links": (ADDRESSES, ""), "scrolled": (SCROLLED, address(title, 1250, "field"))}
+    return {name: View(page, where, script=script.replace("TITLE", json.dumps(title))) for name, (script, where) in scripts.items()}
+
+
+def faults_of_addresses(told, place):
     """An answer's link opens its load case at the depth of its limit, here the surface; an address opens a sweep at a depth."""
-    title = "Sweep beams, model mcge"
-    told, faults = acted(folder, ADDRESSES, title)
-    query = urllib.parse.urlencode({"chart": title, "depth": 1250, "units": "field"})
+    query = address(title_of_sweep(*SWEEPS[0]), 1250, "field")
     wanted = [["At 0 m measured depth", "At 2400 m bit depth"], ["push_A"], ["At 0 ft measured depth", "At 4101.05 ft bit depth"], "#" + query]
-    if told != wanted:
-        faults.append(f"links lead to {told}")
-    place, complaints = acted(folder, SCROLLED, title, query)
-    return faults + complaints + ([] if place is not None and abs(place) < 5 else [f"an address opens its chart {place} px below the top"])
+    faults = [] if told == wanted else [f"links lead to {told}"]
+    return faults + ([] if place is not None and abs(place) < 5 else [f"an address opens its chart {place} px below the top"])
 
 
-def faults_of_actions(folder):
+def faults_of_actions(told):
     """Slider, legend, zoom and back."""
-    told, faults = acted(folder, ACTIONS, "Sweep beams, model mcge")
     if not told:
-        return [*faults, "nothing was done on a sweep"]
+        return ["nothing was done on a sweep"]
+    faults = []
     words, lines, paths, left, fewer, zoomed, images, whole = told
     if "1000 m" not in words or "up, friction 0.3" not in words or lines < 7:
         faults.append(f"the slider says '{words}', the box has {lines} lines")
@@ -284,10 +299,9 @@ def faults_of_actions(folder):
 
 def faults_of_paper(page):
     """Five load cases, two sweeps, a calibration and a Monte Carlo fit ten sheets."""
-    with tempfile.TemporaryDirectory() as home:
-        pdf = pathlib.Path(home) / "page.pdf"
-        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={home}", f"--print-to-pdf={pdf}",
-                        page.resolve().as_uri()], capture_output=True, timeout=240, check=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        pdf = pathlib.Path(scratch) / "page.pdf"
+        browser(f"--print-to-pdf={pdf}", page.resolve().as_uri())
         sheets = len(re.findall(rb"/Type /Page\b", pdf.read_bytes()))
     return [] if 0 < sheets <= MOST_SHEETS else [f"the page has {sheets} sheets"]
 
@@ -299,31 +313,36 @@ def faults_of_ends(program, scratch):
     run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
     if run.returncode:
         return [f"ends: exit status {run.returncode}: {run.stderr}"]
-    faults = []
-    for case in ("a_long_name_of_a_load_case_that_has_no_blank_1", "half_a_metre"):
-        for chart in ("Forces", "Buckling", "Well"):
-            made, complaints = dom(folder / "report.html", urllib.parse.urlencode({"case": case, "chart": chart, "depth": 1.0}))
-            faults += [f"ends, {case}, {chart}: {what}" for what in complaints]
-            faults += [f"ends, {case}, {chart}: {what}" for what in set(re.findall(r"\bNaN\b|>-0(?:\.0*)?<", re.sub(r"<script.*?</script>", "", made, flags=re.S)))]
-    told, complaints = told_by((folder / "report.html").read_text(encoding="utf-8"), HEADINGS)
+    page, faults = folder / "report.html", []
+    views = {(case, chart): View(page, urllib.parse.urlencode({"case": case, "chart": chart, "depth": 1.0}), MADE_WITH_PICTURES)
+             for case in ("a_long_name_of_a_load_case_that_has_no_blank_1", "half_a_metre") for chart in ("Forces", "Buckling", "Well")}
+    views["headings"] = View(page, script=HEADINGS)
+    told = dict(zip(views, opened(views.values())))
+    headings, _ = told["headings"]
+    for name, (made, complaints) in told.items():
+        faults += [f"ends, {name}: {what}" for what in complaints]
+        if name != "headings":
+            faults += [f"ends, {name}: {what}" for what in set(re.findall(r"\bNaN\b|>-0(?:\.0*)?<", made or "NaN"))]
     deck.write_text(re.sub(r"&load_case.*", "", ENDS) + SWEEP_ALONE, encoding="utf-8")
     subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
-    levels = [int(level) for level in re.findall(r"<h(\d)>", (folder / "report.html").read_text(encoding="utf-8"))]
+    levels = [int(level) for level in re.findall(r"<h(\d)>", page.read_text(encoding="utf-8"))]
     if len(levels) < 3 or any(after > before + 1 for before, after in zip(levels, levels[1:])):
         faults.append(f"without a load case headings have the levels {levels}")
-    return faults + complaints + [f"ends: the heading {text} lies on the next one" for text in told or []] + ([] if told is not None else ["ends: headings were not looked at"])
+    return faults + [f"ends: the heading {text} lies on the next one" for text in headings or []] + ([] if headings is not None else ["ends: headings were not looked at"])
 
 
-def faults_without_script(page):
+# Of a page whose script is refused: pictures and tables of the run.
+NO_SCRIPT = "(part => [part.split('<svg').length - 1, part.split('<summary>Numbers').length - 1])(d.body.innerHTML.split('Pictures of the run')[1])"
+MADE_WITH_PICTURES = MADE.replace("'svg, script, style'", "'script, style'")
+
+
+def view_without_script(text):
+    return View(re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", text, count=1), tell=NO_SCRIPT)
+
+
+def faults_without_script(found):
     """Fixed pictures of all studies and their tables."""
-    text = re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", page.read_text(encoding="utf-8"), count=1)
-    with tempfile.TemporaryDirectory() as scratch:
-        copy = pathlib.Path(scratch) / "refused.html"
-        copy.write_text(text, encoding="utf-8")
-        made, _ = dom(copy)
-    part = made.split("Pictures of the run")[1]
-    found = part.count("<svg"), part.count("<summary>Numbers")
-    return [] if found == (6, 6) else [f"without a script {found[0]} pictures and {found[1]} tables of the run stand"]
+    return [] if found == [6, 6] else [f"without a script {found} pictures and tables of the run stand"]
 
 
 def main():
@@ -340,11 +359,23 @@ def main():
         page = folder / "report.html"
         states = {row["status"] for row in rows_of(folder / "sweep_beams.csv")}
         faults = [] if states == {"converged", "locked_up", "not_converged"} else [f"the sweep has only {states}"]
-        faults += faults_of_sweep(folder, "beams", "mcge", count) + faults_of_sweep(folder, "locked", "soft", count)
-        faults += faults_of_spread(folder, count) + faults_of_rows(folder, count)
-        faults += faults_of_actions(folder) + faults_of_addresses(folder) + faults_of_ends(program, scratch)
         text = page.read_text(encoding="utf-8")
-        faults += faults_of_labels(text) + faults_of_phone(text) + faults_without_script(page) + faults_of_paper(page)
+        views = views_at(folder) | views_of_actions(page) | {"phone": view_of_phone(text), "no script": view_without_script(text)}
+        views |= dict(zip(WIDTHS, views_of_labels(text)))
+        told = dict(zip(views, opened(views.values())))
+        faults += [f"{name}: the browser complains: {c}" for name, (_, complaints) in told.items() if name != "no script" for c in complaints]
+
+        def shown_at(title, depth, units=""):
+            return readouts(told[title, depth, units][0] or "", title)
+
+        for sweep in SWEEPS:
+            faults += faults_of_sweep(folder, *sweep, shown_at, count)
+        faults += faults_of_spread(folder, shown_at, count) + faults_of_rows(folder, shown_at, count)
+        faults += faults_of_actions(told["actions"][0]) + faults_of_addresses(told["links"][0], told["scrolled"][0])
+        for width in WIDTHS:
+            faults += faults_of_labels(told[width][0], width)
+        faults += faults_of_phone(told["phone"][0]) + faults_without_script(told["no script"][0])
+        faults += faults_of_paper(page) + faults_of_ends(program, scratch)
     print(f"{count[0]} values read off the page")
     if count[0] < FEWEST:
         faults.append(f"only {count[0]} values could be compared")

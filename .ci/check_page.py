@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Asks the script of report.html in a real browser without a screen: what it reads off at a depth must be what the CSV files have.
 
-The address of the page holds the view, so that `chromium --dump-dom PAGE#case=...&depth=...` gives the table of values there.
+The address of the page holds the view, PAGE#case=...&depth=..., so that an opened page has the table of values there.
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
 cut or lies on another; that two fingers zoom; that a phone need not scroll sideways, and shows which tables do; that a depth may be
@@ -9,15 +9,18 @@ typed and is marked in the views of the well; that models may be chosen; that ta
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
+import bisect
 import csv
+import functools
 import html
 import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import urllib.parse
+
+from browser import READOUTS, View, browser, opened
 
 CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
 CASES = ("sliding_3190", "rotary_2075")
@@ -26,7 +29,7 @@ PARTS = (0.05, 0.31, 0.5, 0.72, 0.97)       # of the depth
 FIELD = {"ft": 1 / 0.3048, "klbf": 0.2248089431, "kft.lbf": 0.7375621493, "ksi": 0.1450377377}     # over m, kN, kN.m, MPa
 BIGGEST = 900_000           # bytes of the page
 
-WIDTHS = (1440, 500)        # px; Chromium without a screen is no narrower
+WIDTHS = (1440, 500)        # px
 LABELS = r"""
 setTimeout(() => {
    const found = new Set()
@@ -52,7 +55,7 @@ const finger = (identifier, part) => new Touch({identifier, target: panel, clien
 const touch = (kind, ...parts) => panel.dispatchEvent(new TouchEvent(kind, {bubbles: true, cancelable: true, touches: parts.map((p, i) => finger(i, p))}))
 const whole = state.bottom - state.top
 touch('touchstart', .45, .55); touch('touchmove', .35, .65); touch('touchend')
-document.title = 'PART' + (state.bottom - state.top) / whole
+document.title = 'FOUND' + (state.bottom - state.top) / whole
 """
 
 # Depths as a reader types them, then what the page shows: the field with its label, the caption, the address, marks of the depth.
@@ -134,6 +137,20 @@ setTimeout(async () => {
 }, 300)
 """
 
+# All curves as the page reads them, between the depths of their rows.
+CURVES = r"""
+setTimeout(() => {
+   const depths = end => Array.from({length: 60}, (_, i) => +((i + .37) / 60 * end).toFixed(3))
+   const numbers = p => Object.keys(p.curves).filter(name => !p.curves[name].words)
+   const read = (p, name) => depths(D.cases[p.case].depth).map(d => [d, value_at(p, name, d)])
+   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, Object.fromEntries(numbers(p).map(name => [name, read(p, name)]))]))
+}, 300)
+"""
+# Curves that are no column of the file, or angles, which are thinned to a degree and turn.
+OTHER_CURVES = ("side_force_on_joint", "clock", "azimuth")
+ROUNDING = 1.4e-5           # of a value: a number by itself has 36450 steps at least (page_code.f90)
+FEWEST_POINTS = 300         # compared on a page
+
 # The first table that is wider than a phone, at the top of the window, at the beginning or the end of its way.
 SIDEWAYS = """
 setTimeout(() => {
@@ -154,20 +171,12 @@ setTimeout(() => {
    if (root.scrollWidth > wide) found.push('the page scrolls sideways')
    for (const e of document.querySelectorAll('body :not(svg *)')) if (e.getBoundingClientRect().right > wide + 1 && !boxed(e)) found.push(`${e.tagName} ${e.textContent.slice(0, 40)} ends beyond the edge`)
    for (const e of document.querySelectorAll('td, th')) if (e.scrollWidth > e.clientWidth + 1) found.push(`${e.textContent} is wider than its cell`)
-   parent.postMessage(JSON.stringify(found), '*')
+   document.title = 'FOUND' + JSON.stringify(found)
 }, 500)
 """
-FRAME = f"""<html><head><title></title></head><body><iframe src="inner.html" style="width:{PHONE}px;height:3000px"></iframe>
-<script>addEventListener('message', e => document.title = 'FOUND' + e.data)</script></body></html>"""
-
-
-def dom(page, view="", options=()):
-    """The page as the browser has made it, and what it complained of."""
-    with tempfile.TemporaryDirectory() as home:
-        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={home}", *options,
-                              "--virtual-time-budget=3000", "--dump-dom", page.resolve().as_uri() + ("#" + view if view else "")],
-                             capture_output=True, text=True, timeout=240, check=False)
-    return run.stdout, re.findall(r"CONSOLE[^\n]*", run.stderr)
+# A table on a phone at its beginning, and at its end.
+FRAMES = f"""<html><body style="margin:0"><iframe src="0.html" style="width:{PHONE}px;height:800px"></iframe>
+<iframe src="1.html" style="width:{PHONE}px;height:800px"></iframe></body></html>"""
 
 
 def readout(text):
@@ -182,34 +191,50 @@ def readout(text):
 
 class Profile:
     """A profile_*.csv: values between rows as the page reads them."""
+    units = "m|mm|deg|kN|kNm|kN_m|MPa|deg_30m|pct|ft|in|klbf|kftlbf|klbf_ft|ksi|psi|deg_100ft"
 
     def __init__(self, folder, case, model):
         with (folder / f"profile_{case}_{model}.csv").open(encoding="utf-8", newline="") as file:
             self.rows = list(csv.DictReader(file))
-        self.depth = [float(row["md_m"]) for row in self.rows]
+        self.depth = self.column("md")
 
+    @functools.cache
     def column(self, name):
-        head = next(h for h in self.rows[0] if h == name or re.fullmatch(re.escape(name) + r"_(m|mm|deg|kN|kNm|kN_m|MPa|deg_30m|pct)", h))
+        head = next(h for h in self.rows[0] if h == name or re.fullmatch(f"{name}_({self.units})", h))
         return [float(row[head]) if row[head] else None for row in self.rows]
 
-    def at(self, name, depth):
-        """Value there, and the range of nine in ten values; None where there is none or the curve jumps within a metre."""
-        values = self.column(name)
-        i = max(k for k in range(len(self.depth)) if self.depth[k] <= depth)
-        i = min(i, len(self.depth) - 2)
-        near = [v for d, v in zip(self.depth, values) if abs(d - depth) < 1.0]
-        a, b = values[i], values[i + 1]
-        there = sorted(v for v in values if v is not None)
+    @functools.cache
+    def extent(self, name):
+        """Range of nine in ten values."""
+        there = sorted(v for v in self.column(name) if v is not None)
         cut = int(0.05 * len(there))
-        if a is None or b is None or None in near or self.depth[i + 1] <= self.depth[i]:
-            return None, 0.0
-        return a + (b - a) * (depth - self.depth[i]) / (self.depth[i + 1] - self.depth[i]), (there[-1 - cut] - there[cut]) or there[-1] - there[0]
+        return 0.0 if not there else (there[-1 - cut] - there[cut]) or there[-1] - there[0]
+
+    def at(self, name, depth):
+        """Value there; None where there is none or the curve jumps within a metre."""
+        values, d = self.column(name), self.depth
+        i = min(bisect.bisect_right(d, depth) - 1, len(d) - 2)
+        a, b = values[i], values[i + 1]
+        if a is None or b is None or None in values[bisect.bisect_right(d, depth - 1.0):bisect.bisect_left(d, depth + 1.0)] or d[i + 1] <= d[i]:
+            return None
+        return a + (b - a) * (depth - d[i]) / (d[i + 1] - d[i])
 
 
-def faults_of_view(folder, page, data, view, field=False):
+def views_of(data):
+    """Addresses: five depths of each chart, two load cases at once in other units."""
+    views = []
+    for chart in data["charts"]:
+        for case, part in zip((CASES * 3)[:len(PARTS)], PARTS):
+            depth = round(part * next(c["depth"] for c in data["cases"] if c["name"] == case), 2)
+            views.append(urllib.parse.urlencode({"case": case, "chart": chart["title"], "depth": depth}))
+    return [*views, "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"]
+
+
+def faults_of_view(folder, data, view, text, complaints):
+    """A view against the files; also the number of values compared."""
     faults, compared = [], 0
     query = urllib.parse.parse_qs(view)
-    text, complaints = dom(page, view)
+    field = "units" in query
     faults += [f"{view}: the browser complains: {c}" for c in complaints]
     rows = readout(text)
     chart = next(c for c in data["charts"] if c["title"] == query["chart"][0])
@@ -229,7 +254,7 @@ def faults_of_view(folder, page, data, view, field=False):
             continue
         factor = FIELD.get(told[0], 1.0) if field else 1.0
         for profile, shown in zip(profiles, told[1:]):
-            value, extent = profile.at(name, depth)
+            value, extent = profile.at(name, depth), profile.extent(name)
             if value is None or shown == "\u2013":
                 continue
             compared += 1
@@ -239,87 +264,88 @@ def faults_of_view(folder, page, data, view, field=False):
     return faults, compared
 
 
-def faults_without_script(page):
-    """A page whose script is refused, or fails at once, has its fixed pictures and no charts."""
-    faults = []
-    text = page.read_text(encoding="utf-8")
-    broken = {"refused": re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", text, count=1),
-              "failing": re.sub(r"script-src 'sha256-[^']*'", "script-src 'unsafe-inline'", text, count=1).replace(
-                  "'use strict'", "'use strict'; throw new Error('on purpose')", 1)}
-    with tempfile.TemporaryDirectory() as scratch:
-        for name, changed in broken.items():
-            copy = pathlib.Path(scratch) / f"{name}.html"
-            copy.write_text(changed, encoding="utf-8")
-            made, _ = dom(copy)
-            if re.search(r'<html[^>]*class="[^"]*scripted', made) or 'class="wide readout"' in made:
-                faults.append(f"a page with a {name} script hides its fixed pictures")
-            if made.count("<svg") < 5:
-                faults.append(f"a page with a {name} script has {made.count('<svg')} pictures")
-    return faults
+def faults_of_curves(folder, told, complaints):
+    """Every curve of a page against the files. Its depths are rounded to half a thousandth."""
+    faults, compared = [f"curves: the browser complains: {c}" for c in complaints], 0
+    if told and not any(folder.glob("profile_*.csv")):
+        return faults                   # a deck may leave these files out
+    for case, model, curves in told or []:
+        profile = Profile(folder, case, model)
+        for name in (name for name in curves if name not in OTHER_CURVES):
+            close = CLOSE * profile.extent(name)
+            for depth, shown in curves[name]:
+                if shown is None or not profile.depth[0] <= depth <= profile.depth[-1]:
+                    continue
+                near = [profile.at(name, depth + step) for step in (0.0, -5.0e-4, 5.0e-4)]
+                if None in near:
+                    continue
+                compared += 1
+                rounding = close + ROUNDING * abs(near[0])
+                if not min(near) - rounding <= shown <= max(near) + rounding:
+                    faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {near[0]}")
+    return faults + ([f"only {compared} values of curves were compared"] if told != [] and compared < FEWEST_POINTS else [])
 
 
-def faults_of_labels(text, widths=WIDTHS):
-    """Texts of all charts of a page, in windows of some widths, in each view of the well: none is cut or lies on another."""
-    faults = []
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
-    with tempfile.TemporaryDirectory() as scratch:
-        copy = pathlib.Path(scratch) / "labels.html"
-        copy.write_text(text.replace("</body>", f"<script>{LABELS}</script></body>"), encoding="utf-8")
-        for width in widths:
-            made, _ = dom(copy, options=(f"--window-size={width},1000",))
-            found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
-            faults += [f"{width} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["labels were not looked at"]
-    return faults
+NO_SCRIPT = "[d.documentElement.classList.contains('scripted') || !!d.querySelector('.wide.readout'), d.querySelectorAll('svg').length]"
 
 
-def faults_of_no_curves(page):
+def views_without_script(text):
+    """A page whose script is not allowed, one whose script fails at once."""
+    refused = re.sub(r"sha256-[^']*", "sha256-" + "A" * 43 + "=", text, count=1)
+    failing = re.sub(r"script-src 'sha256-[^']*'", "script-src 'unsafe-inline'", text, count=1)
+    failing = failing.replace("'use strict'", "'use strict'; throw new Error('on purpose')", 1)
+    return {name: View(page, tell=NO_SCRIPT) for name, page in (("refused", refused), ("failing", failing))}
+
+
+def faults_without_script(name, told):
+    """Such a page has its fixed pictures and no charts."""
+    scripted, pictures = told or (True, 0)
+    faults = [f"a page with a {name} script hides its fixed pictures"] if scripted else []
+    return faults + ([f"a page with a {name} script has {pictures} pictures"] if pictures < 5 else [])
+
+
+def views_of_labels(text, widths=WIDTHS):
+    """Texts of all charts of a page, in windows of some widths, in each view of the well."""
+    return [View(text, script=LABELS, width=width) for width in widths]
+
+
+def faults_of_labels(told, width):
+    """None is cut or lies on another."""
+    return ["labels were not looked at"] if told is None else [f"{width} px: {what}" for what in told]
+
+
+def faults_of_no_curves(made, complaints):
     """Without a load case to show there is a sentence, and no empty chart."""
-    made, complaints = dom(page, "case=none")
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
-    if "Curves are thinned to 0.03 % of their range." not in html.unescape(made):
+    told, panels = made or ("", 0)
+    if "Curves are thinned to 0.03 % of their range." not in told:
         faults.append("the page does not say how close its curves are")
-    if "No curves: choose a load case" not in made or 'class="panel"' in made.split("Pictures of the run")[0]:
+    if "No curves: choose a load case" not in told or panels:
         faults.append("no load case: the page draws empty charts, or says nothing")
     return faults
 
 
-def faults_of_phone(text):
-    """On a phone, with a long name: what is wide scrolls in its own box, and no text leaves its cell."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text).replace(CASES[0], CASES[0] + LONG_NAME)
-    with tempfile.TemporaryDirectory() as scratch:
-        inner, outer = pathlib.Path(scratch) / "inner.html", pathlib.Path(scratch) / "outer.html"
-        inner.write_text(text.replace("</body>", f"<script>{BEYOND}</script></body>"), encoding="utf-8")
-        outer.write_text(FRAME, encoding="utf-8")
-        made, _ = dom(outer)
-    found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
-    return [f"{PHONE} px: {what}" for what in json.loads(html.unescape(found.group(1)))] if found else ["the page was not looked at on a phone"]
+NO_CURVES = "[d.body.textContent, d.querySelector('.live:not(.first)').querySelectorAll('svg.panel').length]"
 
 
-def faults_of_touch(page):
+def view_of_phone(text):
+    """A page on a phone, with a long name."""
+    return View(text.replace(CASES[0], CASES[0] + LONG_NAME), script=BEYOND, width=PHONE, height=3000)
+
+
+def faults_of_phone(told):
+    """What is wide scrolls in its own box, and no text leaves its cell."""
+    return ["the page was not looked at on a phone"] if told is None else [f"{PHONE} px: {what}" for what in told]
+
+
+def faults_of_touch(part, _complaints):
     """Two fingers that are spread to three times their distance leave a third of the depth."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
-    with tempfile.TemporaryDirectory() as scratch:
-        copy = pathlib.Path(scratch) / "touch.html"
-        copy.write_text(text.replace("</body>", f"<script>{FINGERS}</script></body>"), encoding="utf-8")
-        made, _ = dom(copy)
-    part = re.search(r"<title>PART([0-9.]+)<", made)
-    return [] if part and abs(float(part.group(1)) - 1 / 3) < 0.01 else [f"two fingers leave {part and part.group(1)} of the depth"]
+    return [] if part and abs(part - 1 / 3) < 0.01 else [f"two fingers leave {part} of the depth"]
 
 
-def told_by(text, script):
-    """What a script finds that acts on a page, and what the browser complained of; null where it does not come to its end."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
-    with tempfile.TemporaryDirectory() as scratch:
-        copy = pathlib.Path(scratch) / "acted.html"
-        copy.write_text(text.replace("</body>", f"<script>{script}</script></body>"), encoding="utf-8")
-        made, complaints = dom(copy, options=("--virtual-time-budget=9000",))
-    found = re.search(r"<title>FOUND(.*?)</title>", made, re.S)
-    return json.loads(html.unescape(found.group(1))) if found else None, [f"the browser complains: {c}" for c in complaints]
-
-
-def faults_of_typing(text):
+def faults_of_typing(told, complaints):
     """A depth that is typed, also beyond what is zoomed to: crosshair, box, address and marks go there; what is no number is left out."""
-    told, faults = told_by(text, TYPED)
+    faults = [f"typing: the browser complains: {c}" for c in complaints]
     for shown, (field, label, caption, depth, part) in zip(told or [[]] * len(DEPTHS), DEPTHS):
         if shown[:3] != [field, label, caption] or float(shown[3] or 0.0) != depth or shown[4:5] != [True]:
             faults.append(f"{depth} m was typed, the page shows {shown}")
@@ -330,9 +356,9 @@ def faults_of_typing(text):
     return faults
 
 
-def faults_of_choice(text):
+def faults_of_choice(told, complaints):
     """Models are chosen as load cases are; a depth below the end of a string has no mark of it."""
-    told, faults = told_by(text, CHOSEN)
+    faults = [f"choice: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "models were not chosen"]
     one, one_at, one_row, both, both_at, _, four, _, row, dots, circles, *charts = told
@@ -357,10 +383,9 @@ def rows_of_case(folder, case):
             yield from (row for row in csv.DictReader(file) if row["case"] == case)
 
 
-def faults_of_tables(folder, page):
+def faults_of_tables(folder, made, complaints, own):
     """Tables of results in other units, against the files; the note on what stays in those of the deck. Also the number of values compared."""
     faults, compared = [], 0
-    made, complaints = dom(page, "units=field")
     faults += [f"tables in field units: the browser complains: {c}" for c in complaints]
     for table in re.findall(r"<table>(.*?)</table>", made, re.S):
         heads = re.findall(r"<th([^>]*)>(.*?)<br><small>(.*?)</small>", table, re.S)
@@ -378,29 +403,28 @@ def faults_of_tables(folder, page):
                     faults.append(f"tables in field units: {name} of {cells[0]} is {cell} {unit}, the files have {wanted}")
     if not re.search(r'<p class="note switched">[^<]*keep SI units', made):
         faults.append("tables in field units: no note on sentences")
-    if not re.search(r'<p class="note switched" hidden', dom(page)[0]):
+    if not re.search(r'<p class="note switched" hidden', own):
         faults.append("the note on other units stands beside those of the deck")
     return faults, compared
 
 
-def faults_of_well(folder, text):
+def faults_of_well(folder, told, complaints):
     """The well coloured by a state, which is told at the bit and is not cut; moment and offset below the assembly, against the CSV file."""
-    told, faults = told_by(text, COLOURED)
+    faults = [f"the well: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "the well was not coloured"]
     value, words, inside, caption = told
     if not value.startswith("3186 m: ") or value.split(": ")[1] not in words.split(", ") or "rigid" not in words or not inside:
         faults.append(f"coloured by gap state the well shows '{value}', '{words}', inside: {inside}")
     found, profile = re.search(r"At 3186 m: moment ([0-9.]+) kN\.m, ([0-9.]+) mm off the axis\.$", caption), Profile(folder, CASES[0], "mcge")
-    wanted = [profile.at(name, 3186.0)[0] for name in ("bending", "displacement")]
+    wanted = [profile.at(name, 3186.0) for name in ("bending", "displacement")]
     if not found or any(abs(float(a) - b) > 1e-3 * b for a, b in zip(found.groups(), wanted)):
         faults.append(f"below the assembly stands '{caption}', the file has {wanted}")
     return faults
 
 
-def faults_of_sentences(page):
+def faults_of_sentences(made):
     """Answers, well and string in other units: each number of a sentence against that in the deck's units, to the three digits that it has."""
-    made, _ = dom(page, "units=field")
     faults, compared = [], 0
     for own, shown in re.findall(r'<(?:td|p|small|span)[^>]*data-own="([^"]*)"[^>]*>([^<]*)<', made):
         for unit, other in (("kN", "klbf"), ("m", "ft"), ("MPa", "ksi")):
@@ -415,18 +439,19 @@ def faults_of_sentences(page):
 def faults_of_edge(text):
     """On a phone a wide table has a coloured right edge until its end is seen."""
     from matplotlib.image import imread
-    faults = []
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", text)
-    for way, wanted in (("0", True), ("1", False)):
-        with tempfile.TemporaryDirectory() as scratch:
-            inner, outer, shot = (pathlib.Path(scratch) / name for name in ("inner.html", "outer.html", "shot.png"))
-            inner.write_text(text.replace("</body>", f"<script>{SIDEWAYS.replace('WAY', way)}</script></body>"), encoding="utf-8")
-            outer.write_text(FRAME.replace("3000px", "800px"), encoding="utf-8")
-            dom(outer, options=("--hide-scrollbars", "--window-size=600,900", f"--screenshot={shot}"))
-            picture = (imread(shot)[:, :, :3] * 255).round().astype(int)
-        blue = (abs(picture[:400, PHONE - 20:PHONE + 10] - (0, 114, 178)).max(axis=2) < 40).sum(axis=0).max()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        for way in "01":
+            (folder / f"{way}.html").write_text(text.replace("</body>", f"<script>{SIDEWAYS.replace('WAY', way)}</script></body>"), encoding="utf-8")
+        (folder / "frames.html").write_text(FRAMES, encoding="utf-8")
+        browser("--hide-scrollbars", "--window-size=900,900", "--virtual-time-budget=6000", f"--screenshot={folder}/shot.png", (folder / "frames.html").as_uri())
+        picture = (imread(folder / "shot.png")[:, :, :3] * 255).round().astype(int)
+    faults = []
+    for place, name, wanted in ((PHONE, "at its beginning", True), (2 * PHONE + 8, "seen to its end", False)):
+        blue = (abs(picture[:400, place - 20:place + 10] - (0, 114, 178)).max(axis=2) < 40).sum(axis=0).max()
         if (blue > FEWEST_EDGE) != wanted:
-            faults.append(f"a wide table, {'seen to its end' if way == '1' else 'at its beginning'}: {blue} px of its edge are coloured")
+            faults.append(f"a wide table, {name}: {blue} px of its edge are coloured")
     return faults
 
 
@@ -438,18 +463,26 @@ def main():
     data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S).group(1))
     if "default-src 'none'" not in text or "unsafe-eval" in text or "script-src 'unsafe" in text:
         faults.append("the page lets other scripts run")
+    views = {view: View(page, view, READOUTS) for view in views_of(data)}
+    addresses = list(views)
+    views |= views_without_script(text)
+    views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "field": View(page, "units=field"), "phone": view_of_phone(text)}
+    views |= {name: View(page, script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES))}
+    views |= dict(zip(WIDTHS, views_of_labels(text)))
+    told = dict(zip(views, opened(views.values())))
     compared = 0
-    for chart in data["charts"]:
-        for case, part in zip((CASES * 3)[:len(PARTS)], PARTS):
-            depth = round(part * next(c["depth"] for c in data["cases"] if c["name"] == case), 2)
-            view = urllib.parse.urlencode({"case": case, "chart": chart["title"], "depth": depth})
-            found, n = faults_of_view(folder, page, data, view)
-            faults, compared = faults + found, compared + n
-    two = "&".join(f"case={case}" for case in CASES) + "&chart=Strength&depth=1500&units=field"
-    found, n = faults_of_view(folder, page, data, two, field=True)
-    faults, compared = faults + found + faults_without_script(page) + faults_of_labels(text) + faults_of_no_curves(page) + faults_of_phone(text) + faults_of_touch(page), compared + n
-    found, n = faults_of_tables(folder, page)
-    faults += found + faults_of_sentences(page) + faults_of_well(folder, text) + faults_of_typing(text) + faults_of_choice(text) + faults_of_edge(text)
+    for view in addresses:
+        found, n = faults_of_view(folder, data, view, *told[view])
+        faults, compared = faults + found, compared + n
+    for name in ("refused", "failing"):
+        faults += faults_without_script(name, told[name][0])
+    for width in WIDTHS:
+        faults += faults_of_labels(told[width][0], width)
+    field, own = told["field"][0] or "", told["own"][0] or ""
+    found, n = faults_of_tables(folder, *told["field"], own)
+    faults += found + faults_of_sentences(field) + faults_of_no_curves(*told["bare"]) + faults_of_phone(told["phone"][0])
+    faults += faults_of_touch(*told["touch"]) + faults_of_typing(*told["typed"]) + faults_of_choice(*told["chosen"])
+    faults += faults_of_well(folder, *told["well"]) + faults_of_curves(folder, *told["curves"]) + faults_of_edge(text)
     print(f"{compared} values read off the page, {n} off its tables")
     if compared < 150 or n < 500:
         faults.append(f"only {compared} values could be compared")

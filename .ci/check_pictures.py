@@ -2,7 +2,7 @@
 """Keeps the pictures that README.md and output/README.md show true: they are those of the sample decks, drawn anew and compared by all their texts
 (titles, axes, tics, names of curves). Those of the study have seconds on an axis: there only titles and names are compared.
 No text of any picture in the folders is cut or lies on another. Each picture has one title, in words, with that of the run.
-Each page is opened, in field units, without a complaint of the browser.
+Each page is opened, in field units, without a complaint of the browser; all its curves are those of the CSV files.
 
 Usage: check_pictures.py [--write] FOLDER...     folders of results, each named as its deck or given as DECK=FOLDER
 """
@@ -13,7 +13,8 @@ import shutil
 import sys
 import xml.etree.ElementTree as xml
 
-from check_page import WIDTHS, dom, faults_of_labels
+from browser import View, opened
+from check_page import CURVES, WIDTHS, faults_of_curves, faults_of_labels, views_of_labels
 
 SHOWN = pathlib.Path("output/examples")
 PAGE = '<html><head><meta charset="utf-8"><title></title></head><body>{}</body></html>'
@@ -64,14 +65,21 @@ def main(arguments):
         elif not kept.exists() or texts(kept) != texts(fresh):
             faults.append(f"{kept} is not what the run of {deck} draws; check_pictures.py --write brings it up to date")
     faults += [f"{p}: neither README.md nor output/README.md shows it" for p in SHOWN.glob("*") if p.name not in named]
-    count = 0
+    count, views = 0, {}
     for deck, folder in folders.items():
         faults += faults_of_titles(folder)
         drawn = [p.read_text(encoding="utf-8").partition("<svg") for p in sorted((folder / "pictures").glob("*.svg"))]
         page = PAGE.format("".join(f'<div class="drawn" style="width:1120px"><svg{rest}</div>' for _, _, rest in drawn))
-        faults += [f"{deck}: {fault}" for fault in faults_of_labels(page, WIDTHS[:1])]
-        faults += [f"{deck}: the browser complains of its page: {c}" for c in set(dom(folder / "report.html", "units=field")[1])]
+        views |= {(deck, "page"): View(folder / "report.html", "units=field", "''"), (deck, "curves"): View(folder / "report.html", script=CURVES)}
+        views[deck, "labels"] = views_of_labels(page, WIDTHS[:1])[0]
         count += len(drawn)
+    for (deck, what), (told, complaints) in zip(views, opened(views.values())):
+        if what == "labels":
+            faults += [f"{deck}: {fault}" for fault in faults_of_labels(told, WIDTHS[0])]
+        elif what == "curves":
+            faults += [f"{deck}: {fault}" for fault in faults_of_curves(folders[deck], told, complaints)]
+        else:
+            faults += [f"{deck}: the browser complains of its page: {c}" for c in complaints]
     print(f"{len(named)} pictures shown, labels of {count} looked at")
     for fault in faults:
         print("FAULT", fault)

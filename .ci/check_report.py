@@ -10,7 +10,6 @@ import csv
 import html
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unicodedata
@@ -18,6 +17,8 @@ import xml.etree.ElementTree as xml
 
 from matplotlib.image import imread
 from pypdf import PdfReader
+
+from browser import browser
 
 WIDTH, HEIGHT = 1240, 6000          # px: room for the tables and the first pictures
 MARGIN = 4                          # px at the right edge that must stay empty
@@ -117,16 +118,10 @@ def faults_of_files(folder):
     return faults
 
 
-def browser(page, *options):
-    with tempfile.TemporaryDirectory() as home:
-        return subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={home}", *options,
-                               page.resolve().as_uri()], capture_output=True, text=True, timeout=240, check=False)
-
-
 def faults_of_screen(folder, screenshot):
     screenshot.unlink(missing_ok=True)
-    run = browser(folder / "report.html", "--hide-scrollbars", f"--window-size={WIDTH},{HEIGHT}",
-                  f"--screenshot={screenshot.resolve()}")
+    run = browser("--hide-scrollbars", f"--window-size={WIDTH},{HEIGHT}", f"--screenshot={screenshot.resolve()}",
+                  (folder / "report.html").resolve().as_uri())
     if run.returncode != 0 or not screenshot.exists():
         return ["the browser made no screenshot: " + run.stderr[-500:]]
     shot = (imread(screenshot)[:, :, :3] * 255).round().astype(int)
@@ -180,7 +175,7 @@ def faults_of_paper(folder, paper):
         if page.count("@page{size:landscape") != 1:
             return ["the page does not say how paper lies"]
         copy.write_text(whole_page.replace("@page{size:landscape", f"@page{{size:{paper} landscape"), encoding="utf-8")
-        run = browser(copy, "--no-pdf-header-footer", f"--print-to-pdf={pdf}")
+        run = browser("--no-pdf-header-footer", f"--print-to-pdf={pdf}", copy.as_uri())
         if run.returncode != 0 or not pdf.exists():
             return ["the browser printed nothing: " + run.stderr[-500:]]
         size = PdfReader(pdf).pages[0].mediabox
