@@ -28,7 +28,7 @@ PAPERS = {"A4": (842, 595), "Letter": (792, 612)}    # pt, lying broad
 LEAST_LETTER = 0.3                  # width of a letter over its height, at least
 GOVERNING = "_sliding_3190"         # load case of GP1 that is nearest to a limit
 FIXED = 5                           # pictures of the page for where there is no script: of the run, and of that load case
-MOST_SHEETS = 14
+MOST_SHEETS = 6
 #: Verdict, well, string and chart of GP1, answers nearest to a limit, a line on the others, notes: they stand on the first sheet.
 FIRST_SHEET = ("Can it be done?", "Nearest to a limit: sliding_3190", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
                "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "make-up torque, top drive, fatigue.")

@@ -211,7 +211,7 @@ function block(S, address) {
       const panels = panels_of(), bare = !panels.flatMap(lines_of).length
       const none = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
       S.root.classList.toggle('bare', bare)                     // an empty chart is not drawn
-      const wide = paper?.wide ?? (view.panels.clientWidth || 1000)
+      const wide = paper ? paper.wide / (S.halved ? 2 : 1) : view.panels.clientWidth || 1000
       const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)
       const one = (panel, i) => draw_panel(panel, i % abreast, Math.max(150, wide / abreast))
       view.panels.replaceChildren(...(bare ? [none] : panels.map(one)))
@@ -265,7 +265,7 @@ function block(S, address) {
       view.slider.setAttribute('aria-valuetext', [place_text(), ...rows.map(row => row.join(' '))].join(', '))
    }
    function draw() {
-      H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420
+      H = S.rows ? 64 + (paper ? 15 : 24) * S.rows.length : paper?.high ?? 420
       if (!(state.bottom > state.top) || state.bottom > end_of()) Object.assign(state, {top: first, bottom: end_of()})
       Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})
       if (view.typed) view.typed.previousSibling.textContent = `${S.over} [${unit('length')}] `
@@ -438,7 +438,9 @@ const root_in = place => make(place, 'h:div', {})
 const string = () => ({charts: D.charts, keys: D.profiles.map(p => p.key), over: 'measured depth', root: root_in(places.shift())})
 const along = D.profiles ? [string()] : []
 const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '')
-const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: root_in(place)}))
+const of_figure = (f, place) => f.blocks.map((b, i) => ({
+   ...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1      // on paper in two columns
+}))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
 document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range. The CSV files have all points.`)
 put_switch(document.querySelector('h1 + p'))

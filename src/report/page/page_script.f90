@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '8i495VO4ZeEGE31TB2creirsJIaVGezt0fyL+p71cmY='
+   character(*), parameter :: script_hash = 'AmFvMPD+by56WVIzKRtn/neZDsLHE1axws1iar6bkAM='
    character(130), parameter :: script_lines_1(100) = [character(130) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -231,7 +231,7 @@ module dg_page_script
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
       'S.root.classList.toggle(''bare'', bare)', &
-      'const wide = paper?.wide ?? (view.panels.clientWidth || 1000)', &
+      'const wide = paper ? paper.wide / (S.halved ? 2 : 1) : view.panels.clientWidth || 1000', &
       'const abreast = Math.min(panels.length, wide >= 600 ? Infinity : S.rows ? 1 : 2)', &
       'const one = (panel, i) => draw_panel(panel, i % abreast, Math.max(150, wide / abreast))', &
       'view.panels.replaceChildren(...(bare ? [none] : panels.map(one)))', &
@@ -288,7 +288,7 @@ module dg_page_script
       'view.slider.setAttribute(''aria-valuetext'', [place_text(), ...rows.map(row => row.join('' ''))].join('', ''))', &
       '}', &
       'function draw() {', &
-      'H = S.rows ? 64 + 24 * S.rows.length : paper?.high ?? 420', &
+      'H = S.rows ? 64 + (paper ? 15 : 24) * S.rows.length : paper?.high ?? 420', &
       'if (!(state.bottom > state.top) || state.bottom > end_of()) Object.assign(state, {top: first, bottom: end_of()'// &
       '})', &
       'Object.assign(view.slider, S.rows ? {min: 1, max: S.rows.length} : {min: state.top, max: state.bottom})', &
@@ -470,8 +470,9 @@ module dg_page_script
       't_in(places.shift())})', &
       'const along = D.profiles ? [string()] : []', &
       'const title_of = (f, i) => f.title + (i ? ` (${i + 1})` : '''')', &
-      'const of_figure = (f, place) => f.blocks.map((b, i) => ({...b, keys: f.keys, title: title_of(f, i), root: root'// &
-      '_in(place)}))', &
+      'const of_figure = (f, place) => f.blocks.map((b, i) => ({', &
+      '...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1', &
+      '}))', &
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
       'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
       've all points.`)', &
@@ -552,10 +553,10 @@ module dg_page_script
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
-      'if (few) for (const t of ticks(from * length, to * length, few)) {', &
+      'if (few) for (const t of ticks(from * length, to * length, few)) {']
+   character(130), parameter :: script_lines_6(89) = [character(130) :: &
       'const [x, y] = project(at(t / length, corner))', &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
-   character(130), parameter :: script_lines_6(87) = [character(130) :: &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
       '}', &
@@ -583,13 +584,13 @@ module dg_page_script
       '}', &
       '}', &
       'function draw_assembly() {', &
-      'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290', &
+      'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290', &
       'assembly.replaceChildren()', &
       'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)', &
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
-      'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * 150', &
+      'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * (T - 110) / 1.2', &
       'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))', &
       'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`', &
       'const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)', &
@@ -654,14 +655,14 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(130), parameter :: script_lines(587) = [ &
+   character(130), parameter :: script_lines(589) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5, &
       script_lines_6]
-   character(284), parameter :: style_lines_1(31) = [character(284) :: &
+   character(344), parameter :: style_lines_1(31) = [character(344) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
@@ -706,8 +707,10 @@ module dg_page_script
       '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.units,.sc'// &
       'ripted .hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){'// &
       'display:none!important}', &
-      '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:80mm}.live svg.panel{max-height:none'// &
-      '}.legend button{border:none;padding:0 .7em 0 0}', &
+      '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:66mm}figure>.live{display:grid;grid-'// &
+      'template-columns:1fr 1fr;column-gap:6mm}figure>.live>:only-child{grid-column:1/-1}figure>.live>:last-child:not'// &
+      '(:only-child){grid-column:2;grid-row:1/span 9}.live svg.panel{max-height:none}.legend button{border:none;paddi'// &
+      'ng:0 .7em 0 0}', &
       '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
       '5pt}.head h3{margin:0}.first{font-size:8.5pt}.lead h2{margin-top:.6em}.legend{gap:0}', &
       '.lead{display:flex;flex-direction:column}.lead .wide,.answers,.answers tbody{display:contents}', &
@@ -716,6 +719,6 @@ module dg_page_script
       '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
-   character(284), parameter :: style_lines(31) = [ &
+   character(344), parameter :: style_lines(31) = [ &
       style_lines_1]
 end module dg_page_script

@@ -90,12 +90,12 @@ function well_figures(b) {
       }
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
-      const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = 290
+      const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290
       assembly.replaceChildren()
       assembly.setAttribute('viewBox', `0 0 ${W} ${T + 84}`)
       if (!p) return () => {}
       const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - 30)
-      const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * 150
+      const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * (T - 110) / 1.2
       const off = d => value_at(p, 'displacement', d) * Math.cos(angle(p, d))
       const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`
       const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)
