@@ -57,7 +57,7 @@ contains
       end do
       if (list%empty /= '') call add_line(lines, '<p class="note">Not drawn, as no value is known: '// &
                                           html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
-      if (.not. job%profiles) call add_line(lines, '<p>Pictures along the string need <code>profiles = .true.</code></p>')
+      if (.not. job%profiles) call add_line(lines, '<p>Picture files along the string need <code>profiles = .true.</code></p>')
    end subroutine append_pictures
 
    !> A picture: the place of a chart, where the script draws one, and the fixed picture.

@@ -688,8 +688,8 @@ module dg_page_script
       '.live .key{width:28px;height:16px;vertical-align:middle;display:inline-block;margin-right:.4em}', &
       '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side{font-size:.85em}.side select{display'// &
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
-      '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em;overflow-wrap:anywhere}.readout th+th+th{min-w'// &
-      'idth:6em}.panel div{font-size:11px;line-height:1.2}', &
+      '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em;overflow-wrap:anywhere}.readout th:nth-child(2'// &
+      '){overflow-wrap:normal}.readout th+th+th{min-width:6em}.panel div{font-size:11px;line-height:1.2}', &
       '.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:none;cursor:crosshair}', &
       '.right input[type=range]{width:100%}p .units{margin-left:1em}.typed{display:inline-block;margin:.2em 1.5em .2e'// &
       'm 0}.typed input{font:inherit;width:7em}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-c'// &
