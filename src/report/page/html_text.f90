@@ -262,8 +262,8 @@ contains
       call add_line(lines, '</pre>')
    end subroutine append_preformatted
 
-   !> A picture within the page: what stands before <svg> left out, groups without content and idle attributes too; names of its
-   !> marks made its own by `prefix`.
+   !> Append a picture within the page. What stands before <svg>, groups without content and idle attributes are left out. `prefix`
+   !> makes the names of its marks its own.
    pure subroutine append_inline_svg(lines, svg, prefix)
       type(line_list_type), intent(inout) :: lines
       type(text_type), intent(in) :: svg(:)      !< lines of the file

@@ -1,10 +1,12 @@
-!> Numbers of the page's curves in few letters: digits of base 90. Their signs need no mark before them in a text of JSON and
-!> cannot end an element of HTML.
+!> Numbers of the page's curves in few letters: digits of base 90. Each digit is one printable letter that stands for itself in
+!> JSON and cannot end an element of HTML. page.js reads them.
 !>
-!> A value is (first + level) step, so that zero is exact. All levels of a curve have the same number of digits. A level of four
-!> digits is a number by itself: its last digit is the power of ten, less 45, of the number before it, less 364500. The greatest
-!> level marks a missing value. A depth is the step from the depth before, in thousandths: twice its size, less one where it goes
-!> up, in digits of base 45; 45 is added to each but the last of them.
+!> Values: a value is (first + level) step, with a whole number `level`. Zero is therefore exact. All levels of a curve have the
+!> same number of digits. With four digits there is no common step. The first three digits, less 364500, are the number, and the
+!> last digit, less 45, is its power of ten. The greatest level marks a missing value.
+!>
+!> Depths: the step from the depth before, in thousandths, in digits of base 45. A step down is written as twice its size, a step
+!> up as twice its size less one. All digits but the last of a step have 45 added.
 module dg_page_code
    use dg_kinds, only: wp
    use dg_missing, only: is_missing

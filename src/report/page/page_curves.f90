@@ -123,7 +123,8 @@ contains
       has = index(text, '["') /= 1 .and. index(text, ','//rows_depths//',"') == 0
    end function has_own_depths
 
-   !> The text of a curve that keeps most rows: by one of those before it, else by its values, and then it is one of them.
+   !> Write a curve that keeps most rows: by a curve of `rough` if it goes with one, else by its values. In the latter case it is
+   !> added to `rough`.
    pure subroutine add_rough(rough, curve, band, starts, text)
       type(rough_type), allocatable, intent(inout) :: rough(:)
       type(rough_type), intent(in) :: curve
