@@ -18,8 +18,8 @@ def module():
              if row.strip() and not row.startswith("#")]
     width = max(len(line) for line in lines)
     return "\n".join([
-        "!> The catalogue of pipe that the program carries with it: input/catalogue.csv without its comments, for an installed program",
-        "!> that is run anywhere. Written by .ci/embed_catalogue.py --write; change the table, not this.",
+        "!> The catalogue of pipe within the program: input/catalogue.csv without its comments, for an installed program in any folder.",
+        "!> Written by .ci/embed_catalogue.py --write. Change the table, not this file.",
         "module dg_catalogue_lines", "   implicit none", "   private", "   public :: catalogue_lines", "",
         f"   character(*), parameter :: catalogue_lines({len(lines)}) = [character({width}) :: &", *rows(lines),
         "end module dg_catalogue_lines", ""])

@@ -37,8 +37,8 @@ def module():
     script = lines_of("page.js") + lines_of("well.js")
     digest = hashlib.sha256("\n".join(script).encode("ascii")).digest()
     return "\n".join([
-        "!> The script and the style that a page carries: page.js, well.js, page.css. The hash of the script lets it run.",
-        "!> Written by .ci/embed_page.py --write; change those files, not this.",
+        "!> The script and the style of a page: page.js, well.js, page.css. The hash of the script permits it. Written by",
+        "!> .ci/embed_page.py --write. Change those files, not this one.",
         "module dg_page_script", "   implicit none", "   private", "   public :: script_hash, script_lines, style_lines", "",
         f"   character(*), parameter :: script_hash = '{base64.b64encode(digest).decode()}'",
         *array("script_lines", script), *array("style_lines", lines_of("page.css")), "end module dg_page_script", ""])
