@@ -145,9 +145,9 @@ contains
       call assertEqual(0, index(run%output, advice), message=run%output)
    end subroutine test_sticking
 
-   !> Advice on a case that does not converge: model soft gives its hook load. A stiff assembly with blades of nearly the size of
-   !> the hole, in a survey with the noise of its tool. A torque on bit of 5000 kft.lbf. A case that converges one day needs
-   !> another in its place.
+   !> Advice on a case that does not converge. Model soft gives its hook load: a stiff assembly with blades of nearly the size of
+   !> the hole, in a survey with the noise of its tool; a torque on bit of 5000 kft.lbf. Smeared joints: a helically buckled string.
+   !> A case that converges one day needs another in its place.
    subroutine test_not_converged()
       character(*), parameter :: advice = 'No setting of &solver is known to help. Run model soft for hook load and torque'
       call follow(stiff_assembly(), advice, "'mcge'", "'soft'", 3)
@@ -157,6 +157,14 @@ contains
                   '&component od = 5, id = 4.276, mass = 20.87, joint_od = 6.625 /'//newline// &
                   "&load_case name = 'c', operation = 'rotary', bit_depth = 15000, wob = 20, tob = 5000 /"//newline, advice, &
                   "'mcge'", "'soft'", 3)
+      call follow("&job models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+                  '&trajectory md = 0, 940, 1430, 1830, inc = 0, 0, 74, 74, azi = 95, 95, 102, 116 /'//newline// &
+                  '&hole diameter = 155, friction = 0.45 /'//newline//'&fluid density = 1850 /'//newline// &
+                  "&component name = 'stab', kind = 'stabilizer', length = 1.5, od = 120.7, id = 57.2, joint_od = 149.2 /"// &
+                  newline//"&component length = 55, od = 88.9, id = 57.2, mass = 37.7, joint_od = 120.7, joint_length = 1 /"// &
+                  newline//"&component od = 88.9, id = 70.2, mass = 21, joint_od = 127, joint_length = 0.45 /"//newline// &
+                  "&load_case name = 'c', operation = 'sliding_drilling', bit_depth = 1100, wob = 199 /"//newline// &
+                  "&solver tool_joints = 'discrete' /"//newline, "Set tool_joints = 'smeared'", "'discrete'", "'smeared'", 3)
    end subroutine test_not_converged
 
    !> Arguments of the program.

@@ -43,8 +43,8 @@ contains
       end do
    end subroutine raise_friction
 
-   !> Derivative of the load at the top by each section's friction, by the soft string. The load is hook load, or torque of a
-   !> string that only turns [N or N.m].
+   !> Absolute change of the load at the top over that of each section's friction, by the soft string. The load is hook load, or
+   !> torque of a string that only turns [N or N.m].
    pure subroutine find_taken(model, case_index, estimate, taken)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index

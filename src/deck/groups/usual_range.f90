@@ -59,7 +59,7 @@ module dg_usual_range
       usual_type('bend', unit_angle, 0.1_wp*degree, 6.0_wp*degree, 'motors 0.25 to 4 deg; 1.5 deg are 0.026 in radians'), &
       usual_type('lines', unit_none, 4.0_wp, 16.0_wp, 'small workover rigs 4; largest rigs 14 to 16')]
    integer, parameter :: digits = 4, longest_name = 20
-   !> Number over the largest that is usual from which on a smaller unit may be meant [-].
+   !> Least value, over the largest usual one, at which a smaller unit may be meant [-].
    real(wp), parameter :: far_beyond = 5.0_wp
 
 contains

@@ -31,7 +31,7 @@ module dg_verdict_text
    real(wp), parameter :: close_to_limit = 0.95_wp
    !> Friction reserve below which the text says 'only' [-].
    real(wp), parameter :: little_reserve = 1.1_wp
-   !> Friction reserve below which the text has percent in place of a factor [-]. Reserves are found to 0.001, rounded down.
+   !> Friction reserve below which the text says 'already' and has one digit more [-]. Reserves are found to 0.001, rounded down.
    real(wp), parameter :: no_reserve = 1.001_wp
 
 contains

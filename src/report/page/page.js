@@ -51,7 +51,7 @@ for (const p of D.profiles ?? []) {
    for (const name in p.curves) {
       const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === 'clock'}
       if (typeof curve === 'number') p.curves[name] = D.profiles[curve].curves[name]      // the same as an earlier one
-      else if (typeof curve[0] === 'string') p.curves[name] = curve_by(p.curves[curve[0]], curve.slice(1))
+      else if (typeof curve[0] === 'string') p.curves[name] = {...curve_by(p.curves[curve[0]], curve.slice(1)), ...more}
       else p.curves[name] = {...curve_of(curve, rows), ...more}
    }
 }

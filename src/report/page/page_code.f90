@@ -5,8 +5,8 @@
 !> same number of digits. With four digits there is no common step. The first three digits, less 364500, are the number, and the
 !> last digit, less 45, is its power of ten. The greatest level marks a missing value.
 !>
-!> Depths: the step from the depth before, in thousandths, in digits of base 45. A step down is written as twice its size, a step
-!> up as twice its size less one. All digits but the last of a step have 45 added.
+!> Depths: the step from the depth before, in thousandths, in digits of base 45. A step to a greater depth is written as twice its
+!> size, one to a lesser depth as twice its size less one. All digits but the last of a step have 45 added.
 module dg_page_code
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
@@ -24,8 +24,9 @@ module dg_page_code
    integer, parameter :: base = 90, half = 45, floating = 4, middle = base**3/2
    !> Signs of digits begin with '#' and leave out '<' and the backslash.
    integer, parameter :: first_sign = 35, left_out(2) = [60, 92]
-   integer, parameter :: longest_step = 8      !< digits
-   !> Levels that are not used: the mark of a missing value, and two for rounding.
+   integer, parameter :: longest_step = 6      !< digits, of the largest integer
+   !> A scale has base**digits less this many steps: one for the mark of a missing value, one as steps are one less than levels, two
+   !> for rounding.
    integer, parameter :: spare = 4
    real(wp), parameter :: per_unit = 1000.0_wp
    !> First level, at most: it is written with seven digits.
@@ -80,7 +81,7 @@ contains
          level = base**scale%digits - 1
       else if (scale%digits == floating) then
          power = -half
-         if (abs(value) > 0.0_wp) power = max(power, ceiling(log10(abs(value)/(middle - 1))))
+         if (abs(value) > 0.0_wp) power = min(max(power, ceiling(log10(abs(value)/(middle - 1)))), half - 1)
          level = (nint(value/10.0_wp**power) + middle)*base + power + half
       else
          level = nint(value/scale%step - scale%first)
@@ -107,7 +108,7 @@ contains
       real(wp), intent(in) :: depths(:)
       character(:), allocatable :: json
       character(longest_step*size(depths)) :: room
-      integer :: i, filled, place, last, number, length
+      integer :: i, filled, place, last, number, length, rest
       filled = 0
       last = 0
       do i = 1, size(depths)
@@ -115,8 +116,10 @@ contains
          number = 2*abs(place - last)
          if (place < last) number = number - 1
          length = 1
-         do while (number >= half**length)
+         rest = number/half
+         do while (rest > 0)
             length = length + 1
+            rest = rest/half
          end do
          call put_piece(room, filled, number_text(number, half, length, half))
          last = place

@@ -160,13 +160,23 @@ contains
             least = minloc(from, dim=1)
             most = maxloc(from, dim=1)
             factor = 0.0_wp
-            if (from(most) > from(least)) factor = (to(most) - to(least))/(from(most) - from(least))
-            addend = to(least) - factor*from(least)
+            if (from(most) > from(least)) factor = as_written((to(most) - to(least))/(from(most) - from(least)))
+            addend = as_written(to(least) - factor*from(least))
             if (any(abs(factor*rounded(source%scale, from) + addend - to) > band)) return
             pieces = pieces//','//to_text(size(to))//','//to_text(factor, digits)//','//to_text(addend, digits)
          end associate
       end do
       text = pieces//']'
+   contains
+      !> A number as a reader of its digits finds it.
+      pure function as_written(number) result(read)
+         real(wp), intent(in) :: number
+         real(wp) :: read, unit
+         read = number
+         if (.not. abs(number) > 0.0_wp) return
+         unit = 10.0_wp**(floor(log10(abs(number))) + 1 - digits)
+         read = unit*anint(number/unit)
+      end function as_written
    end function text_by
 
    !> First rows of components and sections of the hole.

@@ -143,17 +143,18 @@ contains
             if (has_curves(results(i))) &
                call profile_curves(results(i)%profile, alongs(i), job%units, tolerance, curves(:, i), rows(i))
          end do
-         if (letters_of(curves) <= most_letters) exit
+         if (letters_of(curves, rows) <= most_letters) exit
       end do
    end subroutine find_curves
 
-   !> Letters of all curves.
-   pure function letters_of(curves) result(number)
-      type(text_type), intent(in) :: curves(:, :)
+   !> Letters of all curves, and of the depths that they share.
+   pure function letters_of(curves, rows) result(number)
+      type(text_type), intent(in) :: curves(:, :), rows(:)
       integer :: number
       integer :: i, k
       number = 0
       do i = 1, size(curves, 2)
+         if (allocated(rows(i)%text)) number = number + len(rows(i)%text)
          do k = 1, size(curves, 1)
             if (allocated(curves(k, i)%text)) number = number + len(curves(k, i)%text)
          end do

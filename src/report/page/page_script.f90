@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'AmFvMPD+by56WVIzKRtn/neZDsLHE1axws1iar6bkAM='
+   character(*), parameter :: script_hash = 'MEWsjZ2yR8TjTe+NCjePkPr8f5wQanDhUaIxpu9qmAk='
    character(130), parameter :: script_lines_1(100) = [character(130) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -58,7 +58,8 @@ module dg_page_script
       'for (const name in p.curves) {', &
       'const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === ''clock''}', &
       'if (typeof curve === ''number'') p.curves[name] = D.profiles[curve].curves[name]', &
-      'else if (typeof curve[0] === ''string'') p.curves[name] = curve_by(p.curves[curve[0]], curve.slice(1))', &
+      'else if (typeof curve[0] === ''string'') p.curves[name] = {...curve_by(p.curves[curve[0]], curve.slice(1)), ..'// &
+      '.more}', &
       'else p.curves[name] = {...curve_of(curve, rows), ...more}', &
       '}', &
       '}', &

@@ -10,15 +10,15 @@ module dg_block_question
    private
    public :: block_question
 
-   !> Largest part of the block weight by which one case, and all on average, may be off [-].
+   !> Largest part of the block's share of the indicator by which one case, and all on average, may be off [-].
    real(wp), parameter :: one_off = 0.5_wp, all_off = 0.25_wp
    !> Digits of a force.
    integer, parameter :: shown = 3
 
 contains
 
-   !> Question where all measured loads are below the weight indicator by about the block weight; '' else. Wrong friction makes not
-   !> both pick-up and slack-off too low, nor a string that does not move along the hole.
+   !> Question where all measured loads are below the weight indicator by about the block weight; '' else. Wrong friction cannot
+   !> make both pick-up and slack-off too low, nor the load of a string that does not move along the hole.
    pure function block_question(units, cases, results) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)

@@ -7,8 +7,8 @@
 !>   E75    s_b = 19500 - 10/67 s_t - 0.6/670^2 (s_t - 33500)^2
 !>   S135   s_b = 20000 (1 - s_t/145000)
 !>
-!> An own curve has an amplitude without tension and Goodman's line to the tensile strength. All curves end at a number of
-!> turns. Above the curve the number of turns falls with the amplitude to the power -m, m the exponent of a test (Basquin).
+!> An own curve has an amplitude without tension and Goodman's line to the tensile strength. All curves hold for a number of
+!> turns. At larger amplitudes the turns to failure fall with the amplitude to the power -m, m the exponent of a test (Basquin).
 module dg_fatigue_curve
    use dg_kinds, only: wp
    use dg_constants, only: psi

@@ -17,8 +17,8 @@
 !> 4. The step of a damped string is shortened while the energy still rises at its end, with friction forces held constant.
 !> Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
 !> 5. A step that still raises the energy, and does not reduce the residual, is refused, and damping is raised.
-!> 6. A stable string that goes on moving though no gap changes for long is drifting. From then on friction holds it sideways
-!> too (dg_held_coils).
+!> 6. A stable string that keeps moving for longest_quiet iterations without a change of its gaps is drifting. From then on
+!> friction holds it sideways too (dg_held_coils).
 !>
 !> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A
 !> damped string is stable and has stopped moving. No element that may still be cut is outside its hole.
@@ -118,8 +118,8 @@ contains
       end if
    end subroutine enter_row
 
-   !> Near an equilibrium, end the run there, or where elements are to be cut, or move gaps. Farther off Newton's steps change
-   !> too much for that.
+   !> Near an equilibrium: end the run, mark elements to cut, or move gaps. Farther off Newton's steps still change too much for
+   !> that.
    subroutine settle_gaps(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -185,8 +185,8 @@ contains
       call measure_here(it, trajectory, .false., solution)
    end subroutine move_to_deepest
 
-   !> End a run without progress. If gaps have moved and there is no equilibrium, their places are restored. That happens early
-   !> enough for the run to go on, or at its end. The string was in equilibrium before the gaps moved.
+   !> End a run without progress. Gap places that moved are restored after longest_round iterations without equilibrium, or when
+   !> the run ends. The string was in equilibrium before the gaps moved.
    subroutine judge_progress(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
@@ -236,7 +236,8 @@ contains
       end if
    end function ending
 
-   !> True if gaps may move once more, or are examined for the last time, after more_moves rounds, at equilibrium.
+   !> True if gaps may move once more: in the first most_moves rounds, and at equilibrium in more_moves rounds after them. One more
+   !> round at equilibrium is the last check.
    pure function may_move(it, equations, there) result(may)
       type(equilibrium_type), intent(in) :: it
       type(equations_type), intent(in) :: equations

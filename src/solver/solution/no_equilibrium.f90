@@ -16,6 +16,7 @@ module dg_no_equilibrium
    !> Beginning of the message on a string in balance that a small push moves away.
    character(*), parameter :: no_stable = 'No stable equilibrium found'
 
+   character(*), parameter :: no_setting = '. No setting of &solver is known to help. '
    !> Digits of a length and of a depth in a message.
    integer, parameter :: shown = 2, shown_depth = 6
 
@@ -81,7 +82,7 @@ contains
       type(numerics_type) :: usual
       logical :: advised, unstable
       if (result%status /= result_not_converged) return
-      advised = index(result%message, 'Set ') > 0
+      advised = index(result%message, '. Set ') > 0
       unstable = index(result%message, no_stable) == 1
       result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
       if (worked_out) then
@@ -96,9 +97,13 @@ contains
       associate (load_case => model%cases(case_index))
          if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
             result%message = result%message//'. Lower wob or tob'
+         else if (model%numerics%discrete_joints) then
+            result%message = result%message//". Set tool_joints = 'smeared': joints that touch one by one are harder to solve"
+         else if (result%coiled) then
+            result%message = result%message//no_setting//'Model soft leaves out friction of helical buckling: its hook load is '// &
+               'too high where the string is lowered'
          else
-            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and '// &
-               'torque: it leaves out bending stiffness'
+            result%message = result%message//no_setting//'Run model soft for hook load and torque: it leaves out bending stiffness'
          end if
       end associate
    end subroutine add_tried

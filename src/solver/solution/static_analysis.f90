@@ -11,6 +11,7 @@
 !> 5. Compare its contact with a beam on shorter elements (dg_bending_profile). Where they differ, fit the gaps and solve again
 !> (dg_solution_result).
 !> 6. If no equilibrium is found, make the attempts of dg_tuning, on the first mesh and on meshes with shorter elements.
+!> 7. Solve a helically buckled string again from other starts (find_range): it can stop at several hook loads.
 module dg_static_analysis
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp

@@ -99,7 +99,8 @@ contains
                   in_units(model%units, unit_force, last%residual_force, shown_residual)//' were out of balance at '
                call add_place(model, case_index, equations%unbalanced_md, result%message)
             end if
-            if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)//' gaps kept opening or closing'
+            if (last%flips > 0) result%message = result%message//', and '//to_text(last%flips)// &
+               either(' gap', ' gaps', last%flips == 1)//' kept opening or closing'
          end select
          call position_at(model%trajectory, mesh%md(mesh%nodes), position, tangent)
          result%inclination = inclination_of(tangent)

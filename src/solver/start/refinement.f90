@@ -9,7 +9,7 @@ module dg_refinement
    private
    public :: take_over
 
-   !> Length of an element over that before from which on it keeps the place of its gap [-]: the same but for round-off.
+   !> Least length of an element over its earlier length at which it keeps the place of its gap [-]. It is 1 but for round-off.
    real(wp), parameter :: whole = 0.999_wp
 
 contains

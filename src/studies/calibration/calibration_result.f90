@@ -27,8 +27,8 @@ module dg_calibration_result
       real(wp), allocatable :: before(:)          !< each datum as the deck has it; missing where there is no solution
       type(fit_type) :: fit
       type(statistics_type) :: statistics
-      !> Standard deviations of hook loads [N] and torques [N.m] by the residuals, whether known or not. Then these over the
-      !> deviations for the intervals [-]; missing if no value is spare.
+      !> Standard deviations of hook loads [N] and torques [N.m] by the residuals, whether known or not. Their ratios to
+      !> the deviations for the intervals follow [-]; missing if no value is spare.
       real(wp) :: deviations(2) = missing, scatters(2) = missing
       real(wp) :: freedoms(2) = 0.0_wp            !< spare values of each kind for its deviation
       type(succession_type) :: succession         !< of errors along the depth; deviations and intervals are those with it
