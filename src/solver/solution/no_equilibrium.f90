@@ -16,7 +16,6 @@ module dg_no_equilibrium
    !> Beginning of the message on a string in balance that a small push moves away.
    character(*), parameter :: no_stable = 'No stable equilibrium found'
 
-   character(*), parameter :: no_setting = '. No setting of &solver is known to help. '
    !> Digits of a length and of a depth in a message.
    integer, parameter :: shown = 2, shown_depth = 6
 
@@ -99,11 +98,10 @@ contains
             result%message = result%message//'. Lower wob or tob'
          else if (model%numerics%discrete_joints) then
             result%message = result%message//". Set tool_joints = 'smeared': joints that touch one by one are harder to solve"
-         else if (result%coiled) then
-            result%message = result%message//no_setting//'Model soft leaves out friction of helical buckling: its hook load is '// &
-               'too high where the string is lowered'
          else
-            result%message = result%message//no_setting//'Run model soft for hook load and torque: it leaves out bending stiffness'
+            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and torque: '// &
+                             'it leaves out bending stiffness'//either(' and helical buckling. Its NO holds, its yes may not', '', &
+                                                                       result%coiled)
          end if
       end associate
    end subroutine add_tried
