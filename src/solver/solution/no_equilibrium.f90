@@ -99,9 +99,9 @@ contains
          else if (model%numerics%discrete_joints) then
             result%message = result%message//". Set tool_joints = 'smeared': joints that touch one by one are harder to solve"
          else
-            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and torque: '// &
-                             'it leaves out bending stiffness'//either(' and helical buckling. Its NO holds, its yes may not', '', &
-                                                                       result%coiled)
+            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and '// &
+               'torque: it leaves out bending stiffness'// &
+               either(' and helical buckling. Its NO holds, its yes may not', '', result%coiled)
          end if
       end associate
    end subroutine add_tried
