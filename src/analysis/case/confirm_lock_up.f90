@@ -73,7 +73,7 @@ contains
       call try_load(model, case_index, lighter, optional_real(), quick, stop, result, load, found)
       if (found) return
       call find_load(model, case_index, soft, size(less), stop, result, load, found)
-      if (found .and. load > soft - farthest*abs(soft)) then
+      if (found) then
          if (load >= soft) return
          call add_sentence(result%message, 'These loads are by the soft string. By beams '//load_text(model, load)// &
                            ': use this load')
@@ -97,7 +97,7 @@ contains
       if (model%cases(case_index)%wob < soft - near_lock_up*abs(soft)) return
       if (by_strength(model, case_index, soft)) return
       call find_load(model, case_index, soft, nearly, stop, result, load, found)
-      if (.not. found .or. load <= soft - farthest*abs(soft) .or. load >= model%cases(case_index)%wob) return
+      if (.not. found .or. load >= model%cases(case_index)%wob) return
       result%status = result_locked_up
       result%lock_up_load = load
       result%message = 'Locked up: friction of helical buckling takes up any push from surface. By beams '// &
@@ -123,7 +123,7 @@ contains
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
       real(wp), intent(out) :: load               !< [N], < 0: a pull
-      logical, intent(out) :: found               !< an equilibrium was found
+      logical, intent(out) :: found               !< an equilibrium was found, with a load near enough to be used
       real(wp) :: axial(1), torque(1), greatest, start
       integer :: i
       greatest = soft
@@ -132,7 +132,10 @@ contains
          call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, &
                              other=other_loads_type(coiled=.true., wob=given(start)))
          call try_load(model, case_index, start, given(axial(1)), under_hookload, stop, result, load, found)
-         if (found) return
+         if (found) then
+            found = load > soft - farthest*abs(soft)
+            return
+         end if
          if (.not. is_missing(load)) greatest = load
       end do
    end subroutine find_load

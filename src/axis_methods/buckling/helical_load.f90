@@ -22,7 +22,7 @@ contains
       load = max(helical_low*sinusoidal_limit(ei, side_load, clearance), least_helical_load(ei, weight))
    end function helical_load
 
-   !> The same load for a string without side load [N].
+   !> Helical load of a string without side load [N].
    elemental function least_helical_load(ei, weight) result(load)
       real(wp), intent(in) :: ei, weight   !< [N.m2, N/m]
       real(wp) :: load

@@ -40,7 +40,7 @@ contains
          most = min(most, max(result%lock_up_load, 0.0_wp))
    end function weight_that_arrives
 
-   !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if there is none. With `pushed` it is the greatest one by a
+   !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if not found. With `pushed` it is the greatest one by a
    !> push at the top that the pipe carries. With `coiled`, friction includes helical buckling: without it nothing limits a
    !> push.
    pure function most_weight_on_bit(model, case_index, coiled, pushed, friction_scale) result(wob)

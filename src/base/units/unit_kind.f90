@@ -37,7 +37,7 @@ contains
    end function unit_label
 
    !> A smaller unit that is used for a quantity: the first in which the number is at most the greatest of the quantity. It has
-   !> trailing blanks, and is '' if there is none.
+   !> trailing blanks. '': not known.
    pure subroutine smaller_unit(units, quantity, number, name, count)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity

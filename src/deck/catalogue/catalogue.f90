@@ -238,7 +238,7 @@ contains
       if (entry%name == '') call add_fault(faults, path, line, 'catalogue: the row has no name')
    end subroutine read_entry
 
-   !> Find entry and grade of a name, letter case and number of blanks aside; 0 if there is none. A grade follows the name of a
+   !> Find entry and grade of a name, letter case and number of blanks aside; 0 if not found. A grade follows the name of a
    !> pipe.
    pure subroutine find_entry(catalogue, name, entry, grade)
       type(catalogue_type), intent(in) :: catalogue

@@ -65,7 +65,7 @@ contains
       if (unit%suffix /= '') header = header//'_'//trim(unit%suffix)
    end function column_header
 
-   !> Place of the first column of that name. The program ends if there is none, as that is a slip in the sources.
+   !> Place of the first column of that name. An unknown name ends the program: it is a fault in the sources.
    function place_of(row, name) result(place)
       type(row_type), intent(in) :: row
       character(*), intent(in) :: name

@@ -31,7 +31,7 @@ module dg_series
 
 contains
 
-   !> The column of that name. The program ends if there is none, as that is a slip in the sources.
+   !> The column of that name. An unknown name ends the program: it is a fault in the sources.
    function series_of(list, name) result(series)
       type(series_list_type), intent(in) :: list
       character(*), intent(in) :: name

@@ -17,6 +17,7 @@ module dg_page_curves
    use dg_missing, only: is_missing
    use dg_page_code, only: coded_curve, coded_depths, rounded, scale_type, scale_within
    use dg_profile_file, only: profile_series
+   use dg_rounding, only: rounded_nearest
    use dg_series, only: put, series_list_type
    use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
@@ -160,23 +161,14 @@ contains
             least = minloc(from, dim=1)
             most = maxloc(from, dim=1)
             factor = 0.0_wp
-            if (from(most) > from(least)) factor = as_written((to(most) - to(least))/(from(most) - from(least)))
-            addend = as_written(to(least) - factor*from(least))
+            if (from(most) > from(least)) factor = (to(most) - to(least))/(from(most) - from(least))
+            factor = rounded_nearest(factor, digits)
+            addend = rounded_nearest(to(least) - factor*from(least), digits)
             if (any(abs(factor*rounded(source%scale, from) + addend - to) > band)) return
             pieces = pieces//','//to_text(size(to))//','//to_text(factor, digits)//','//to_text(addend, digits)
          end associate
       end do
       text = pieces//']'
-   contains
-      !> A number as a reader of its digits finds it.
-      pure function as_written(number) result(read)
-         real(wp), intent(in) :: number
-         real(wp) :: read, unit
-         read = number
-         if (.not. abs(number) > 0.0_wp) return
-         unit = 10.0_wp**(floor(log10(abs(number))) + 1 - digits)
-         read = unit*anint(number/unit)
-      end function as_written
    end function text_by
 
    !> First rows of components and sections of the hole.
