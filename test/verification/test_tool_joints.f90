@@ -10,14 +10,15 @@ module dg_test_tool_joints
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type
    use dg_component, only: bending_stiffness, component_type
-   use dg_constants, only: degree
+   use dg_constants, only: degree, pi
    use dg_error, only: error_type
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_static
+   use dg_load_case, only: operation_sliding_drilling, operation_static
    use dg_model, only: model_type
    use dg_profile, only: state_free
    use dg_soft_string, only: solve_soft_string
-   use dg_test_wells, only: new_well, note, pipe, solve
+   use dg_soft_string_loads, only: other_loads_type, soft_string_at
+   use dg_test_wells, only: new_well, note, pipe, solve, string_weight
    implicit none
    private
    public :: tool_joints_suite
@@ -39,6 +40,7 @@ contains
       call suite%addTest(TestMethod('magnification_in_tension', test_tension))
       call suite%addTest(TestMethod('magnification_in_compression', test_compression))
       call suite%addTest(TestMethod('body_touches_between', test_body))
+      call suite%addTest(TestMethod('buckled_between', test_buckled))
    end function tool_joints_suite
 
    !> Weightless pipe of 127 mm with joints of 168.3 mm in an arc; ends free.
@@ -151,4 +153,46 @@ contains
                 result%profile%bending(row(result, spans_below))/(ei/tight*kl/tanh(kl)))
       call assertLessThan(result%profile%bending(row(result, spans_below)), ei/tight*kl/tanh(kl), message='less at the joint')
    end subroutine test_body
+
+   !> Pipe slid down a vertical hole, buckled to a helix: friction by beams with joints one by one against that of the soft string,
+   !> which knows of the pipe between joints only by its Euler load. Below that load joints one by one and smeared ones are alike.
+   subroutine test_buckled()
+      real(wp), parameter :: over_euler(3) = [0.8_wp, 2.0_wp, 3.5_wp]
+      real(wp), parameter :: seen = 0.18_wp     !< 0.15 is seen [-]
+      real(wp) :: beams, soft, beams_smeared, soft_smeared
+      integer :: i
+      do i = 1, size(over_euler)
+         call find_friction_of(over_euler(i), .true., beams, soft)
+         call find_friction_of(over_euler(i), .false., beams_smeared, soft_smeared)
+         call note('load at the bit over the Euler load between joints', over_euler(i))
+         call note('friction by beams, joints one by one over smeared', beams/beams_smeared)
+         call note('friction, soft string over beams, one by one', soft/beams)
+         call note('friction, soft string over beams, smeared', soft_smeared/beams_smeared)
+         call assertRelativelyEqual(beams, soft, seen, message='friction of pipe between joints')
+         if (over_euler(i) > 1.0_wp) call assertGreaterThan(beams, 1.05_wp*beams_smeared, message='pipe between joints rubs')
+      end do
+   end subroutine test_buckled
+
+   !> Friction of the string of test_buckled by beams and by the soft string [N].
+   subroutine find_friction_of(over_euler, one_by_one, beams, soft)
+      real(wp), intent(in) :: over_euler         !< load at the bit over the Euler load between joints [-]
+      logical, intent(in) :: one_by_one
+      real(wp), intent(out) :: beams, soft
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(component_type) :: component
+      real(wp) :: axial(1), torque(1), wob
+      component = pipe(0.0_wp, 0.0889_wp, 0.0702_wp)
+      component%mass = 21.0_wp
+      component%joint_od = 0.127_wp
+      component%joint_length = 0.45_wp
+      component%joint_spacing = 2.0_wp*half
+      wob = over_euler*pi**2*bending_stiffness(component)/component%joint_spacing**2
+      call new_well(model, [0.0_wp, 600.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.155_wp, 0.3_wp, component)
+      model%numerics%discrete_joints = one_by_one
+      call solve(model, operation_sliding_drilling, wob, 0.0_wp, result, 'buckled pipe')
+      call soft_string_at(model, 1, [0.0_wp], axial, torque, other=other_loads_type(coiled=.true.))
+      beams = string_weight(model) - wob - result%hookload
+      soft = string_weight(model) - wob - axial(1)
+   end subroutine find_friction_of
 end module dg_test_tool_joints

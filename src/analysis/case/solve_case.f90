@@ -1,6 +1,7 @@
 !> Solve one load case by the model of a given number. Only this module calls all models.
 module dg_solve_case
    use dg_kinds, only: wp
+   use dg_bowed_pipe, only: note_bowed_pipe
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_without_load, only: solve_without_load
    use dg_confirm_lock_up, only: confirm_lock_up
@@ -55,6 +56,7 @@ contains
          if (.not. shortly) then
             call confirm_lock_up(model, case_index, stopped, result)
             call solve_without_load(model, case_index, stopped, result)
+            call note_bowed_pipe(model, case_index, result)
             call note_joint_at_step(model, case_index, result)
          end if
       case (model_soft)

@@ -5,7 +5,8 @@ module dg_helical_load
    use dg_buckling_limits, only: helical_low, lubinski_first, sinusoidal_limit, vertical_unit
    implicit none
    private
-   public :: helical_load, least_helical_load, helical_contact, helical_bend, wound_compression
+   public :: helical_load, least_helical_load, helical_contact, helical_bend, coil_clearance, &
+             wound_compression
 
 contains
 
@@ -44,6 +45,18 @@ contains
       real(wp) :: curvature
       curvature = clearance*max(compression, 0.0_wp)/(2.0_wp*ei)
    end function helical_bend
+
+   !> Clearance of a helix of pipe whose joints touch one by one [m]. Pipe between two joints bows out to the wall above its Euler
+   !> load P. The clearance grows from that of the joints to that of the body by the part 1 - P/F. Mitchell (2000) describes
+   !> the contact of pipe between connectors. The growth is our measurement: hook loads by beams lie within a few percent.
+   elemental function coil_clearance(joints, height, euler, compression) result(clearance)
+      real(wp), intent(in) :: joints        !< clearance of the joints [m]
+      real(wp), intent(in) :: height        !< of the joints over the body, 0 for pipe without [m]
+      real(wp), intent(in) :: euler         !< P of the body between two joints [N]
+      real(wp), intent(in) :: compression   !< F, > 0 [N]
+      real(wp) :: clearance
+      clearance = joints + height*max(0.0_wp, 1.0_wp - euler/compression)
+   end function coil_clearance
 
    !> Compression that winds a helix without torque as tightly as `compression` winds one under torque [N]. It is 2 EI b^2,
    !> with b the angle per metre of the helix of least energy, 2 EI b^2 - 1.5 M b - F = 0 (Miska & Cunha 1995). A string that

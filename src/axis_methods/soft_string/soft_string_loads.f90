@@ -18,7 +18,7 @@
 module dg_soft_string_loads
    use dg_kinds, only: wp
    use dg_buckling_limits, only: helical_low, sinusoidal_limit
-   use dg_helical_load, only: helical_bend, helical_contact, helical_load
+   use dg_helical_load, only: coil_clearance, helical_bend, helical_contact, helical_load
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
@@ -142,12 +142,13 @@ contains
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
       real(wp), intent(in) :: force
-      real(wp) :: normal, limit
+      real(wp) :: normal, limit, clearance
       normal = load_across(piece, place, force)
       if (piece%coils .and. force < 0.0_wp) then
-         limit = sinusoidal_limit(piece%stiffness, normal, piece%clearance)
+         clearance = coil_clearance(piece%clearance, piece%joint_height, piece%euler, -force)
+         limit = sinusoidal_limit(piece%stiffness, normal, clearance)
          if (-force > max(helical_low*limit, piece%least_helical)) then
-            normal = max(normal, helical_contact(piece%stiffness, -force, piece%clearance))
+            normal = max(normal, helical_contact(piece%stiffness, -force, clearance))
          else if (-force > limit .and. normal > 0.0_wp) then
             normal = normal*sinusoidal_contact(sinusoidal_swing(-force/limit))
          end if

@@ -4,7 +4,8 @@ module dg_string_piece
    use dg_kinds, only: wp
    use dg_centralized_contact, only: body_share, spans_of, spans_type
    use dg_helical_load, only: least_helical_load
-   use dg_component, only: axial_stiffness, bending_stiffness, centralizer_diameter, contact_diameter
+   use dg_component, only: axial_stiffness, bending_stiffness, centralizer_diameter, contact_diameter, has_joints
+   use dg_constants, only: pi
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: fluid_tops
@@ -49,6 +50,8 @@ module dg_string_piece
       real(wp) :: stretching = 0.0_wp !< E A of the body [N]
       real(wp) :: reach = 0.0_wp    !< of its outside from its axis [m]
       real(wp) :: clearance = 0.0_wp !< (D - d)/2 [m]
+      real(wp) :: joint_height = 0.0_wp !< of joints that touch one by one, over the body [m]
+      real(wp) :: euler = 0.0_wp    !< Euler load of the body between two of these joints [N]
       real(wp) :: least_helical = 0.0_wp !< helical load without side load [N]
       logical :: coils = .false.    !< compression presses it on the wall in sinusoidal or helical buckling
       type(spans_type) :: spans     !< between centralizers
@@ -105,6 +108,10 @@ contains
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
+         if (model%numerics%discrete_joints .and. has_joints(part)) then
+            piece%joint_height = 0.5_wp*(contact_diameter(part, -layout%heights(i)) - part%od)
+            piece%euler = pi**2*piece%stiffness/part%joint_spacing**2
+         end if
          if (part%centralizer%present) then
             piece%drag = running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing
             piece%spans = spans_of(part, model%holes(hole)%diameter, max(piece%clearance, 0.0_wp))
