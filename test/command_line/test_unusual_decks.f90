@@ -118,7 +118,8 @@ contains
                    '''DP'': it has no id. Stiffness and strength are those of a solid bar, which has 66.82 lbm/ft')
       call mistake('od = 6.75, id = 3.25', 'od = 6.75', '''MWD'' is a solid bar of')
       call mistake("'DP', od", "'DP', length = 16000, od", 'is 16091 ft long, the hole ends at 15000 ft')
-      call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi')
+      call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi. '// &
+                   'Is it in MPa? Then write 135')
       call mistake("&component name = 'bit', kind = 'bit', length = 1,", &
                    "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
                    "&component name = 'bit', kind = 'bit', length = 1,", &

@@ -112,7 +112,8 @@ module dg_quantity
       row_type(quantity_line_load, [unit_type('kN/m', 'kN_m', kilo), unit_type('klbf/ft', 'klbf_ft', kilo*pound_force/foot), &
                                     unit_type('kdaN/m', 'kdaN_m', ten_kilonewton), unit_type('N/m', 'N_m', one)]), &
       row_type(quantity_modulus, [gigapascal, unit_type('1e6 psi', '1e6_psi', mega*psi), gigapascal, pascal]), &
-      row_type(quantity_stress, [megapascal, unit_type('ksi', 'ksi', kilo*psi, 'psi', kilo), in_bar, pascal]), &
+      row_type(quantity_stress, [megapascal, unit_type('ksi', 'ksi', kilo*psi, 'psi', kilo, 'MPa', kilo*psi/mega), in_bar, &
+                                 pascal]), &
       row_type(quantity_pressure, [megapascal, unit_type('psi', 'psi', psi), in_bar, pascal]), &
       row_type(quantity_wall, [unit_type('kN/m2', 'kN_m2', kilo), unit_type('klbf/ft2', 'klbf_ft2', kilo*pound_force/foot**2), &
                                unit_type('kdaN/m2', 'kdaN_m2', ten_kilonewton), unit_type('N/m2', 'N_m2', one)]), &

@@ -36,22 +36,30 @@ contains
       label = units%label_of(quantity)
    end function unit_label
 
-   !> A smaller unit that is used for a quantity: the first in which the number is at most the greatest of the quantity. It has
-   !> trailing blanks. '': not known.
-   pure subroutine smaller_unit(units, quantity, number, name, count)
+   !> A smaller unit that is used for a quantity: the first in which the number is between `least` and the greatest of the
+   !> quantity. It has trailing blanks. '': not known.
+   pure subroutine smaller_unit(units, quantity, number, name, count, least)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp), intent(in) :: number        !< as written
       character(*), intent(out) :: name
       real(wp), intent(out) :: count        !< of them in one of the quantity's own
+      real(wp), intent(in), optional :: least   !< [SI]; absent: any
       type(unit_type) :: unit
       unit = unit_in(units, quantity)
       name = unit%alike
       count = unit%alike_count
-      if (number*unit%factor/count <= rows(quantity)%greatest) return
+      if (is_possible()) return
       name = unit%other
       count = unit%other_count
-      if (number*unit%factor/count > rows(quantity)%greatest) name = ''
+      if (.not. is_possible()) name = ''
+   contains
+      !> True if the number may be meant in this unit.
+      pure function is_possible() result(is)
+         logical :: is
+         is = number*unit%factor/count <= rows(quantity)%greatest
+         if (present(least)) is = is .and. number*unit%factor/count >= least
+      end function is_possible
    end subroutine smaller_unit
 
    !> A value rounded down to so many digits in its unit where it is above 0: of a load or depth that is still possible.

@@ -59,7 +59,7 @@ module dg_usual_range
       usual_type('bend', unit_angle, 0.1_wp*degree, 6.0_wp*degree, 'motors 0.25 to 4 deg; 1.5 deg are 0.026 in radians'), &
       usual_type('lines', unit_none, 4.0_wp, 16.0_wp, 'small workover rigs 4; largest rigs 14 to 16')]
    integer, parameter :: digits = 4, longest_name = 20
-   !> Least value, over the largest usual one, at which a smaller unit may be meant [-].
+   !> Least value, over the largest usual one, at which a smaller unit may be meant where the least usual value is 0 [-].
    real(wp), parameter :: far_beyond = 5.0_wp
 
 contains
@@ -96,8 +96,10 @@ contains
          character(longest_name) :: smaller
          real(wp) :: of_them, meant
          text = '. Check the unit'
-         if (usual(number)%unit == unit_none .or. value < far_beyond*usual(number)%high) return
-         call smaller_unit(units, usual(number)%unit, value/unit_factor(units, usual(number)%unit), smaller, of_them)
+         if (usual(number)%unit == unit_none .or. value < usual(number)%high) return
+         if (.not. usual(number)%low > 0.0_wp .and. value < far_beyond*usual(number)%high) return
+         call smaller_unit(units, usual(number)%unit, value/unit_factor(units, usual(number)%unit), smaller, of_them, &
+                           usual(number)%low)
          meant = value/of_them
          if (smaller == '' .or. is_unusual(number, meant)) return
          text = '. Is it in '//trim(smaller)//'? Then write '// &
