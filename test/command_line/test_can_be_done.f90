@@ -18,6 +18,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('can_be_done')
       call suite%addTest(TestMethod('terminal_and_summary', test_terminal))
+      call suite%addTest(TestMethod('answers_of_a_doubtful_deck', test_doubtful_deck))
       call suite%addTest(TestMethod('advice_followed', test_advice))
       call suite%addTest(TestMethod('torque_advice_followed', test_torque))
       call suite%addTest(TestMethod('more_friction_in_coils', test_more_friction))
@@ -58,6 +59,17 @@ contains
          "&load_case name = 'up', operation = 'up', bit_depth = 15000 /"//newline// &
          "&load_case name = 'slide', bit_depth = 15000, "//loads//' /'//newline
    end function deck
+
+   !> Answers from a deck with a warning begin with a line that says so.
+   subroutine test_doubtful_deck()
+      character(*), parameter :: line = 'These answers may be wrong: the deck has 1 warning, see Warnings.'
+      type(run_type) :: run
+      run = run_deck_text(deck("operation = 'rotary'", .false.))
+      call assertEqual(0, index(run%output, 'These answers may be wrong'), message=run%output)
+      run = run_deck_text(replaced(deck("operation = 'rotary'", .true.), 'yield = 135', 'yield = 931'))
+      call assertTrue(index(run%output, newline//line//newline) > 0, message=run%output)
+      call assertTrue(index(content(results_path//'/report.html'), '<p class="note warn">'//line) > 0, message='on the page')
+   end subroutine test_doubtful_deck
 
    !> A no is an answer: exit status 0, the reason with numbers, a mark in Table 1.
    subroutine test_terminal()

@@ -17,6 +17,7 @@ module dg_html_verdict
                          limit_wob_yield, verdict_type
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, used_text, verdict_sentences
+   use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -48,6 +49,8 @@ contains
       call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
       other = summary_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
+      other = doubt_of_deck(job, model)
+      if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       call append_well(lines, job, model, shown, 'h3')
       call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
       other = unchecked_line(job, model, results, wholes)

@@ -10,6 +10,7 @@ module dg_verdict_table
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          limit_title
    use dg_verdict_text, only: task_text, used_text, verdict_sentences
+   use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -44,6 +45,8 @@ contains
       call append_text(lines, '')
       call append_text(lines, verdict_heading(job))
       other = summary_line(job, model, results, wholes)
+      if (other /= '') call append_wrapped(lines, '', other, page_width)
+      other = doubt_of_deck(job, model)
       if (other /= '') call append_wrapped(lines, '', other, page_width)
       do k = 1, size(results)
          if (results(k)%model /= shown) cycle

@@ -8,7 +8,7 @@ module dg_warnings_table
    use dg_number_text, only: append_wrapped, page_width
    implicit none
    private
-   public :: warnings_table, warning_sentences, warnings_heading
+   public :: warnings_table, warning_sentences, warnings_heading, doubt_of_deck
 
    !> Statuses as they follow each other in the block.
    integer, parameter :: by_weight(3) = [result_not_converged, result_locked_up, result_converged]
@@ -73,6 +73,18 @@ contains
          call move_alloc(other, order)
       end do
    end function warning_sentences
+
+   !> A line above the answers that are made from a deck with warnings; '' without warnings.
+   pure function doubt_of_deck(job, model) result(text)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      character(:), allocatable :: text
+      integer :: found
+      found = size(deck_warnings(job, model))
+      text = ''
+      if (found > 0) text = 'These answers may be wrong: the deck has '//to_text(found)// &
+                            either(' warning', ' warnings', found == 1)//', see Warnings.'
+   end function doubt_of_deck
 
    !> Notes on the deck as sentences, without those on its path, which have lines of their own.
    pure function deck_warnings(job, model) result(notes)
