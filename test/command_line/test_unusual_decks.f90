@@ -78,7 +78,11 @@ contains
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 35, 90, 91, 90', 'from 0 to 35 deg over 6200 ft without a station')
       call usual('0, 0, 0, 90, 91, 90', '0, 0, 45, 90, 91, 90')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
-                   'the dogleg is 30 deg/100 ft at 8500 ft')
+                   'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.4. Check depths, angles '// &
+                   'and their units: are depths in m? 1 m is 3.281 ft')
+      call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8290, 12000, 15000', &
+                   'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.4. Check depths, angles '// &
+                   'and their units'//newline)
    end subroutine test_survey
 
    !> Radians whose inclination rises and falls, with azimuths that turn or cross north. A hole that is nearly vertical is usual.

@@ -1,7 +1,7 @@
 !> Notes on legal but unusual surveys: angles in radians, columns swapped, mistyped stations. Each has one note.
 module dg_unusual_survey
    use dg_kinds, only: wp
-   use dg_constants, only: degree, pi
+   use dg_constants, only: degree, foot, pi
    use dg_deck_draft, only: draft_type
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of, turn_between
@@ -127,8 +127,9 @@ contains
             in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
             in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
             in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
-            to_text(usual_here/units%curvature, few_digits)// &
-            '. Check depths, angles and their units')
+            to_text(usual_here/units%curvature, few_digits)//'. Check depths, angles and their units'// &
+            either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
+                   abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
          place = 0
          worst = 0.5_wp
          do i = 2, size(stations%md) - 1
