@@ -161,10 +161,11 @@ contains
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
       real(wp), intent(in) :: compression    !< > 0 [N]
-      real(wp) :: strain
+      real(wp) :: strain, clearance
       strain = compression/piece%stretching
-      if (compression > helical_load(piece%stiffness, load_across(piece, place, -compression), piece%weight, piece%clearance)) &
-         strain = strain + piece%reach*helical_bend(piece%stiffness, compression, piece%clearance)
+      clearance = coil_clearance(piece%clearance, piece%joint_height, piece%euler, compression)
+      if (compression > helical_load(piece%stiffness, load_across(piece, place, -compression), piece%weight, clearance)) &
+         strain = strain + piece%reach*helical_bend(piece%stiffness, compression, clearance)
    end function strain_of
 
    !> Integrate up a piece of string from `position` to `target`. The weight is the difference of true vertical depth, exact on

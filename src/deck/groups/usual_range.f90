@@ -61,6 +61,8 @@ module dg_usual_range
    integer, parameter :: digits = 4, longest_name = 20
    !> Least value, over the largest usual one, at which a smaller unit may be meant where the least usual value is 0 [-].
    real(wp), parameter :: far_beyond = 5.0_wp
+   !> Least value that may be meant in a smaller unit, over the least usual one [-]: softer steel is rare.
+   real(wp), parameter :: well_above = 2.0_wp
 
 contains
 
@@ -99,7 +101,7 @@ contains
          if (usual(number)%unit == unit_none .or. value < usual(number)%high) return
          if (.not. usual(number)%low > 0.0_wp .and. value < far_beyond*usual(number)%high) return
          call smaller_unit(units, usual(number)%unit, value/unit_factor(units, usual(number)%unit), smaller, of_them, &
-                           usual(number)%low)
+                           well_above*usual(number)%low)
          meant = value/of_them
          if (smaller == '' .or. is_unusual(number, meant)) return
          text = '. Is it in '//trim(smaller)//'? Then write '// &

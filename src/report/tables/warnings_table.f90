@@ -82,8 +82,8 @@ contains
       integer :: found
       found = size(deck_warnings(job, model))
       text = ''
-      if (found > 0) text = 'These answers may be wrong: the deck has '//to_text(found)// &
-                            either(' warning', ' warnings', found == 1)//', see Warnings.'
+      if (found > 0) text = 'The deck has '//to_text(found)//either(' warning', ' warnings', found == 1)//'. Read '// &
+                            either('it', 'them', found == 1)//' before you use these answers.'
    end function doubt_of_deck
 
    !> Notes on the deck as sentences, without those on its path, which have lines of their own.

@@ -14,7 +14,8 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: buoyed_weight, has_blades, has_joints, effective_joint_length, joint_bore, worn_od, is_worn, has_bend, has_pad, &
+   public :: effective_joint_length, pipe_between_joints
+   public :: buoyed_weight, has_blades, has_joints, joint_bore, worn_od, is_worn, has_bend, has_pad, &
              is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
    !> Beginning of the kind of a stabilizer, in either spelling or short.
@@ -327,6 +328,15 @@ contains
       if (.not. length > 0.0_wp) length = usual_joint_length
       length = min(length, component%joint_spacing)
    end function effective_joint_length
+
+   !> Length of pipe between two tool joints [m]. Short components have half a joint at either end.
+   elemental function pipe_between_joints(component) result(length)
+      type(component_type), intent(in) :: component
+      real(wp) :: length
+      length = component%joint_spacing
+      if (component%length > 0.0_wp) length = min(length, component%length)
+      length = max(0.0_wp, length - effective_joint_length(component))
+   end function pipe_between_joints
 
    !> Effective (buoyed) weight in fluid per length [N/m], which belongs to effective axial force. It is that of the pipe and
    !> of the fluid in its bore, less that of the fluid which both displace. A_i is the bore and m/rho the steel's area, with

@@ -96,9 +96,6 @@ contains
       associate (load_case => model%cases(case_index))
          if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
             result%message = result%message//'. Lower wob or tob'
-         else if (model%numerics%discrete_joints) then
-            result%message = result%message//". Set tool_joints = 'smeared': joints that touch one by one are harder to solve. "// &
-               'It leaves out friction of buckled pipe between them. Its NO holds, its yes may not'
          else
             result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and '// &
                'torque: it leaves out bending stiffness'// &
