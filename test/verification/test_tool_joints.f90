@@ -155,7 +155,7 @@ contains
    end subroutine test_body
 
    !> Pipe slid down a vertical hole, buckled to a helix: friction by beams with joints one by one against that of the soft string,
-   !> which knows of the pipe between joints only by its Euler load. Below that load joints one by one and smeared ones are alike.
+   !> which knows of the pipe between joints only by its Euler load. Above that load joints one by one rub more than smeared ones.
    subroutine test_buckled()
       real(wp), parameter :: over_euler(3) = [0.8_wp, 2.0_wp, 3.5_wp]
       real(wp), parameter :: seen = 0.18_wp     !< 0.15 is seen [-]

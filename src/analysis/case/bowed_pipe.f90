@@ -1,4 +1,4 @@
-!> Message on friction that smeared tool joints leave out: pipe in a helix bows out to the wall between its joints.
+!> Message on friction that smeared tool joints leave out: buckled pipe bows out to the wall between its joints.
 module dg_bowed_pipe
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
@@ -18,7 +18,7 @@ module dg_bowed_pipe
    character(*), parameter :: left_out = 'Buckled pipe touches the hole between its tool joints, too. Smeared joints leave '// &
                                          'out the friction there'
    character(*), parameter :: advice = "Set tool_joints = 'discrete'"
-   !> Digits of a force in a message.
+   !> Digits of a force or torque in a message.
    integer, parameter :: shown = 2
 
 contains

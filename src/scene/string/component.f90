@@ -14,7 +14,7 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: effective_joint_length, pipe_between_joints
+   public :: effective_joint_length, bowing_length
    public :: buoyed_weight, has_blades, has_joints, joint_bore, worn_od, is_worn, has_bend, has_pad, &
              is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
@@ -329,14 +329,17 @@ contains
       length = min(length, component%joint_spacing)
    end function effective_joint_length
 
-   !> Length of pipe between two tool joints [m]. Short components have half a joint at either end.
-   elemental function pipe_between_joints(component) result(length)
+   !> Length from joint to joint, from middle to middle, of pipe that can bow out between them [m]. Short components have half a
+   !> joint at either end. The length is 0 without joints, where joints are longer than the pipe between them, and where
+   !> centralizers carry the pipe.
+   elemental function bowing_length(component) result(length)
       type(component_type), intent(in) :: component
       real(wp) :: length
       length = component%joint_spacing
       if (component%length > 0.0_wp) length = min(length, component%length)
-      length = max(0.0_wp, length - effective_joint_length(component))
-   end function pipe_between_joints
+      if (length < 2.0_wp*effective_joint_length(component) .or. component%centralizer%present .or. &
+          .not. has_joints(component)) length = 0.0_wp
+   end function bowing_length
 
    !> Effective (buoyed) weight in fluid per length [N/m], which belongs to effective axial force. It is that of the pipe and
    !> of the fluid in its bore, less that of the fluid which both displace. A_i is the bore and m/rho the steel's area, with
