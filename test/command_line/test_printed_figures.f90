@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
+      call suite%addTest(TestMethod('pulled_by_pressure', test_pulled))
       call suite%addTest(TestMethod('packer', test_packer))
    end function printed_figures_suite
 
@@ -107,7 +108,7 @@ contains
       real(wp) :: pull, other
       run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = -1500"))
       pull = value_after(run%output, words)
-      call assertTrue(index(unwrapped(run%output), '. As far as checked, o'//words) > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), '. By the limits checked, o'//words) > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), ' kN is possible: then hook load with block (rig) is at its limit') > 0, &
                       message=run%output)
       run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = -1000"))
@@ -180,6 +181,22 @@ contains
          text = replaced(text, 'diameter = 215.9', 'diameter = 311')
       end function deck
    end subroutine test_yield
+
+   !> Tubing that a pressure at its packer pulls is not compressed pipe: it fails by no weight on bit.
+   subroutine test_pulled()
+      type(run_type) :: run
+      run = run_deck_text("&job models = 'soft', plots = .false., hdf5 = .false. /"//newline// &
+                          '&trajectory md = 0, 3000, inc = 0, 0, azi = 0, 0 /'//newline// &
+                          '&hole diameter = 220.5, friction = 0.2, cased = .true. /'//newline// &
+                          '&fluid density = 1150 /'//newline// &
+                          "&component od = 139.7, id = 124.3, mass = 25.3, yield = 552 /"//newline// &
+                          "&boundary packer_bore = 152.4, packer_hold = 'fixed' /"//newline// &
+                          "&load_case name = 'set', operation = 'static', wob = 20, bit_depth = 2999 /"//newline// &
+                          "&load_case name = 'frac', operation = 'static', bit_depth = 2999, length_reference = 'set', "// &
+                          'pump_pressure = 50, temperature_change_bottom = -60 /'//newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, newline//'frac  yes ') > 0, message=run%output)
+   end subroutine test_pulled
 
    !> A packer and its seals have no limits in a deck: the answer says so.
    subroutine test_packer()

@@ -271,7 +271,7 @@ contains
       type(whole_string_type), intent(in) :: whole
       type(verdict_type), intent(inout) :: verdict
       real(wp) :: share
-      if (.not. whole%wob_yield%present) return
+      if (.not. whole%wob_yield%present .or. load_case%wob < 0.0_wp) return       ! a pull compresses nothing
       share = 2.0_wp
       if (whole%wob_yield%value > 0.0_wp) share = load_case%wob/whole%wob_yield%value
       if (share > 1.0_wp) then
