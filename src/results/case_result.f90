@@ -122,6 +122,8 @@ module dg_case_result
       real(wp) :: lock_up_load = missing
       real(wp) :: weight_on_bit = missing          !< that a given hook load brings [N]
       type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
+      !> Friction that smeared tool joints leave out, a rough number by the soft string; huge: the string may lock up by it [N].
+      real(wp) :: left_out_friction = 0.0_wp
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> Estimated error of moments of the profile, over the largest [-]; missing where it was not estimated.
       real(wp) :: moment_error = missing

@@ -38,6 +38,7 @@ contains
       result%beam_nodes = 0
       result%moment_error = missing
       result%unlike_contact = unlike_contact_type()
+      result%left_out_friction = 0.0_wp
       result%bit_side_force = missing
       result%bit_side_clock = missing
       result%bit_tilt = missing

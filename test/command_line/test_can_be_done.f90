@@ -62,7 +62,7 @@ contains
 
    !> Answers from a deck with a warning begin with a line that says so.
    subroutine test_doubtful_deck()
-      character(*), parameter :: line = 'The deck has 1 warning. Read it before you use these answers.'
+      character(*), parameter :: line = 'There is 1 warning, on the deck. Read it before you use these answers.'
       type(run_type) :: run
       run = run_deck_text(deck("operation = 'rotary'", .false.))
       call assertEqual(0, index(run%output, 'before you use these answers'), message=run%output)
@@ -95,8 +95,8 @@ contains
       call assertTrue(index(rows(3)%text, ' to the bit, 150 klbf asked",') > 0, message=rows(3)%text)
    end subroutine test_terminal
 
-   !> 'Rotate the string' and 'The answer becomes yes at' are followed with the friction and the numbers as they stand there: it can
-   !> be done, and the hook load is as said. More friction than 'The answer becomes NO at' is too much.
+   !> 'Rotate the string' and 'The answer becomes yes below' are followed with the friction and the numbers as they stand there:
+   !> it can be done, and the hook load is as said. More friction than 'The answer becomes NO above' is too much.
    subroutine test_advice()
       character(*), parameter :: loads = "operation = 'sliding', wob = 50, friction = "
       type(run_type) :: run
@@ -109,7 +109,7 @@ contains
       read (hookload, *) promised
       hookload = number_after(run%output, ', torque about ')
       read (hookload, *) turned
-      factor = factor_after('The answer becomes yes at about ')
+      factor = factor_after('The answer becomes yes below about ')
       run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       allocate (rows, source=lines_of(results_path//'/summary.csv'))
@@ -125,7 +125,7 @@ contains
       run = run_deck_text(deck(loads//to_text(0.5_wp*factor), .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = 0.27", .false.))
-      factor = factor_after('The answer becomes NO at about ')
+      factor = factor_after('answer becomes NO above about ')
       run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*factor), .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', wob = 20, friction = "//to_text(0.27_wp*1.02_wp*factor), .false.))
@@ -153,7 +153,7 @@ contains
       do i = 1, 2
          run = run_deck_text(turning(models(i), 1.0_wp))
          call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
-         factor = number_after(run%output, 'The answer becomes yes at about ')
+         factor = number_after(run%output, 'The answer becomes yes below about ')
          read (factor, *) part
          do k = -1, 1, 2
             run = run_deck_text(turning(models(i), part*(1.0_wp + k*beside(i))))
@@ -177,7 +177,8 @@ contains
    subroutine test_more_friction()
       type(run_type) :: run
       run = run_deck_text(coiled(0.3_wp))
-      call assertTrue(index(unwrapped(run%output), 'as the string turns in helical buckling: run it with more friction') > 0, &
+      call assertTrue(index(unwrapped(run%output), 'as the string turns in helical buckling. Find it by a sweep with several '// &
+                            'frictions') > 0, &
                       message=run%output)
       run = run_deck_text(coiled(0.6_wp))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
@@ -447,7 +448,7 @@ contains
          type(run_type) :: other
          character(:), allocatable :: number
          real(wp) :: factor
-         number = number_after(unwrapped(run%output), 'The answer becomes NO at about ')
+         number = number_after(unwrapped(run%output), 'answer becomes NO above about ')
          read (number, *) factor
          other = run_deck_text(replaced(text, 'friction = 0.3', 'friction = '//to_text(0.3_wp*factor*part)))
          call assertTrue(index(other%output, newline//'c  '//answer) > 0, message=other%output)

@@ -224,7 +224,7 @@ contains
       !> The line of the overpull that is left.
       function overpull() result(line)
          character(:), allocatable :: line
-         line = run%output(index(run%output, 'Least overpull left'):)
+         line = run%output(index(run%output, 'Overpull left, pipe or rig'):)
          line = line(:index(line, achar(10)))
       end function overpull
    end subroutine test_limits

@@ -78,7 +78,7 @@ contains
       call assertTrue(index(run%output, 'indicator') > 0, message=run%output)
       call assertTrue(index(run%output, 'Weight indicator, block included, against measurement: mean error 0.00 %') > 0, &
                       message=run%output)
-      call assertTrue(index(run%output, 'weight indicator, block and sheaves counted, kN at friction factors') > 0, &
+      call assertTrue(index(run%output, 'weight indicator (hook load with block and sheaves), kN at friction factors') > 0, &
                       message=run%output)
       allocate (lines, source=lines_of(results_path//'/summary.csv'))
       if (anyExceptions()) return

@@ -78,10 +78,12 @@ contains
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 35, 90, 91, 90', 'from 0 to 35 deg over 6200 ft without a station')
       call usual('0, 0, 0, 90, 91, 90', '0, 0, 45, 90, 91, 90')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
-                   'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.4. Check depths, angles '// &
+                   'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.4 deg/100 ft. Check '// &
+                   'depths, angles '// &
                    'and their units: are depths in m? 1 m is 3.281 ft')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8290, 12000, 15000', &
-                   'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.4. Check depths, angles '// &
+                   'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.4 deg/100 ft. Check '// &
+                   'depths, angles '// &
                    'and their units'//newline)
    end subroutine test_survey
 
@@ -122,7 +124,7 @@ contains
                    '''DP'': it has no id. Stiffness and strength are those of a solid bar, which has 66.82 lbm/ft')
       call mistake('od = 6.75, id = 3.25', 'od = 6.75', '''MWD'' is a solid bar of')
       call mistake("'DP', od", "'DP', length = 16000, od", 'is 16091 ft long, the hole ends at 15000 ft')
-      call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181.3 ksi. '// &
+      call mistake('yield = 135', 'yield = 931', 'yield = 931 ksi is unusual. Usual is at most 181 ksi. '// &
                    'Is it in MPa? Then write 135')
       call mistake("&component name = 'bit', kind = 'bit', length = 1,", &
                    "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
@@ -156,13 +158,13 @@ contains
       call mistake('friction = 0.30', 'friction_axial = 0.3', '''open'' has no friction_rotary, so that torque there is zero')
       call mistake('&fluid density = 9.6 /', '&fluid density = 9.6 / &fluid density = 10, md_top = 16000 /', &
                    'md_top = 16000 ft is below the hole, so that this fluid is nowhere')
-      call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.53')
+      call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.5')
    end subroutine test_fluid_and_friction
 
    !> Pounds, foot-pounds, a pressure in ksi.
    subroutine test_loads()
       call mistake('&fluid', '&rig block_weight = 600 /'//newline//'&fluid', &
-                   'block_weight = 600 klbf is unusual. Usual is at most 337.2')
+                   'block_weight = 600 klbf is unusual. Usual is at most 337 klbf')
       call mistake('&fluid', '&rig lines = 1, sheave_efficiency = 0.98 /'//newline//'&fluid', &
                    'group &rig: lines = 1 is unusual. Usual is at least 4')
       call mistake('&fluid', '&rig lines = 20, sheave_efficiency = 0.98 /'//newline//'&fluid', &
@@ -188,11 +190,11 @@ contains
       call mistake("operation = 'up',", "operation = 'backream', rpm = 60, trip_speed = 30,", 'trip_speed = 30 ft/s is unusual')
       call mistake('&fluid', "&sweep operations = 'sliding', bit_depth_from = 15000, wob = 20000, tob = 5000 /"//newline// &
                    '&fluid', 'group &sweep: wob = 20000 klbf is unusual')
-      call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157.4 klbf')
-      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.76 kft.lbf. Is it in ft.lbf? '// &
+      call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157 klbf')
+      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.8 kft.lbf. Is it in ft.lbf? '// &
                    'Then write 5')
-      call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157.4 klbf. Check the unit')
-      call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
+      call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157 klbf. Check the unit')
+      call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.8 psi')
    end subroutine test_loads
 
    !> A bit that is pulled while it drills, and one that is turned in a trip.

@@ -94,10 +94,10 @@ contains
       call assertFalse(outside%gives_way)
       call outside_message(si_units(), outside, text)
       call assertGreaterThan(index(text, '12 mm'//outside_place//'5 m'), 0, message=text)
-      call assertGreaterThan(index(text, 'element_length of 5 m'), 0, message=text)
+      call assertGreaterThan(index(text, 'element_length to 5 m'), 0, message=text)
       call outside_message(field_units(), outside, text)
       call assertGreaterThan(index(text, '0.49 in'//outside_place//'16.4042 ft'), 0, message=text)
-      call assertGreaterThan(index(text, 'element_length of 16 ft'), 0, message=text)
+      call assertGreaterThan(index(text, 'element_length to 16 ft'), 0, message=text)
    end subroutine test_within_an_element
 
    !> On the wall of the wide hole at the shoe the string is outside the narrow one; an excess below a fifth is not told.

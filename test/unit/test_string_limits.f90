@@ -18,6 +18,7 @@ module dg_test_string_limits
    use dg_profile, only: new_profile, side_above, side_below, side_none
    use dg_soft_string, only: solve_soft_string
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_verdict, only: answer_no, answer_yes, nearness, note_left_out, verdict_type
    use dg_whole_string, only: find_whole_string, neutral_points_of, whole_string_type
    implicit none
    private
@@ -37,6 +38,8 @@ contains
       call suite%addTest(TestMethod('stress_and_safety', test_stress))
       call suite%addTest(TestMethod('margins_hold_bending', test_bent_margins))
       call suite%addTest(TestMethod('error_of_the_largest_stress', test_stress_error))
+      call suite%addTest(TestMethod('left_out_friction', test_left_out))
+      call suite%addTest(TestMethod('nearness', test_nearness))
       call suite%addTest(TestMethod('weight_that_yields', test_wob_yield))
       call suite%addTest(TestMethod('standoff', test_standoff))
       call suite%addTest(TestMethod('weaker_side_of_a_joint', test_joint))
@@ -52,6 +55,38 @@ contains
       call suite%addTest(TestMethod('tool_joints', test_tool_joints))
       call suite%addTest(TestMethod('one_helical_limit_in_files_and_warnings', test_one_limit))
    end function string_limits_suite
+
+   !> Friction that smeared joints leave out: five times its rough number may be more than is left on the hook.
+   subroutine test_left_out()
+      type(verdict_type) :: verdict
+      verdict%answer = answer_yes
+      call note_left_out(10.0e3_wp, 51.0e3_wp, verdict)
+      call assertFalse(verdict%joints_uncertain, message='more is left')
+      call note_left_out(10.0e3_wp, 49.0e3_wp, verdict)
+      call assertTrue(verdict%joints_uncertain, message='less is left')
+      verdict = verdict_type(answer=answer_yes)
+      call note_left_out(0.0_wp, 1.0_wp, verdict)
+      call assertFalse(verdict%joints_uncertain, message='nothing is left out')
+      call note_left_out(huge(1.0_wp), 1.0e6_wp, verdict)
+      call assertTrue(verdict%joints_uncertain, message='lock-up')
+      verdict = verdict_type(answer=answer_no)
+      call note_left_out(huge(1.0_wp), 1.0_wp, verdict)
+      call assertFalse(verdict%joints_uncertain, message='NO stays NO')
+   end subroutine test_left_out
+
+   !> The nearest limit is the part that is used, or the friction reserve where that is small and nearer.
+   subroutine test_nearness()
+      type(verdict_type) :: verdict
+      verdict%answer = answer_yes
+      call assertEqual(0.0_wp, nearness(verdict), message='not known')
+      verdict%used = given(0.64_wp)
+      verdict%friction_reserve = given(1.25_wp)
+      call assertEqual(0.64_wp, nearness(verdict), message='large reserve')
+      verdict%friction_reserve = given(1.02_wp)
+      call assertEqual(1.0_wp/1.02_wp, nearness(verdict), 1.0e-12_wp, 'small reserve')
+      verdict%used = given(0.99_wp)
+      call assertEqual(0.99_wp, nearness(verdict), message='small reserve, but a nearer limit')
+   end subroutine test_nearness
 
    !> A straight hole of 200 mm, a collar of 50 m and pipe above it with yield; profile of four rows, two of them where they meet,
    !> nothing on it.

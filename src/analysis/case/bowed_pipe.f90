@@ -41,13 +41,15 @@ contains
       call find_loads(apart, case_index, change, totals_apart)
       change = abs(change - smeared)
       if (totals_apart%runaway .or. change(1) > totals%weight) then
+         result%left_out_friction = huge(1.0_wp)
          call add_message(result, left_out//'. The string may lock up by that friction. '//advice)
       else if (change(1) > noticeable*max(abs(result%hookload), totals%weight)) then
+         result%left_out_friction = change(1)
          call add_message(result, left_out//', about '//in_units(model%units, unit_force, change(1), shown)// &
-                          ' of hook load. This is a rough number by the soft string. '//advice)
+                          ' of hook load. This is a rough number by the soft string, beams find up to five times as much. '//advice)
       else if (change(2) > noticeable*abs(smeared(2))) then
          call add_message(result, left_out//', about '//in_units(model%units, unit_moment, change(2), shown)// &
-                          ' of torque. This is a rough number by the soft string. '//advice)
+                          ' of torque. This is a rough number by the soft string, beams find up to five times as much. '//advice)
       end if
    end subroutine note_bowed_pipe
 

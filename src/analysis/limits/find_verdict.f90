@@ -24,8 +24,8 @@ module dg_find_verdict
    use dg_unrated_limits, only: note_unrated
    use dg_utilisation, only: as_much, find_utilisation, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_uncertain, &
-                         take_name, verdict_type
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_left_out, &
+                         note_uncertain, take_name, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -77,6 +77,8 @@ contains
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
+            if (block_way(load_case%operation) < 0) &
+               call note_left_out(result%left_out_friction, result%hookload, verdict)
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)

@@ -7,7 +7,8 @@ module dg_verdict
    use dg_utilisation, only: limit_count, limit_name
    implicit none
    private
-   public :: verdict_type, note_uncertain, take_name, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
+   public :: verdict_type, note_uncertain, note_left_out, take_name, &
+             is_near_by_friction, nearness, little_reserve, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
              limit_packer_force, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
@@ -34,6 +35,11 @@ module dg_verdict
    !> answer holds. The last value: the answer is no only at the upper end.
    integer, parameter :: friction_given = 0, friction_calibrated = 1, friction_upper_end = 2, friction_upper_end_alone = 3
 
+   !> Friction reserve below which the answer is near its limit [-].
+   real(wp), parameter :: little_reserve = 1.1_wp
+   !> Largest ratio of the friction that smeared joints leave out, by beams with joints one by one, to its rough number [-].
+   real(wp), parameter :: roughest = 5.0_wp
+
    type :: verdict_type
       integer :: answer = answer_unknown
       integer :: limit = 0                          !< limit that decides; for yes the one used most; 0: none known
@@ -49,6 +55,7 @@ module dg_verdict
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< friction of the answer
       real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that exceeds what is left; else 0 [-]
+      logical :: joints_uncertain = .false.         !< yes: friction that smeared joints leave out may exceed what is left
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: pressure_pushes = .false.          !< pressure of the annulus also takes string weight
       logical :: packer_pushes = .false.            !< pressures at a packer also take it
@@ -85,12 +92,39 @@ contains
          verdict%uncertain = error
    end subroutine note_uncertain
 
+   !> Mark a yes of a string that goes down as uncertain where smeared tool joints may leave out more friction than its hook
+   !> load.
+   elemental subroutine note_left_out(friction, hookload, verdict)
+      real(wp), intent(in) :: friction         !< rough number, huge: lock-up [N]
+      real(wp), intent(in) :: hookload         !< [N]
+      type(verdict_type), intent(inout) :: verdict
+      if (verdict%answer == answer_yes .and. friction > 0.0_wp) verdict%joints_uncertain = friction > hookload/roughest
+   end subroutine note_left_out
+
    !> Take the name of the component where the limit is used most.
    pure subroutine take_name(part, verdict)
       type(component_type), intent(in) :: part
       type(verdict_type), intent(inout) :: verdict
       if (allocated(part%name)) verdict%component = part%name
    end subroutine take_name
+
+   !> True if a little more friction makes a yes a NO, and no limit is used as much as that says.
+   elemental function is_near_by_friction(verdict) result(near)
+      type(verdict_type), intent(in) :: verdict
+      logical :: near
+      near = verdict%friction_reserve%present
+      if (near) near = verdict%friction_reserve%value < little_reserve
+      if (near .and. verdict%used%present) near = verdict%used%value*verdict%friction_reserve%value < 1.0_wp
+   end function is_near_by_friction
+
+   !> Nearness of a yes to its limit [-]: 1 is at the limit, 0 not known.
+   elemental function nearness(verdict) result(near)
+      type(verdict_type), intent(in) :: verdict
+      real(wp) :: near
+      near = 0.0_wp
+      if (verdict%used%present) near = verdict%used%value
+      if (is_near_by_friction(verdict)) near = 1.0_wp/verdict%friction_reserve%value
+   end function nearness
 
    !> Name of a limit in texts, with trailing blanks; blank for 0.
    pure function limit_title(limit) result(name)

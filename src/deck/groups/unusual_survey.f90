@@ -127,7 +127,7 @@ contains
             in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
             in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
             in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
-            to_text(usual_here/units%curvature, few_digits)//'. Check depths, angles and their units'// &
+            in_units(units, unit_curvature, usual_here, few_digits)//'. Check depths, angles and their units'// &
             either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
                    abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
          place = 0

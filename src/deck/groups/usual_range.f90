@@ -58,7 +58,7 @@ module dg_usual_range
       usual_type('joint_length', unit_length, 0.0_wp, 3.0_wp, 'heavy weight pipe 1.2 m; 17 in of drill pipe are 0.43 m'), &
       usual_type('bend', unit_angle, 0.1_wp*degree, 6.0_wp*degree, 'motors 0.25 to 4 deg; 1.5 deg are 0.026 in radians'), &
       usual_type('lines', unit_none, 4.0_wp, 16.0_wp, 'small workover rigs 4; largest rigs 14 to 16')]
-   integer, parameter :: digits = 4, longest_name = 20
+   integer, parameter :: digits = 4, few_digits = 3, longest_name = 20
    !> Least value, over the largest usual one, at which a smaller unit may be meant where the least usual value is 0 [-].
    real(wp), parameter :: far_beyond = 5.0_wp
    !> Least value that may be meant in a smaller unit, over the least usual one [-]: softer steel is rare.
@@ -84,10 +84,11 @@ contains
       character(:), allocatable :: range
       associate (low => usual(number)%low, high => usual(number)%high)
          if (.not. is_unusual(number, value)) return
-         range = 'at least '//value_text(low)
-         if (value > high) range = 'at most '//value_text(high)
+         range = 'at least '//value_text(low, few_digits)
+         if (value > high) range = 'at most '//value_text(high, few_digits)
       end associate
-      call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value)//' is unusual. Usual is '//range// &
+      call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value, digits)// &
+                       ' is unusual. Usual is '//range// &
                        either(unit_question(), '', all(number /= [usual_friction, usual_running_in, usual_lines])))
 
    contains
@@ -109,12 +110,13 @@ contains
       end function unit_question
 
       !> A value in the units of the deck, with its unit where the range has one.
-      function value_text(number_in_si) result(text)
+      function value_text(number_in_si, places) result(text)
          real(wp), intent(in) :: number_in_si
+         integer, intent(in) :: places        !< digits
          character(:), allocatable :: text
-         text = to_text(number_in_si, digits)
-         if (number == usual_density) text = to_text(number_in_si/units%density, digits)
-         if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, digits)
+         text = to_text(number_in_si, places)
+         if (number == usual_density) text = to_text(number_in_si/units%density, places)
+         if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, places)
       end function value_text
    end subroutine note_range
 end module dg_usual_range

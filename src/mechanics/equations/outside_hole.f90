@@ -152,9 +152,9 @@ contains
          if (outside%wall < default_wall) text = text//'. Set wall_stiffness to '// &
             in_units(units, unit_wall, default_wall, shown)//', the default, which is as good as rigid'
       else
-         text = 'Between its contact points the string stands '//text//'. Contact there may be off'
-         if (outside%length > short) text = text//'. An element_length of '// &
-            in_units(units, unit_length, advised*outside%length, shown)//' brings most strings inside'
+         text = 'Between its contact points the solution puts the string '//text//'. Contact there may be off'
+         if (outside%length > short) text = text//'. Set element_length to '// &
+            in_units(units, unit_length, advised*outside%length, shown)//' in &solver, which helps most strings'
       end if
    end subroutine outside_message
 end module dg_outside_hole

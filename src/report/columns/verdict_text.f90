@@ -13,11 +13,11 @@ module dg_verdict_text
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
-                         limit_string_weight, limit_title, limit_wob_yield, verdict_type
+                         friction_upper_end_alone, is_near_by_friction, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
+                         limit_string_weight, little_reserve, limit_title, limit_wob_yield, verdict_type
    implicit none
    private
-   public :: task_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
+   public :: task_text, reserve_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
 
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
@@ -29,8 +29,6 @@ module dg_verdict_text
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
-   !> Friction reserve below which the text says 'only' [-].
-   real(wp), parameter :: little_reserve = 1.1_wp
    !> Friction reserve below which the text says 'already' and has one digit more [-]. Reserves are found to 0.001, rounded down.
    real(wp), parameter :: no_reserve = 1.001_wp
 
@@ -93,41 +91,41 @@ contains
       if (verdict%answer == answer_no) then
          text = verdict_reason(units, load_case, verdict)//help_text(units, load_case, verdict)
       else if (verdict%answer == answer_yes) then
-         text = nearest_text(units, load_case, verdict)
-         if (any(verdict%not_checked) .and. verdict%limit /= 0) text = 'As far as checked. '//text
+         text = ''
+         if (is_near_by_friction(verdict)) text = 'Close to its limit: the answer '//reserve_text(verdict)//'. '
+         text = text//nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
              .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             in_units(units, unit_length, verdict%buckled_length, shown)// &
             either(' by formula', '', verdict%buckled_by_formula)
-         text = text//reserve_text(verdict)
+         if (verdict%friction == friction_upper_end) &
+            text = text//'. The answer is yes at the upper end of the 95 % interval of friction, too'
+         if (verdict%reserve_unknown) text = text//'. Its friction reserve is not known, as the string turns in helical '// &
+            'buckling. Find it by a sweep with several frictions'
+         if (verdict%friction_reserve%present .and. .not. is_near_by_friction(verdict)) &
+            text = text//'. The answer '//reserve_text(verdict)
          if (verdict%uncertain > 0.0_wp) text = text//'. UNCERTAIN: contact force may be off by '// &
             to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit'
+         if (verdict%joints_uncertain) text = text//'. UNCERTAIN: smeared tool joints leave out friction, perhaps more '// &
+            "than is left. Check with tool_joints = 'discrete' in &solver"
       else
          text = 'Not converged, see Warnings'
       end if
    end function verdict_sentences
 
-   !> Effect of more friction.
+   !> Effect of more friction on a yes, from the verb on.
    pure function reserve_text(verdict) result(text)
-      type(verdict_type), intent(in) :: verdict
+      type(verdict_type), intent(in) :: verdict      !< with a friction reserve
       character(:), allocatable :: text
-      text = ''
-      if (verdict%friction == friction_upper_end) &
-         text = '. The answer is yes at the upper end of the 95 % interval of friction, too'
-      if (verdict%reserve_unknown) text = text//'. How much more friction is possible is not known, as the string turns in '// &
-         'helical buckling: run it with more friction'
-      if (verdict%friction_reserve%present) then
-         text = text//'. The answer becomes NO '
-         if (verdict%friction_reserve%value < no_reserve) then
-            text = text//'already with 0.2 % more friction'
-         else
-            text = text//either('already ', '', verdict%friction_reserve%value < little_reserve)//'at about '// &
-                   times_text(verdict, verdict%friction_reserve%value)
-         end if
-         if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
+      text = 'becomes NO '
+      if (verdict%friction_reserve%value < no_reserve) then
+         text = text//'already with 0.2 % more friction'
+      else
+         text = text//'above about '//times_text(verdict, verdict%friction_reserve%value)
       end if
+      if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
    end function reserve_text
 
    !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
@@ -137,8 +135,8 @@ contains
       character(:), allocatable :: text
       integer :: digits
       digits = merge(close_factor, shown_factor, abs(factor - 1.0_wp) < little_reserve - 1.0_wp)
-      text = to_text(rounded_down(factor, digits), digits)//' times the '// &
-             either('friction given', 'calibrated friction', verdict%friction == friction_given)
+      text = to_text(rounded_down(factor, digits), digits)//' times '// &
+             either('all friction factors', 'the calibrated friction', verdict%friction == friction_given)
    end function times_text
 
    !> Push needed at surface by a string whose weight is too little.
@@ -192,7 +190,8 @@ contains
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
-                in_units(units, unit_moment, verdict%turning_torque%value, shown)//'. Check it by a case operation = '''// &
+                in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
+                either(' without bit torque', '', load_case%wob > 0.0_wp)//'. Check it by a case operation = '''// &
                 either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, verdict)
       if (verdict%possible_friction%present) then
@@ -201,7 +200,7 @@ contains
          else if (verdict%weight_alone) then
             text = text//'. String weight is enough at about '//times_text(verdict, verdict%possible_friction%value)
          else
-            text = text//'. The answer becomes yes at about '//times_text(verdict, verdict%possible_friction%value)
+            text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
       if (verdict%weight_alone) text = text//'. Not solved: '// &
@@ -216,7 +215,7 @@ contains
       text = ''
       if (.not. verdict%most_pull%present .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue])) return
       if (.not. verdict%most_pull%value > 0.0_wp) return
-      text = either('. As far as checked, o', '. O', any(verdict%not_checked))//'verpull up to about '// &
+      text = either('. By the limits checked, o', '. O', any(verdict%not_checked))//'verpull up to about '// &
              force_text(units, at_most(units, unit_force, verdict%most_pull%value, shown))// &
              ' is possible: then '//shown_title(verdict%pull_limit)//' is at its limit'
    end function overpull_text
@@ -229,11 +228,17 @@ contains
       character(:), allocatable :: text
       logical :: by_wob
       if (verdict%limit == 0) then
-         text = 'No limit is known'
+         text = 'Nothing is checked, as the deck gives no limit'
          return
       end if
-      text = either('Close to its limit:', 'Nearest limit:', verdict%used%value > close_to_limit)//' '// &
-             shown_title(verdict%limit)//place_text(units, verdict)//', '
+      if (is_near_by_friction(verdict)) then
+         text = 'Most used'
+      else if (verdict%used%value > close_to_limit) then
+         text = 'Close to its limit'
+      else
+         text = either('Nearest of the limits checked', 'Nearest limit', any(verdict%not_checked))
+      end if
+      text = text//': '//shown_title(verdict%limit)//place_text(units, verdict)//', '
       if (verdict%limit == limit_string_weight) then
          text = text//takers_text(load_case, verdict)//' '
       end if

@@ -95,7 +95,7 @@ contains
       call put(row, 'helical_length', quantity_length, &
                'length of helical buckling, by the lower published load', whole%helical_length)
       call put(row, 'largest_side_force', quantity_line_load, &
-               'largest mean on the length of a joint of pipe: joint_spacing of the longest component with joints, else 9.5 m', &
+               'largest mean over a joint of pipe (joint_spacing of the longest component with joints, else 9.5 m)', &
                whole%side_force)
       call put(row, 'largest_side_force_md', quantity_length, &
                'depth of the row with the most side force within that length', whole%side_force_md)
@@ -105,13 +105,13 @@ contains
       call put(row, 'wob_no_hookload', quantity_force, &
                'weight on bit at zero hook load (soft string, without friction of helical buckling: an upper bound of '// &
                'wob_lockup)', whole%wob_no_hookload)
-      call put(row, 'rig_limit', quantity_force, 'as in the deck', whole%rig_limit)
+      call put(row, 'rig_limit', quantity_force, 'max_hookload of &rig, or rig_limit of &job', whole%rig_limit)
       call put(row, 'rig_margin', quantity_force, 'rig_limit - hook load - block_weight of &rig', whole%rig_margin)
       call put(row, 'makeup_margin', quantity_moment, &
                'make-up torque - torque, least along the string; empty without make-up torque', whole%makeup_margin)
       call put(row, 'makeup_margin_md', quantity_length, 'measured depth of this value', whole%makeup_margin_md)
       call put(row, 'wob_lockup', quantity_force, &
-               'as wob_no_hookload, with friction of helical buckling; beams may lock up at less WOB', &
+               'wob_no_hookload with friction of helical buckling, same while rotating; beams may lock up at less WOB', &
                whole%wob_lockup)
    end subroutine put_margins
 
@@ -125,7 +125,7 @@ contains
       call put(row, 'coiled_length', quantity_length, 'helically buckled length', whole%coiled_length)
       call put(row, 'coil_turns', quantity_none, 'turns of the helix', whole%coil_turns)
       call put(row, 'stability_margin', quantity_none, &
-               'part by which compression may grow until the shape changes; 1: 1 or more; 0: a buckled shape that can shift '// &
+               'part by which compression may grow until the shape changes, 1 if more; 0: a buckled shape that can shift '// &
                'along the hole; empty: too little compression', whole%stability_margin)
       call put(row, 'bit_side_force', quantity_force, &
                'side force of the bit on the formation; mcge, or mixed with elements at the bit; for a centred bit', &

@@ -93,8 +93,8 @@ contains
       call put(row, 'message', quantity_text, &
                'reason of a case that did not converge, else warnings', text_or_nothing(result%message))
       call put(row, 'weight_indicator', quantity_force, &
-               'reading of the weight indicator, block included: too low while the block rises, too high while it is lowered; '// &
-               'empty without &rig', result%weight_indicator)
+               'reading of the weight indicator, block included: too low while the block rises, too high while it is lowered, '// &
+               'as in drilling; empty without &rig', result%weight_indicator)
       call put(row, 'can_be_done', quantity_text, &
                'yes: no known limit is passed; no: a limit is passed, the string locks up or must be pushed; unknown: '// &
                'not_converged', answer_name(verdict%answer))
@@ -102,9 +102,10 @@ contains
                       'reason of a no, with numbers; else empty', verdict_reason(units, load_case, verdict))
       call put_filled(row, 'limit', quantity_text, 'limit that decides; for yes the limit used most', limit_code(verdict%limit))
       call put(row, 'used', quantity_percent, 'used part of this limit', in_percent(verdict%used))
-      call put(row, 'limit_md', quantity_length, 'depth of this limit; empty for a limit of the whole string', verdict%md)
+      call put(row, 'limit_md', quantity_length, 'depth of this limit; 0 for rig, slips and top drive; empty for a limit of '// &
+               'the whole string', verdict%md)
       call put_filled(row, 'not_checked', quantity_text, &
-                      'limits for which the deck gives no rating, separated by blanks', unchecked_codes(verdict))
+                      'limits without a rating in one or more components, separated by blanks', unchecked_codes(verdict))
       call put(row, 'friction_reserve', quantity_none, &
                'factor on all friction at which the answer becomes no, by the soft string scaled to this result; empty for no '// &
                'and unknown, above 10, and for rotating beams in helical buckling', verdict%friction_reserve)

@@ -49,7 +49,7 @@ contains
       call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
       other = summary_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
-      other = doubt_of_deck(job, model)
+      other = doubt_of_deck(job, model, results)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       call append_well(lines, job, model, shown, 'h3')
       call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)

@@ -118,7 +118,7 @@ contains
       ! contact is what gap elements find; of other models the first
       k = rows(max(1, findloc(results(rows)%model == model_mcge, .true., dim=1)))
       answer = ''
-      if (marked(k)) answer = '. Cannot be done'
+      if (marked(k)) answer = '. The operation cannot be done'
       associate (load_case => model%cases(case_index))
          file = case_file(profile_file, load_case%name, results(k)%model)
          call add_picture(list, job, path_chart(job, model, results(k)), 'Well path with contact of the string'//answer, &

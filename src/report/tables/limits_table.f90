@@ -94,14 +94,19 @@ contains
       do i = 1, size(results)
          deciders(i)%text = names(i)%text//', '//deciders(i)%text
       end do
-      call append_extreme(lines, units, deciders, 'Least overpull left', quantity_force, 1, numbers, nowhere, .false.)
+      call append_extreme(lines, units, deciders, 'Overpull left, pipe or rig', quantity_force, 1, numbers, nowhere, .false.)
       if (any(bends_between_joints(wholes, factor))) call append_text(lines, '    safety and overpull of the pipe leave out '// &
          'bending between tool joints, which the answers include')
       call append_extreme(lines, units, names, 'Least margin to rig limit', quantity_force, 1, &
                           (wholes%rig_margin), nowhere, .false.)
       call append_extreme(lines, units, names, 'Least margin to make-up', quantity_moment, 2, &
                           (wholes%makeup_margin), (wholes%makeup_margin_md), .false.)
-      call append_extreme(lines, units, names, 'Least margin to buckling', quantity_force, 1, &
+      deciders = names
+      do i = 1, size(results)
+         if (wholes(i)%buckling_margin%present .and. wholes(i)%buckling_margin%value < 0.0_wp) &
+            deciders(i)%text = names(i)%text//', buckled'
+      end do
+      call append_extreme(lines, units, deciders, 'Least margin to buckling', quantity_force, 1, &
                           (wholes%buckling_margin), (wholes%buckling_margin_md), .false.)
       deciders = names
       do i = 1, size(results)

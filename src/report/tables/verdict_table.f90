@@ -8,8 +8,8 @@ module dg_verdict_table
    use dg_text, only: append_text, either, text_type, to_text
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
-                         limit_title
-   use dg_verdict_text, only: task_text, used_text, verdict_sentences
+                         is_near_by_friction, limit_title, nearness
+   use dg_verdict_text, only: reserve_text, task_text, used_text, verdict_sentences
    use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -46,7 +46,7 @@ contains
       call append_text(lines, verdict_heading(job))
       other = summary_line(job, model, results, wholes)
       if (other /= '') call append_wrapped(lines, '', other, page_width)
-      other = doubt_of_deck(job, model)
+      other = doubt_of_deck(job, model, results)
       if (other /= '') call append_wrapped(lines, '', other, page_width)
       do k = 1, size(results)
          if (results(k)%model /= shown) cycle
@@ -74,24 +74,32 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       character(:), allocatable :: text, lead
-      logical :: shown(size(results)), near(size(results))
+      logical :: shown(size(results)), near(size(results)), bare(size(results))
       integer :: k
       text = ''
       shown = results%model == leading_model(job)
       if (count(shown) < 2) return
       near = shown .and. wholes%verdict%answer == answer_yes
       text = 'None of '//to_text(count(shown))//' can be done.'
-      if (any(near)) text = to_text(count(near))//' of '//to_text(count(shown))//': yes.'
+      bare = near .and. wholes%verdict%limit == 0
+      if (any(near)) text = to_text(count(near))//' of '//to_text(count(shown))//': yes'// &
+                            either(', '//to_text(count(bare))//' of them without a check.', '.', any(bare))
       text = text//named('NO', answer_no)//named('No solution', answer_unknown)
       do k = 1, size(results)
-         near(k) = near(k) .and. wholes(k)%verdict%used%present
+         near(k) = near(k) .and. nearness(wholes(k)%verdict) > 0
       end do
       if (.not. any(near)) return
-      k = maxloc(wholes%verdict%used%value, dim=1, mask=near)
+      k = maxloc(nearness(wholes%verdict), dim=1, mask=near)
       lead = ' Nearest to a limit: '
       if (any(shown .and. wholes%verdict%answer /= answer_yes)) lead = ' Of the others nearest to a limit: '
-      text = text//lead//model%cases(results(k)%case_index)%name//', '//used_text(wholes(k)%verdict%used%value)// &
-             ' % used ('//trim(limit_title(wholes(k)%verdict%limit))//').'
+      text = text//lead//model%cases(results(k)%case_index)%name//', '
+      associate (verdict => wholes(k)%verdict)
+         if (is_near_by_friction(verdict)) then
+            text = text//reserve_text(verdict)//'.'
+         else
+            text = text//used_text(verdict%used%value)//' % used ('//trim(limit_title(verdict%limit))//').'
+         end if
+      end associate
    contains
       !> Names of the cases with an answer; '' where there are none.
       pure function named(word, answer) result(part)

@@ -75,15 +75,18 @@ contains
    end function warning_sentences
 
    !> A line above the answers that are made from a deck with warnings; '' without warnings.
-   pure function doubt_of_deck(job, model) result(text)
+   pure function doubt_of_deck(job, model, results) result(text)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
       character(:), allocatable :: text
-      integer :: found
+      integer :: found, all
       found = size(deck_warnings(job, model))
+      all = size(warning_sentences(job, model, results))
       text = ''
-      if (found > 0) text = 'The deck has '//to_text(found)//either(' warning', ' warnings', found == 1)//'. Read '// &
-                            either('it', 'them', found == 1)//' before you use these answers.'
+      if (found > 0) text = 'There '//either('is 1 warning', 'are '//to_text(all)//' warnings', all == 1)//', '// &
+                            either('', to_text(found)//' of them ', found == all)//'on the deck. Read '// &
+                            either('it', 'them', all == 1)//' before you use these answers.'
    end function doubt_of_deck
 
    !> Notes on the deck as sentences, without those on its path, which have lines of their own.

@@ -204,7 +204,7 @@ module dg_deck_keys
       key_rule_type('component', 'expansion', unit=unit_expansion, low=0.0_wp, high=100.0_wp, default='12.42', &
          meaning='thermal expansion; 12.42 (6.9 per degF): steel'), &
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='outside diameter of tool joints or blades; touches the wall, sets the torque radius; 0: none'), &
+         meaning='outside diameter of tool joints, blades or the bit; touches the wall, sets the torque radius; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
          meaning='length of one tool joint, 1 mm or more; 0: 0.5 m'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &

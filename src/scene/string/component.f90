@@ -237,7 +237,7 @@ contains
    !> Clearance [m] of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its
    !> gauge. Drilling ahead with a tilt it makes a hole wider by tilt times gauge. Its gauge therefore does not hold it against
    !> the wall, and it may tilt. So may a narrower bit. Its end on the axis and its gauge at the wall would be a clamp, which
-   !> no hole is: a bit of 0.3 m in casing would have ten times the side force.
+   !> no hole is. A bit in casing would have ten times the side force.
    elemental function room_of_held_bit(component, half_difference) result(room)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]

@@ -79,28 +79,24 @@ contains
       logical, intent(in) :: worked_out                 !< true if a mesh has used its allowed work
       type(case_result_type), intent(inout) :: result
       type(numerics_type) :: usual
-      logical :: advised, unstable
+      logical :: few_allowed, unstable
       if (result%status /= result_not_converged) return
-      advised = index(result%message, '. Set ') > 0
+      few_allowed = .not. worked_out .and. model%numerics%max_iterations < usual%max_iterations
       unstable = index(result%message, no_stable) == 1
-      result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
-      if (worked_out) then
-         result%message = result%message//'. The search ended at the most work that '//to_text(result%elements)// &
-            ' elements may have'
-      else if (model%numerics%max_iterations < usual%max_iterations) then
-         result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
-            ', its default, which allows more attempts'
-         advised = .true.
-      end if
-      if (advised) return
       associate (load_case => model%cases(case_index))
-         if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
+         if (few_allowed) then
+            result%message = result%message//'. Set max_iterations to '//to_text(usual%max_iterations)// &
+               ', its default, which allows more attempts'
+         else if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
             result%message = result%message//'. Lower wob or tob'
-         else
-            result%message = result%message//'. No setting of &solver is known to help. Run model soft for hook load and '// &
-               'torque: it leaves out bending stiffness'// &
-               either(' and helical buckling. Its NO holds, its yes may not', '', result%coiled)
+         else if (index(result%message, '. Set ') == 0) then
+            result%message = result%message//'. No setting of &solver is known to help. Check the loads of this case. '// &
+               'Model soft gives hook load and torque without bending stiffness'// &
+               either(' and helical buckling: a NO by it holds, a yes may not', '', result%coiled)
          end if
       end associate
+      result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried
+      if (worked_out) result%message = result%message//'. The search ended at the most work that '//to_text(result%elements)// &
+         ' elements may have'
    end subroutine add_tried
 end module dg_no_equilibrium

@@ -249,7 +249,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
       real(wp) :: share
-      character(:), allocatable :: place
+      character(:), allocatable :: place, percents
       associate (found => result%unlike_contact, md => result%profile%md)
          if (.not. found%by_analysis > least_contact) return
          share = abs(found%by_beam - found%by_analysis)/found%by_analysis
@@ -258,14 +258,11 @@ contains
          place = ''
          if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
-         call add_message(result, 'Contact force uncertain by '// &
-                          to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)// &
-                          ' %'//place//': '// &
-                          in_units(units, unit_force, found%by_analysis, shown)//' where hook load and torque '// &
-                          'are solved, '//in_units(units, unit_force, found%by_beam, shown)//' where moments and '// &
-                          'side forces are solved. '// &
-                          either('Side forces and moments there may be off by as much', 'Drag may be off by as much', &
-                                 result%coiled))
+         percents = to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)//' %'
+         call add_message(result, 'Contact force uncertain by '//percents//place//': '// &
+                          in_units(units, unit_force, found%by_analysis, shown)//' by the elements of hook load and torque, '// &
+                          in_units(units, unit_force, found%by_beam, shown)//' by the shorter ones of moments and side '// &
+                          'forces. '//either('Side forces and moments there', 'Drag', result%coiled)//' may be off by '//percents)
       end associate
    end subroutine warn_of_contact
 

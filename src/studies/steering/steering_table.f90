@@ -87,9 +87,9 @@ contains
             least = min(least, results(i)%three_points, norm2(results(i)%curvature))
             most = max(most, results(i)%three_points, norm2(results(i)%curvature))
          end do
-         if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': '// &
-            fixed_text(least/curvature, 1)//' to '//fixed_text(most/curvature, 1)// &
-            unit//', from three-point geometry to the curvature above')
+         if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': between '// &
+            fixed_text(least/curvature, 1)//' and '//fixed_text(most/curvature, 1)// &
+            unit//' (three-point geometry, zero side force)')
          do i = 1, size(results)
             if (results(i)%case_index == k .and. .not. is_missing(results(i)%side_cutting)) call append_text(lines, &
                'Measured dogleg of '//name//' fits side_cutting = '//to_text(results(i)%side_cutting, 3))

@@ -143,7 +143,7 @@ contains
       integer, intent(in) :: number
       character(:), allocatable :: text
       integer, parameter :: digits = 4, few_digits = 2
-      text = 'hole'
+      text = '&hole'
       if (sweep%frictions(number)%present) text = to_text(sweep%frictions(number)%value, digits)
       if (allocated(sweep%frictions_cased)) text = without_zero(to_text(sweep%frictions_cased(number), few_digits))//'/'// &
          without_zero(to_text(sweep%frictions(number)%value, few_digits))

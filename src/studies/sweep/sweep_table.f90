@@ -61,7 +61,8 @@ contains
          call append_passed(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
-      if (any(answer_of(points) /= answer_yes)) call append_text(lines, mark_meaning)
+      if (any(answer_of(points) /= answer_yes)) call append_text(lines, mark_meaning// &
+         either('. Hook load without the block decides', '', any(.not. is_missing(points%weight_indicator))))
       call append_lost(lines, units, sweep, points)
    end function sweep_table
 
@@ -209,7 +210,7 @@ contains
          if (len(names) < k*width) names = names// &
             operation_head(trim(operation_label(sweep%operations(curves(k)%point%operation))), &
                            count(curves%point%operation == curves(k)%point%operation), width)
-         factor = 'all'
+         factor = 'any'
          if (.not. curves(k)%any_friction) factor = factor_text(sweep, curves(k)%point%friction)
          heads(k)%text = names((k - 1)*width + 1:k*width)//'|'//factor//' '
       end do
@@ -302,7 +303,7 @@ contains
       pure function friction_text(number) result(text)
          integer, intent(in) :: number       !< of a friction factor
          character(:), allocatable :: text
-         text = 'friction of the hole'
+         text = 'friction of &hole'
          if (sweep%frictions(number)%present) text = 'friction '//factor_text(sweep, number)
       end function friction_text
    end subroutine append_passed
@@ -313,7 +314,7 @@ contains
       logical, intent(in) :: indicated     !< as the rig shows it
       character(:), allocatable :: text
       text = 'hook load, '//trim(units%force_label)
-      if (indicated) text = 'weight indicator, block and sheaves counted, '//trim(units%force_label)
+      if (indicated) text = 'weight indicator (hook load with block and sheaves), '//trim(units%force_label)
       if (quantity == quantity_torque) text = 'torque, '//unit_label(units, unit_moment)
    end function quantity_text
 end module dg_sweep_table
