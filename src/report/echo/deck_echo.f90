@@ -80,6 +80,8 @@ contains
       type(rig_type), intent(in) :: rig
       character(:), allocatable :: line
       line = 'rig         block '//quantity(rig%block_weight, units%force, unit_label(units, unit_force))
+      if (rig%max_torque%present) &
+         line = line//', top drive '//quantity(rig%max_torque%value, units%moment, unit_label(units, unit_moment))
       if (.not. rig%sheave_efficiency < 1.0_wp) return
       line = line//', '//to_text(rig%lines)//' lines, sheaves of efficiency '//to_text(rig%sheave_efficiency, digits)// &
          ', dead-line sheave '//either('active', 'inactive', rig%active_deadline_sheave)

@@ -151,7 +151,7 @@ contains
             call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
                                 ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
                                 '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '// &
-                                wide(holes(h)%diameter)//opening_advice(components(k), holes, lowest, units))
+                                wide(narrowest(lowest))//opening_advice(components(k), holes, lowest, units))
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end
