@@ -10,7 +10,7 @@ module dg_test_printed_figures
    public :: printed_figures_suite
 
    character(*), parameter :: newline = achar(10)
-   integer, parameter :: col_torque = 14
+   integer, parameter :: col_torque = 14, col_true_axial = 14
 
 contains
 
@@ -23,7 +23,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
-      call suite%addTest(TestMethod('pulled_by_pressure', test_pulled))
+      call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
       call suite%addTest(TestMethod('packer', test_packer))
    end function printed_figures_suite
 
@@ -182,21 +182,40 @@ contains
       end function deck
    end subroutine test_yield
 
-   !> Tubing that a pressure at its packer pulls is not compressed pipe: it fails by no weight on bit.
-   subroutine test_pulled()
+   !> Tubing that a pressure at its packer pulls is not compressed pipe: it fails by no weight on bit. Tubing in its hanger may
+   !> have a hook load below zero, as pressure inside pulls its steel. Where its steel is compressed the hanger must hold it down.
+   subroutine test_hanger()
       type(run_type) :: run
-      run = run_deck_text("&job models = 'soft', plots = .false., hdf5 = .false. /"//newline// &
-                          '&trajectory md = 0, 3000, inc = 0, 0, azi = 0, 0 /'//newline// &
-                          '&hole diameter = 220.5, friction = 0.2, cased = .true. /'//newline// &
-                          '&fluid density = 1150 /'//newline// &
-                          "&component od = 139.7, id = 124.3, mass = 25.3, yield = 552 /"//newline// &
-                          "&boundary packer_bore = 152.4, packer_hold = 'fixed' /"//newline// &
-                          "&load_case name = 'set', operation = 'static', wob = 20, bit_depth = 2999 /"//newline// &
-                          "&load_case name = 'frac', operation = 'static', bit_depth = 2999, length_reference = 'set', "// &
-                          'pump_pressure = 50, temperature_change_bottom = -60 /'//newline)
-      call assertEqual(0, run%status, message=run%diagnostics)
-      call assertTrue(index(run%output, newline//'frac  yes ') > 0, message=run%output)
-   end subroutine test_pulled
+      run = run_deck_text(tubing('pump_pressure = 50, temperature_change_bottom = -60'))
+      call assertTrue(index(run%output, newline//'case  yes ') > 0, message=run%output)
+      run = run_deck_text(tubing('pump_pressure = 55, temperature_change_top = 80, temperature_change_bottom = 80'))
+      call assertTrue(index(run%output, newline//'case  yes ') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'pushed'), message=run%output)
+      run = run_deck_text(tubing('pump_pressure = 20, temperature_change_top = 80, temperature_change_bottom = 80'))
+      call assertTrue(index(run%output, newline//'case  NO  ') > 0, message=run%output)
+      call assertEqual(-top_force(), value_after(run%output, 'The top must be held down with '), 0.5_wp, 'force on the hanger')
+   contains
+      !> Deck of tubing that is set on a packer, then pumped through.
+      function tubing(loads) result(text)
+         character(*), intent(in) :: loads
+         character(:), allocatable :: text
+         text = "&job models = 'soft', plots = .false., hdf5 = .false. /"//newline// &
+                '&trajectory md = 0, 1000, inc = 0, 0, azi = 0, 0 /'//newline// &
+                '&hole diameter = 220.5, friction = 0.2, cased = .true. /'//newline//'&fluid density = 1150 /'//newline// &
+                '&component od = 139.7, id = 124.3, mass = 25.3, yield = 758 /'//newline// &
+                "&boundary packer_bore = 152.4, packer_hold = 'fixed' /"//newline// &
+                "&load_case name = 'set', operation = 'static', wob = 20, bit_depth = 999 /"//newline// &
+                "&load_case name = 'case', operation = 'static', bit_depth = 999, length_reference = 'set', "//loads//' /'//newline
+      end function tubing
+
+      !> True axial force at the top, from the profile [kN].
+      function top_force() result(force)
+         real(wp) :: force
+         type(text_type), allocatable :: lines(:)
+         allocate (lines, source=lines_of(results_path//'/profile_case_soft.csv'))
+         force = number(lines(2)%text, col_true_axial)
+      end function top_force
+   end subroutine test_hanger
 
    !> A packer and its seals have no limits in a deck: the answer says so.
    subroutine test_packer()

@@ -11,7 +11,7 @@ module dg_find_verdict
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
-   use dg_fluid_pressure, only: surface_push
+   use dg_fluid_pressure, only: hanger_pull, is_hung, surface_push
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
@@ -58,7 +58,7 @@ contains
             end if
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
-            verdict%most_wob = whole%wob_lockup
+            if (.not. is_hung(model, load_case)) verdict%most_wob = whole%wob_lockup
             verdict%buckled_by_formula = result%model /= model_mcge
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
@@ -178,6 +178,7 @@ contains
       associate (load_case => model%cases(result%case_index))
          if (.not. load_case%wob > 0.0_wp .and. .not. (load_case%wob < 0.0_wp .and. block_way(load_case%operation) > 0)) return
       end associate
+      if (is_hung(model, model%cases(result%case_index))) return
       if (result%status /= result_locked_up .and. cannot_scale(model, result)) return
       bare = other_model
       if (model%cases(result%case_index)%wob > 0.0_wp) bare%cases(result%case_index)%tob = 0.0_wp     ! the bit is off bottom
@@ -290,7 +291,7 @@ contains
    end subroutine judge_compressed
 
    !> Judge string weight or lock-up, which decide if they are passed or used more than the strengths. They are not known if
-   !> the survey begins below surface.
+   !> the survey begins below surface. Tubing in its hanger must only pull there.
    pure subroutine judge_weight(model, result, wob_lockup, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -308,6 +309,7 @@ contains
          verdict%pressure_pushes = surface_push(model, result%case_index) > 0.0_wp
          verdict%packer_pushes = abs(packer_push(model, load_case)) > 0.0_wp
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
+         if (is_hung(model, load_case) .and. passed == 0) return
          if (passed > 0 .and. verdict%answer == answer_no) then
             verdict%also = verdict%limit
             verdict%also_load = verdict%load%value
@@ -318,7 +320,7 @@ contains
          if (passed == limit_string_weight .or. (takes_weight .and. is_most(share, verdict))) then
             verdict%limit = limit_string_weight
             verdict%used = optional_real(weight > 0.0_wp, share)
-            verdict%load = given(weight - result%hookload)
+            verdict%load = given(weight - result%hookload - hanger_pull(model, result%case_index))
             verdict%allowed = given(weight)
             ! Both numbers agree with the deck if only weight on bit takes the weight.
             if (load_case%wob > 0.0_wp .and. .not. (moves_axially(load_case%operation) .or. &
@@ -358,7 +360,7 @@ contains
       integer :: limit
       limit = 0
       if (top_md(model%trajectory) > 0.0_wp) return
-      if (is_pushed(hookload, [largest])) then
+      if (is_pushed(hookload + hanger_pull(model, case_index), [largest])) then
          limit = limit_string_weight
       else if (method /= model_mcge) then
          if (locks_up(model, case_index)) limit = limit_lock_up

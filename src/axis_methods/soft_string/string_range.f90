@@ -3,6 +3,7 @@ module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_case_result, only: add_sentence, is_pushed, push_needed
+   use dg_fluid_pressure, only: hanger_pull
    use dg_model, only: model_type
    use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
@@ -44,7 +45,7 @@ contains
       if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
          in_units(model%units, unit_length, worst_md, shown)// &
          ', outside the range of this model. Contact there is too low. Use model mcge'
-      if (is_pushed(hookload, axial)) call add_sentence(warning, push_needed)
+      if (is_pushed(hookload + hanger_pull(model, case_index), axial)) call add_sentence(warning, push_needed)
    end subroutine range_warning
 
    !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 below that limit, or without a limit.

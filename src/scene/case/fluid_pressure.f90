@@ -15,7 +15,8 @@ module dg_fluid_pressure
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, new_fluid_column, pressure_at, stretch_type, stretches_of, surface_push, weight_at
+   public :: fluid_column_type, hanger_pull, is_hung, new_fluid_column, pressure_at, stretch_type, stretches_of, &
+             surface_push, weight_at
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
    type :: fluid_column_type
@@ -181,4 +182,29 @@ contains
                 tube_area(string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))%od, 0.0_wp)
       end associate
    end function surface_push
+
+   !> True for tubing in its hanger: it has a packer, and an earlier load case has set it.
+   elemental function is_hung(model, load_case) result(hung)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      logical :: hung
+      hung = model%boundary%packer_bore > 0.0_wp .and. load_case%length_reference > 0
+   end function is_hung
+
+   !> Load of tubing on its hanger less the hook load [N]: pressure inside pulls the steel, pressure outside pushes it. The tree
+   !> and not the string closes the bore at surface. It is 0 for other strings.
+   pure function hanger_pull(model, case_index) result(pull)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp) :: pull
+      pull = 0.0_wp
+      associate (load_case => model%cases(case_index))
+         if (.not. is_hung(model, load_case)) return
+         associate (string => model%strings(string_index(model%strings, load_case%string)))
+            associate (top => string%components(topmost(component_tops(string, load_case%bit_depth))))
+               pull = load_case%pump_pressure*tube_area(top%id, 0.0_wp) - load_case%annulus_pressure*tube_area(top%od, 0.0_wp)
+            end associate
+         end associate
+      end associate
+   end function hanger_pull
 end module dg_fluid_pressure
