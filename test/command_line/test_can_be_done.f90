@@ -343,7 +343,7 @@ contains
       real(wp) :: wob, factor, depth
       run = run_slide(15000.0_wp, 60.0_wp, 1.0_wp)
       wob = told('String weight alone brings ')
-      factor = told('String weight is enough at about ')
+      factor = told('String weight is enough below about ')
       depth = told('Deepest bit depth possible: about ')
       call expect('yes', 15000.0_wp, 0.97_wp*wob, 1.0_wp)
       call expect('NO ', 15000.0_wp, 1.03_wp*wob, 1.0_wp)

@@ -122,7 +122,7 @@ contains
 
    !> Burst is judged where friction of a coil leaves no solution. Then no friction makes it possible; with less pressure one does.
    subroutine test_burst()
-      character(*), parameter :: advice = 'String weight is enough at about ', also = 'Also too much: burst, 20000 of 17100 psi.'
+      character(*), parameter :: advice = 'String weight is enough below about ', also = 'Also too much: burst, 20000 of 17100 psi.'
       type(run_type) :: run
       real(wp) :: factor
       run = run_deck_text(lateral(1.0_wp, '20000'))

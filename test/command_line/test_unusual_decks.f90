@@ -78,11 +78,11 @@ contains
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 35, 90, 91, 90', 'from 0 to 35 deg over 6200 ft without a station')
       call usual('0, 0, 0, 90, 91, 90', '0, 0, 45, 90, 91, 90')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8500, 12000, 15000', &
-                   'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.4 deg/100 ft. Check '// &
+                   'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.3 deg/100 ft. Check '// &
                    'depths, angles '// &
                    'and their units: are depths in m? 1 m is 3.281 ft')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8290, 12000, 15000', &
-                   'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.4 deg/100 ft. Check '// &
+                   'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.3 deg/100 ft. Check '// &
                    'depths, angles '// &
                    'and their units'//newline)
    end subroutine test_survey
@@ -191,10 +191,10 @@ contains
       call mistake('&fluid', "&sweep operations = 'sliding', bit_depth_from = 15000, wob = 20000, tob = 5000 /"//newline// &
                    '&fluid', 'group &sweep: wob = 20000 klbf is unusual')
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157 klbf')
-      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.8 kft.lbf. Is it in ft.lbf? '// &
+      call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.7 kft.lbf. Is it in ft.lbf? '// &
                    'Then write 5')
       call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157 klbf. Check the unit')
-      call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.8 psi')
+      call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
 
    !> A bit that is pulled while it drills, and one that is turned in a trip.

@@ -274,7 +274,7 @@ contains
       call assertFalse(has_text(lines, 'limit of the rig'))
       sweep%frictions = [optional_real()]
       call chart_script(sweep_chart(units, sweep, 1, model, points), lines)
-      call assertTrue(has_text(lines, "title 'friction of the hole'"))
+      call assertTrue(has_text(lines, "title 'friction of &hole'"))
       ! sheaves that do not rub: one line at what the rig may carry; one of torque
       model%rig = rig_type(given=.true., block_weight=50.0_wp*units%force, max_hookload=given(400.0_wp*units%force), &
                            max_torque=given(30.0_wp*units%moment))

@@ -14,10 +14,13 @@ module dg_bowed_pipe
 
    !> Friction that is left out, over hook load or weight, or over torque, above which there is a message [-].
    real(wp), parameter :: noticeable = 0.01_wp
+   !> Friction that is left out, over weight, above which answers consider it [-].
+   real(wp), parameter :: considered = 1.0e-3_wp
    !> Parts of the message.
    character(*), parameter :: left_out = 'Buckled pipe touches the hole between its tool joints, too. Smeared joints leave '// &
                                          'out the friction there'
-   character(*), parameter :: advice = "Set tool_joints = 'discrete'"
+   character(*), parameter :: rough = 'This is a rough number by the soft string', &
+                              advice = "Set tool_joints = 'discrete' in &solver"
    !> Digits of a force or torque in a message.
    integer, parameter :: shown = 2
 
@@ -40,16 +43,16 @@ contains
       apart%numerics%discrete_joints = .true.
       call find_loads(apart, case_index, change, totals_apart)
       change = abs(change - smeared)
+      if (change(1) > considered*totals%weight) result%left_out_friction = change(1)
       if (totals_apart%runaway .or. change(1) > totals%weight) then
          result%left_out_friction = huge(1.0_wp)
          call add_message(result, left_out//'. The string may lock up by that friction. '//advice)
       else if (change(1) > noticeable*max(abs(result%hookload), totals%weight)) then
-         result%left_out_friction = change(1)
          call add_message(result, left_out//', about '//in_units(model%units, unit_force, change(1), shown)// &
-                          ' of hook load. This is a rough number by the soft string, beams find up to five times as much. '//advice)
+                          ' of hook load. '//rough//', beams often find more. '//advice)
       else if (change(2) > noticeable*abs(smeared(2))) then
          call add_message(result, left_out//', about '//in_units(model%units, unit_moment, change(2), shown)// &
-                          ' of torque. This is a rough number by the soft string, beams find up to five times as much. '//advice)
+                          ' of torque. '//rough//'. '//advice)
       end if
    end subroutine note_bowed_pipe
 

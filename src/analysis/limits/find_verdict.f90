@@ -77,8 +77,7 @@ contains
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
-            if (block_way(load_case%operation) < 0) &
-               call note_left_out(result%left_out_friction, result%hookload, verdict)
+            if (block_way(load_case%operation) < 0) call note_left_out(result%left_out_friction, result%hookload, verdict)
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)
@@ -274,7 +273,8 @@ contains
       type(whole_string_type), intent(in) :: whole
       type(verdict_type), intent(inout) :: verdict
       real(wp) :: share
-      if (.not. whole%wob_yield%present .or. load_case%wob < 0.0_wp) return       ! a pull compresses nothing
+      if (.not. whole%wob_yield%present) return
+      if (load_case%wob < 0.0_wp .and. .not. whole%helical_length > 0.0_wp) return      ! a pull, no compression by drag
       share = 2.0_wp
       if (whole%wob_yield%value > 0.0_wp) share = load_case%wob/whole%wob_yield%value
       if (share > 1.0_wp) then
@@ -317,6 +317,7 @@ contains
          end if
          share = weight_share(model, load_case, result)
          takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp
+         verdict%weight_judged = takes_weight .and. block_way(load_case%operation) <= 0
          if (passed == limit_string_weight .or. (takes_weight .and. is_most(share, verdict))) then
             verdict%limit = limit_string_weight
             verdict%used = optional_real(weight > 0.0_wp, share)

@@ -8,7 +8,8 @@ module dg_verdict
    implicit none
    private
    public :: verdict_type, note_uncertain, note_left_out, take_name, &
-             is_near_by_friction, nearness, little_reserve, answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
+             is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
+             answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
              limit_packer_force, limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
@@ -37,8 +38,9 @@ module dg_verdict
 
    !> Friction reserve below which the answer is near its limit [-].
    real(wp), parameter :: little_reserve = 1.1_wp
-   !> Largest ratio of the friction that smeared joints leave out, by beams with joints one by one, to its rough number [-].
-   real(wp), parameter :: roughest = 5.0_wp
+   !> Ratio of the friction that smeared joints leave out, by beams with joints one by one, to its rough number [-]. Near lock-up
+   !> it may be 20, where a friction reserve below `few_joints` tells of it.
+   real(wp), parameter :: roughest = 5.0_wp, few_joints = 1.15_wp
 
    type :: verdict_type
       integer :: answer = answer_unknown
@@ -51,6 +53,7 @@ module dg_verdict
       logical :: not_checked(every_limit_count) = .false.   !< limits that apply here and have no rating
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
+      logical :: weight_judged = .false.            !< string weight is one of the limits
       logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< friction of the answer
@@ -93,12 +96,14 @@ contains
    end subroutine note_uncertain
 
    !> Mark a yes of a string that goes down as uncertain where smeared tool joints may leave out more friction than its hook
-   !> load.
+   !> load. `verdict` has its friction reserve.
    elemental subroutine note_left_out(friction, hookload, verdict)
       real(wp), intent(in) :: friction         !< rough number, huge: lock-up [N]
       real(wp), intent(in) :: hookload         !< [N]
       type(verdict_type), intent(inout) :: verdict
-      if (verdict%answer == answer_yes .and. friction > 0.0_wp) verdict%joints_uncertain = friction > hookload/roughest
+      if (verdict%answer /= answer_yes .or. .not. friction > 0.0_wp) return
+      verdict%joints_uncertain = friction > hookload/roughest
+      if (verdict%friction_reserve%present .and. verdict%friction_reserve%value < few_joints) verdict%joints_uncertain = .true.
    end subroutine note_left_out
 
    !> Take the name of the component where the limit is used most.
@@ -116,6 +121,20 @@ contains
       if (near) near = verdict%friction_reserve%value < little_reserve
       if (near .and. verdict%used%present) near = verdict%used%value*verdict%friction_reserve%value < 1.0_wp
    end function is_near_by_friction
+
+   !> True for a yes that the results do not prove.
+   elemental function is_uncertain(verdict) result(uncertain)
+      type(verdict_type), intent(in) :: verdict
+      logical :: uncertain
+      uncertain = verdict%answer == answer_yes .and. (verdict%uncertain > 0.0_wp .or. verdict%joints_uncertain)
+   end function is_uncertain
+
+   !> True for a yes without any limit.
+   elemental function is_without_check(verdict) result(without)
+      type(verdict_type), intent(in) :: verdict
+      logical :: without
+      without = verdict%answer == answer_yes .and. verdict%limit == 0 .and. .not. verdict%weight_judged
+   end function is_without_check
 
    !> Nearness of a yes to its limit [-]: 1 is at the limit, 0 not known.
    elemental function nearness(verdict) result(near)

@@ -6,7 +6,7 @@ module dg_unusual_survey
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of, turn_between
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_length
+   use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_diameter, unit_length
    implicit none
    private
    public :: note_survey
@@ -127,7 +127,8 @@ contains
             in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
             in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
             in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
-            in_units(units, unit_curvature, usual_here, few_digits)//'. Check depths, angles and their units'// &
+            in_units(units, unit_curvature, at_most(units, unit_curvature, usual_here, few_digits), few_digits)// &
+            '. Check depths, angles and their units'// &
             either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
                    abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
          place = 0

@@ -3,7 +3,8 @@ module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: heaviest_mud, in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, unit_length, &
+   use dg_unit_kind, only: at_most, heaviest_mud, &
+                           in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, unit_length, &
                            unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature
    use dg_units, only: unit_system_type
    implicit none
@@ -84,8 +85,8 @@ contains
       character(:), allocatable :: range
       associate (low => usual(number)%low, high => usual(number)%high)
          if (.not. is_unusual(number, value)) return
-         range = 'at least '//value_text(low, few_digits)
-         if (value > high) range = 'at most '//value_text(high, few_digits)
+         range = 'at least '//value_text(low, digits)
+         if (value > high) range = 'at most '//value_text(at_most(units, usual(number)%unit, high, few_digits), few_digits)
       end associate
       call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value, digits)// &
                        ' is unusual. Usual is '//range// &

@@ -13,8 +13,8 @@ module dg_verdict_text
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, is_near_by_friction, limit_fatigue, limit_joint_fatigue, limit_lock_up, &
-                         limit_string_weight, little_reserve, limit_title, limit_wob_yield, verdict_type
+                         friction_upper_end_alone, is_near_by_friction, is_without_check, limit_fatigue, limit_joint_fatigue, &
+                         limit_lock_up, limit_string_weight, little_reserve, limit_title, limit_wob_yield, verdict_type
    implicit none
    private
    public :: task_text, reserve_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
@@ -29,7 +29,7 @@ module dg_verdict_text
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
-   !> Friction reserve below which the text says 'already' and has one digit more [-]. Reserves are found to 0.001, rounded down.
+   !> Friction reserve below which the text has no factor [-]. Reserves are found to 0.001, rounded down.
    real(wp), parameter :: no_reserve = 1.001_wp
 
 contains
@@ -69,9 +69,14 @@ contains
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case (limit_wob_yield)
-         text = 'Compressed pipe yields, its buckling counted: WOB '//force_text(units, load_case%wob)//', '// &
-                force_text(units, at_most(units, unit_force, verdict%allowed%value, shown))//' allowed by the soft string. '// &
-                'Model mcge solves its bending'
+         text = 'Compressed pipe yields, its buckling counted'
+         if (verdict%allowed%value > 0.0_wp) then
+            text = text//': WOB '//force_text(units, load_case%wob)//', '// &
+                   force_text(units, at_most(units, unit_force, verdict%allowed%value, shown))//' allowed by the soft string. '
+         else
+            text = text//', also without WOB, by the soft string. '
+         end if
+         text = text//'Model mcge solves its bending'
       case default
          text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
                 load_text(units, verdict%limit, verdict%load%value)
@@ -198,7 +203,7 @@ contains
          if (verdict%friction == friction_upper_end_alone) then
             text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
          else if (verdict%weight_alone) then
-            text = text//'. String weight is enough at about '//times_text(verdict, verdict%possible_friction%value)
+            text = text//'. String weight is enough below about '//times_text(verdict, verdict%possible_friction%value)
          else
             text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
@@ -228,7 +233,7 @@ contains
       character(:), allocatable :: text
       logical :: by_wob
       if (verdict%limit == 0) then
-         text = 'Nothing is checked, as the deck gives no limit'
+         text = either('Nothing is checked, as the deck gives no limit', 'String weight is enough', is_without_check(verdict))
          return
       end if
       if (is_near_by_friction(verdict)) then

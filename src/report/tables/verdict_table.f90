@@ -8,7 +8,7 @@ module dg_verdict_table
    use dg_text, only: append_text, either, text_type, to_text
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
-                         is_near_by_friction, limit_title, nearness
+                         is_near_by_friction, is_uncertain, is_without_check, limit_title, nearness
    use dg_verdict_text, only: reserve_text, task_text, used_text, verdict_sentences
    use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
@@ -74,16 +74,22 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       character(:), allocatable :: text, lead
-      logical :: shown(size(results)), near(size(results)), bare(size(results))
+      logical :: shown(size(results)), near(size(results)), bare(size(results)), doubtful(size(results))
       integer :: k
       text = ''
       shown = results%model == leading_model(job)
       if (count(shown) < 2) return
       near = shown .and. wholes%verdict%answer == answer_yes
       text = 'None of '//to_text(count(shown))//' can be done.'
-      bare = near .and. wholes%verdict%limit == 0
-      if (any(near)) text = to_text(count(near))//' of '//to_text(count(shown))//': yes'// &
-                            either(', '//to_text(count(bare))//' of them without a check.', '.', any(bare))
+      bare = near .and. is_without_check(wholes%verdict)
+      doubtful = near .and. is_uncertain(wholes%verdict)
+      if (any(near)) then
+         text = to_text(count(near))//' of '//to_text(count(shown))//': yes'
+         if (any(bare)) text = text//', '//either('', to_text(count(bare))//' of them ', all(bare .eqv. near))//'without a check'
+         if (any(doubtful)) text = text//', '//either('', to_text(count(doubtful))//' of them ', all(doubtful .eqv. near))// &
+                                   'UNCERTAIN'
+         text = text//'.'
+      end if
       text = text//named('NO', answer_no)//named('No solution', answer_unknown)
       do k = 1, size(results)
          near(k) = near(k) .and. nearness(wholes(k)%verdict) > 0

@@ -24,6 +24,8 @@ module dg_component
    real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Largest tilt of a bit in its own cut [-]: more than by the largest bend, 5 deg.
    real(wp), parameter :: most_tilt = 0.1_wp
+   !> Longest bit whose gauge may be narrower than its hole [m]: reamers above bits are components of their own.
+   real(wp), parameter :: longest_bit = 1.5_wp
    !> Round-off of depths [m]: a tool whose upper end is higher than its depth of opening by less is open.
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
    !> Shortest component, tool joint or hole section [m], as each has its contact and its nodes.
@@ -234,16 +236,17 @@ contains
       if (.not. room > 0.0_wp) room = least_clearance
    end function room_of
 
-   !> Clearance [m] of a bit whose lower end is held in the middle of its hole. One as wide as its hole cuts all along its
-   !> gauge. Drilling ahead with a tilt it makes a hole wider by tilt times gauge. Its gauge therefore does not hold it against
-   !> the wall, and it may tilt. So may a narrower bit. Its end on the axis and its gauge at the wall would be a clamp, which
-   !> no hole is. A bit in casing would have ten times the side force.
+   !> Clearance [m] of a bit whose lower end is held in the middle of its hole. Its gauge does not touch, so that it may tilt. Its
+   !> end on the axis and its gauge at the wall would be a clamp, which no hole is. A bit in casing would have ten times the
+   !> side force. A bit as wide as its hole makes a hole wider by tilt times gauge as it drills ahead. A component that is
+   !> longer than a bit, and narrower than its hole, touches the wall.
    elemental function room_of_held_bit(component, half_difference) result(room)
       type(component_type), intent(in) :: component
       real(wp), intent(in) :: half_difference   !< (D - d)/2 [m]
       real(wp) :: room
       room = room_of(half_difference)
-      if (is_bit(component)) room = max(room, most_tilt*component%length)
+      if (is_bit(component) .and. (component%length <= longest_bit .or. .not. half_difference > least_clearance)) &
+         room = max(room, most_tilt*component%length)
    end function room_of_held_bit
 
    !> True for coiled tubing, which cannot be turned.

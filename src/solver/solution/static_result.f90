@@ -262,7 +262,9 @@ contains
          call add_message(result, 'Contact force uncertain by '//percents//place//': '// &
                           in_units(units, unit_force, found%by_analysis, shown)//' by the elements of hook load and torque, '// &
                           in_units(units, unit_force, found%by_beam, shown)//' by the shorter ones of moments and side '// &
-                          'forces. '//either('Side forces and moments there', 'Drag', result%coiled)//' may be off by '//percents)
+                          'forces. '// &
+                          either('Side forces and moments'//either('', ' there', place == ''), 'Drag', result%coiled)// &
+                          ' may be off by '//percents)
       end associate
    end subroutine warn_of_contact
 

@@ -150,7 +150,7 @@ contains
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: number      !< of the friction factor
       character(:), allocatable :: text
-      text = 'friction of the hole'
+      text = 'friction of &hole'
       if (.not. sweep%frictions(number)%present) return
       text = 'friction '
       if (allocated(sweep%frictions_cased)) text = text//to_text(sweep%frictions_cased(number), digits)//' cased, open '
