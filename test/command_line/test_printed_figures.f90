@@ -194,6 +194,9 @@ contains
       run = run_deck_text(tubing('pump_pressure = 20, temperature_change_top = 80, temperature_change_bottom = 80'))
       call assertTrue(index(run%output, newline//'case  NO  ') > 0, message=run%output)
       call assertEqual(-top_force(), value_after(run%output, 'The top must be held down with '), 0.5_wp, 'force on the hanger')
+      run = run_deck_text(replaced(tubing('pump_pressure = 20, temperature_change_top = 80, temperature_change_bottom = 80, '// &
+                                          'annulus_pressure = 4'), '&fluid', '&fluid surface_pressure = 3,'))
+      call assertEqual(-top_force(), value_after(run%output, 'The top must be held down with '), 0.5_wp, 'with annulus pressure')
    contains
       !> Deck of tubing that is set on a packer, then pumped through.
       function tubing(loads) result(text)

@@ -173,15 +173,23 @@ contains
       real(wp) :: pressure
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp) return
-      pressure = model%cases(case_index)%annulus_pressure
-      ! only the uppermost fluid of the annulus may have a pressure
-      if (allocated(model%mud%fluids)) pressure = pressure + maxval([0.0_wp, model%mud%fluids%surface_pressure])
+      pressure = annulus_at_surface(model, case_index)
       if (.not. pressure > 0.0_wp) return
       associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
          push = pressure* &
                 tube_area(string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))%od, 0.0_wp)
       end associate
    end function surface_push
+
+   !> Pressure of the annulus at surface [Pa].
+   pure function annulus_at_surface(model, case_index) result(pressure)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp) :: pressure
+      pressure = model%cases(case_index)%annulus_pressure
+      ! only the uppermost fluid of the annulus may have a pressure
+      if (allocated(model%mud%fluids)) pressure = pressure + maxval([0.0_wp, model%mud%fluids%surface_pressure])
+   end function annulus_at_surface
 
    !> True for tubing in its hanger: it has a packer, and an earlier load case has set it.
    elemental function is_hung(model, load_case) result(hung)
@@ -202,7 +210,8 @@ contains
          if (.not. is_hung(model, load_case)) return
          associate (string => model%strings(string_index(model%strings, load_case%string)))
             associate (top => string%components(topmost(component_tops(string, load_case%bit_depth))))
-               pull = load_case%pump_pressure*tube_area(top%id, 0.0_wp) - load_case%annulus_pressure*tube_area(top%od, 0.0_wp)
+               pull = load_case%pump_pressure*tube_area(top%id, 0.0_wp) &
+                      - annulus_at_surface(model, case_index)*tube_area(top%od, 0.0_wp)
             end associate
          end associate
       end associate

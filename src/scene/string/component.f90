@@ -24,7 +24,7 @@ module dg_component
    real(wp), parameter :: least_clearance = 0.25e-3_wp
    !> Largest tilt of a bit in its own cut [-]: more than by the largest bend, 5 deg.
    real(wp), parameter :: most_tilt = 0.1_wp
-   !> Longest bit whose gauge may be narrower than its hole [m]: reamers above bits are components of their own.
+   !> Longest bit that may tilt in a wider hole [m].
    real(wp), parameter :: longest_bit = 1.5_wp
    !> Round-off of depths [m]: a tool whose upper end is higher than its depth of opening by less is open.
    real(wp), parameter :: depth_round_off = 1.0e-6_wp
