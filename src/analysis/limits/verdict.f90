@@ -39,8 +39,8 @@ module dg_verdict
    !> Friction reserve below which the answer is near its limit [-].
    real(wp), parameter :: little_reserve = 1.1_wp
    !> Ratio of the friction that smeared joints leave out, by beams with joints one by one, to its rough number [-]. Near lock-up
-   !> it may be 20, where a friction reserve below `few_joints` tells of it.
-   real(wp), parameter :: roughest = 5.0_wp, few_joints = 1.15_wp
+   !> it may be 20, where a friction reserve below `joints_reserve` tells of it.
+   real(wp), parameter :: roughest = 5.0_wp, joints_reserve = 1.15_wp
 
    type :: verdict_type
       integer :: answer = answer_unknown
@@ -103,7 +103,7 @@ contains
       type(verdict_type), intent(inout) :: verdict
       if (verdict%answer /= answer_yes .or. .not. friction > 0.0_wp) return
       verdict%joints_uncertain = friction > hookload/roughest
-      if (verdict%friction_reserve%present .and. verdict%friction_reserve%value < few_joints) verdict%joints_uncertain = .true.
+      if (verdict%friction_reserve%present .and. verdict%friction_reserve%value < joints_reserve) verdict%joints_uncertain = .true.
    end subroutine note_left_out
 
    !> Take the name of the component where the limit is used most.

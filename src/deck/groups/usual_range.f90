@@ -3,9 +3,9 @@ module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: at_most, heaviest_mud, &
-                           in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, unit_length, &
-                           unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature
+   use dg_unit_kind, only: at_most, heaviest_mud, in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, &
+                           unit_length, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, &
+                           unit_temperature
    use dg_units, only: unit_system_type
    implicit none
    private

@@ -101,18 +101,10 @@ contains
                           (wholes%rig_margin), nowhere, .false.)
       call append_extreme(lines, units, names, 'Least margin to make-up', quantity_moment, 2, &
                           (wholes%makeup_margin), (wholes%makeup_margin_md), .false.)
-      deciders = names
-      do i = 1, size(results)
-         if (wholes(i)%buckling_margin%present .and. wholes(i)%buckling_margin%value < 0.0_wp) &
-            deciders(i)%text = names(i)%text//', buckled'
-      end do
+      deciders = noted(names, wholes%buckling_margin%present .and. wholes%buckling_margin%value < 0.0_wp, ', buckled')
       call append_extreme(lines, units, deciders, 'Least margin to buckling', quantity_force, 1, &
                           (wholes%buckling_margin), (wholes%buckling_margin_md), .false.)
-      deciders = names
-      do i = 1, size(results)
-         if (wholes(i)%wob_buckling%present .and. .not. wholes(i)%wob_buckling%value > 0.0_wp) &
-            deciders(i)%text = names(i)%text//', buckles without WOB'
-      end do
+      deciders = noted(names, wholes%wob_buckling%present .and. .not. wholes%wob_buckling%value > 0.0_wp, ', buckles without WOB')
       call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, &
                           (wholes%wob_buckling), nowhere, .false.)
       do i = 1, size(results)
@@ -151,6 +143,18 @@ contains
          call append_jars(lines, units, model, results(i), names(i)%text)
       end do
    end subroutine append_block
+
+   !> Names with a note behind some of them.
+   pure function noted(names, some, note) result(longer)
+      type(text_type), intent(in) :: names(:)
+      logical, intent(in) :: some(:)             !< as many
+      character(*), intent(in) :: note
+      type(text_type) :: longer(size(names))
+      integer :: i
+      do i = 1, size(names)
+         longer(i)%text = names(i)%text//either(note, '', some(i))
+      end do
+   end function noted
 
    !> A depth or length without decimals.
    pure function whole_depth(units, md) result(text)

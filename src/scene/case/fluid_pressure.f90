@@ -170,16 +170,25 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp) :: push
+      type(component_type) :: top
       real(wp) :: pressure
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp) return
       pressure = annulus_at_surface(model, case_index)
       if (.not. pressure > 0.0_wp) return
-      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         push = pressure* &
-                tube_area(string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))%od, 0.0_wp)
-      end associate
+      top = top_component(model, case_index)
+      push = pressure*tube_area(top%od, 0.0_wp)
    end function surface_push
+
+   !> Component of the string at surface, of a survey that begins there.
+   pure function top_component(model, case_index) result(top)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(component_type) :: top
+      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
+         top = string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))
+      end associate
+   end function top_component
 
    !> Pressure of the annulus at surface [Pa].
    pure function annulus_at_surface(model, case_index) result(pressure)
@@ -205,15 +214,11 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp) :: pull
+      type(component_type) :: top
       pull = 0.0_wp
-      associate (load_case => model%cases(case_index))
-         if (.not. is_hung(model, load_case)) return
-         associate (string => model%strings(string_index(model%strings, load_case%string)))
-            associate (top => string%components(topmost(component_tops(string, load_case%bit_depth))))
-               pull = load_case%pump_pressure*tube_area(top%id, 0.0_wp) &
-                      - annulus_at_surface(model, case_index)*tube_area(top%od, 0.0_wp)
-            end associate
-         end associate
-      end associate
+      if (.not. is_hung(model, model%cases(case_index))) return
+      top = top_component(model, case_index)
+      pull = model%cases(case_index)%pump_pressure*tube_area(top%id, 0.0_wp) &
+             - annulus_at_surface(model, case_index)*tube_area(top%od, 0.0_wp)
    end function hanger_pull
 end module dg_fluid_pressure
