@@ -13,7 +13,7 @@ module dg_test_run_outcome
    use dg_uncertainty_study, only: note_uncertainty
    use dg_sweep, only: sweep_type
    use dg_sweep_result, only: sweep_result_type
-   use dg_sweep_table, only: sweep_sentences
+   use dg_sweep_sentences, only: append_warned, sweep_sentences
    use dg_text, only: text_list, text_type
    use dg_uncertainty, only: uncertainty_type
    use dg_utilisation, only: limit_rig
@@ -149,6 +149,23 @@ contains
       points(3)%limit = limit_rig
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
       call assertEqual('Sweep b, model soft: Cannot be done at 1200 m: up, friction 0.25 (rig)', lines(1)%text)
+      deallocate (lines)
+      ! warnings of points that can be done: two of one kind, one of another; a point that cannot be done is not counted
+      points(1)%message = 'Compression is 12 times the load'
+      points(3)%message = 'Compression is 14 times the load'
+      points(6)%message = 'Compression is 13 times the load'
+      points(8)%message = 'Contact is rough. Allow 3 %'
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: Cannot be done at 1200 m: up, friction 0.25 (rig). Points with a warning: 3, see '// &
+                       'column message of its file', lines(1)%text)
+      deallocate (lines)
+      allocate (lines(0))
+      call append_warned(lines, si_units(), sample_sweep(), points, 1)
+      call assertEqual(2, size(lines))
+      call assertEqual('WARNING at 2 points of model soft, the deepest at 1100 m, down, friction 0.25: '// &
+                       'Compression is 13 times the load', lines(1)%text)
+      call assertEqual('WARNING at 1 point of model soft, at 1300 m, down, friction 0.25: Contact is rough. Allow 3 %', &
+                       lines(2)%text)
    end subroutine test_sentences
 
    !> A row a point, with the first sample that failed there.

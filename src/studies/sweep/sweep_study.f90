@@ -20,7 +20,8 @@ module dg_sweep_study
    use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
    use dg_sweep_points, only: add_indicator, add_limits, point_text, solve_points
-   use dg_sweep_table, only: sweep_sentences, sweep_table
+   use dg_sweep_sentences, only: sweep_sentences
+   use dg_sweep_table, only: sweep_table
    use dg_text, only: joined, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_load_case, only: operation_name

@@ -11,23 +11,21 @@ module dg_sweep_table
    use dg_number_text, only: fixed_cell, left_aligned, page_width, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
+   use dg_sweep_sentences, only: append_passed, append_warned
    use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
    use dg_units, only: unit_system_type
-   use dg_verdict, only: answer_no, answer_yes, limit_title
+   use dg_verdict, only: answer_yes
    use dg_verdict_text, only: mark_meaning, row_mark
    implicit none
    private
-   public :: sweep_table, sweep_sentences
+   public :: sweep_table
 
    integer, parameter :: depth_width = 10
    integer, parameter :: label_width = 18
    !> Points without solution that are listed.
    integer, parameter :: most_lost = 10
-   !> Limits that a sentence tells.
-   integer, parameter :: most_passed = 6
-   integer, parameter :: depth_digits = 7
    !> Digits behind the point.
    integer, parameter :: hookload_digits = 1, torque_digits = 2
 
@@ -63,6 +61,9 @@ contains
       end do
       if (any(answer_of(points) /= answer_yes)) call append_text(lines, mark_meaning// &
          either('. Hook load without the block decides', '', any(.not. is_missing(points%weight_indicator))))
+      do m = 1, size(sweep%models)
+         call append_warned(lines, units, sweep, points, m)
+      end do
       call append_lost(lines, units, sweep, points)
    end function sweep_table
 
@@ -235,78 +236,6 @@ contains
       character(:), allocatable :: word
       word = label(:index(label//' ', ' ') - 1)
    end function first_word
-
-   !> Sentences on a sweep for the top of a page, one a model: which limits it passes, and where first.
-   pure function sweep_sentences(units, sweep, points) result(lines)
-      type(unit_system_type), intent(in) :: units
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)
-      type(text_type), allocatable :: lines(:), passed(:)
-      character(:), allocatable :: text
-      integer :: m, i
-      allocate (lines(0))
-      do m = 1, size(sweep%models)
-         text = 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(m)))//': '
-         if (allocated(passed)) deallocate (passed)
-         allocate (passed(0))
-         call append_passed(passed, units, sweep, points, m)
-         if (size(passed) > 0) then
-            text = text//passed(1)%text
-            do i = 2, min(size(passed), most_passed)
-               text = text//'. '//passed(i)%text
-            end do
-            if (size(passed) > most_passed) text = text//'. '//to_text(size(passed) - most_passed)//' more in its table'
-         else if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
-                             is_missing(points%overpull_margin))) then
-            text = text//'can be done. No limit of rig or string is passed'
-         else
-            text = text//'can be done by string weight. No limits of rig or string are known'
-         end if
-         call append_text(lines, text)
-      end do
-   end function sweep_sentences
-
-   !> Depth from which an operation of a model cannot be done at a friction factor, and the limit that is passed there.
-   pure subroutine append_passed(lines, units, sweep, points, model)
-      type(text_type), allocatable, intent(inout) :: lines(:)
-      type(unit_system_type), intent(in) :: units
-      type(sweep_type), intent(in) :: sweep
-      type(sweep_result_type), intent(in) :: points(:)
-      integer, intent(in) :: model
-      character(:), allocatable :: place
-      logical :: there(size(sweep%depths))
-      integer :: o, f, first, upper, lower
-      do o = 1, size(sweep%operations)
-         do f = 1, size(sweep%frictions)
-            first = point_number(sweep, point_type(model, o, f, 1))
-            there = answer_of(points(first:first + size(there) - 1)) == answer_no
-            if (.not. any(there)) cycle
-            upper = findloc(there, .true., dim=1)
-            lower = findloc(there, .true., dim=1, back=.true.)
-            place = 'from '//depth_text(upper)
-            if (upper == 1) place = place//', the least depth of the sweep'
-            if (lower < size(there)) place = place//either(',', '', upper == 1)//' to '//depth_text(lower)
-            if (.not. all(there(upper:lower))) place = place//', with gaps'
-            if (all(there)) place = 'at any depth from '//depth_text(upper)//' to '//depth_text(lower)
-            if (lower == upper .and. (lower < size(there) .or. upper == 1)) place = 'at '//depth_text(upper)
-            call append_text(lines, 'Cannot be done '//place//': '//trim(operation_label(sweep%operations(o)))//', '// &
-                             friction_text(f)//' ('//trim(limit_title(points(first + upper - 1)%limit))//')')
-         end do
-      end do
-   contains
-      pure function depth_text(number) result(text)
-         integer, intent(in) :: number       !< of a depth
-         character(:), allocatable :: text
-         text = to_text(sweep%depths(number)/units%length, depth_digits)//' '//trim(units%length_label)
-      end function depth_text
-
-      pure function friction_text(number) result(text)
-         integer, intent(in) :: number       !< of a friction factor
-         character(:), allocatable :: text
-         text = 'friction of &hole'
-         if (sweep%frictions(number)%present) text = 'friction '//factor_text(sweep, number)
-      end function friction_text
-   end subroutine append_passed
 
    pure function quantity_text(units, quantity, indicated) result(text)
       type(unit_system_type), intent(in) :: units

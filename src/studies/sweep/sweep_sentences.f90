@@ -1,0 +1,173 @@
+!> What a sweep says in sentences: limits that it passes, and where first; warnings of its points.
+module dg_sweep_sentences
+   use dg_kinds, only: wp
+   use dg_job, only: model_name
+   use dg_load_case, only: operation_label
+   use dg_measured_table, only: factor_text
+   use dg_missing, only: is_missing
+   use dg_number_text, only: append_wrapped, page_width
+   use dg_sweep, only: point_at, point_number, point_type, sweep_type
+   use dg_sweep_result, only: answer_of, sweep_result_type
+   use dg_text, only: append_text, either, text_type, to_text
+   use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_no, answer_yes, limit_title
+   implicit none
+   private
+   public :: append_passed, append_warned, sweep_sentences
+
+   !> Limits that a sentence tells.
+   integer, parameter :: most_passed = 6
+   integer, parameter :: depth_digits = 7
+
+contains
+
+   !> Sentences on a sweep for the top of a page, one a model: which limits it passes, and where first.
+   pure function sweep_sentences(units, sweep, points) result(lines)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      type(text_type), allocatable :: lines(:), passed(:)
+      character(:), allocatable :: text
+      integer :: m, i, warned
+      allocate (lines(0))
+      do m = 1, size(sweep%models)
+         text = 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(m)))//': '
+         if (allocated(passed)) deallocate (passed)
+         allocate (passed(0))
+         call append_passed(passed, units, sweep, points, m)
+         if (size(passed) > 0) then
+            text = text//passed(1)%text
+            do i = 2, min(size(passed), most_passed)
+               text = text//'. '//passed(i)%text
+            end do
+            if (size(passed) > most_passed) text = text//'. '//to_text(size(passed) - most_passed)//' more in its table'
+         else if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
+                             is_missing(points%overpull_margin))) then
+            text = text//'can be done. No limit of rig or string is passed'
+         else
+            text = text//'can be done by string weight. No limits of rig or string are known'
+         end if
+         warned = count(is_warned(points) .and. points_of_model(sweep, m))
+         if (warned > 0) text = text//'. Points with a warning: '//to_text(warned)//', see column message of its file'
+         call append_text(lines, text)
+      end do
+   end function sweep_sentences
+
+   !> Depth from which an operation of a model cannot be done at a friction factor, and the limit that is passed there.
+   pure subroutine append_passed(lines, units, sweep, points, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      character(:), allocatable :: place
+      logical :: there(size(sweep%depths))
+      integer :: o, f, first, upper, lower
+      do o = 1, size(sweep%operations)
+         do f = 1, size(sweep%frictions)
+            first = point_number(sweep, point_type(model, o, f, 1))
+            there = answer_of(points(first:first + size(there) - 1)) == answer_no
+            if (.not. any(there)) cycle
+            upper = findloc(there, .true., dim=1)
+            lower = findloc(there, .true., dim=1, back=.true.)
+            place = 'from '//depth_text(units, sweep, upper)
+            if (upper == 1) place = place//', the least depth of the sweep'
+            if (lower < size(there)) place = place//either(',', '', upper == 1)//' to '//depth_text(units, sweep, lower)
+            if (.not. all(there(upper:lower))) place = place//', with gaps'
+            if (all(there)) place = 'at any depth from '//depth_text(units, sweep, upper)//' to '//depth_text(units, sweep, lower)
+            if (lower == upper .and. (lower < size(there) .or. upper == 1)) place = 'at '//depth_text(units, sweep, upper)
+            call append_text(lines, 'Cannot be done '//place//': '//trim(operation_label(sweep%operations(o)))//', '// &
+                             friction_text(sweep, f)//' ('//trim(limit_title(points(first + upper - 1)%limit))//')')
+         end do
+      end do
+   end subroutine append_passed
+
+   !> Warnings of the points of a model that can be done. Warnings are of one kind if they are alike up to the first number. Each
+   !> kind has one line, with the warning of its deepest point.
+   pure subroutine append_warned(lines, units, sweep, points, model)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      type(sweep_result_type), intent(in) :: points(:)
+      integer, intent(in) :: model
+      logical :: left(size(points)), alike(size(points))
+      type(point_type) :: point
+      character(:), allocatable :: kind
+      integer :: i, deepest
+      left = is_warned(points) .and. points_of_model(sweep, model)
+      do while (any(left))
+         kind = kind_of(points(findloc(left, .true., dim=1))%message)
+         alike = .false.
+         deepest = 0
+         do i = 1, size(points)
+            if (.not. left(i)) cycle
+            alike(i) = kind_of(points(i)%message) == kind
+            if (.not. alike(i)) cycle
+            point = point_at(sweep, i)
+            if (deepest > 0) then
+               if (sweep%depths(point%depth) < depth_of(deepest)) cycle
+            end if
+            deepest = i
+         end do
+         left = left .and. .not. alike
+         point = point_at(sweep, deepest)
+         call append_wrapped(lines, '', 'WARNING at '//to_text(count(alike))//either(' point', ' points', count(alike) == 1)// &
+                          ' of model '//trim(model_name(sweep%models(model)))//either(', ', ', the deepest ', count(alike) == 1)// &
+                          'at '//depth_text(units, sweep, point%depth)//', '// &
+                          trim(operation_label(sweep%operations(point%operation)))//', '// &
+                          friction_text(sweep, point%friction)//': '//points(deepest)%message, page_width)
+      end do
+   contains
+      pure function depth_of(number) result(depth)
+         integer, intent(in) :: number
+         real(wp) :: depth
+         type(point_type) :: there
+         there = point_at(sweep, number)
+         depth = sweep%depths(there%depth)
+      end function depth_of
+   end subroutine append_warned
+
+   !> True for a point that can be done, and has a warning.
+   elemental function is_warned(point) result(warned)
+      type(sweep_result_type), intent(in) :: point
+      logical :: warned
+      warned = answer_of(point) == answer_yes .and. allocated(point%message)
+      if (warned) warned = point%message /= ''
+   end function is_warned
+
+   !> True for the points of a model.
+   pure function points_of_model(sweep, model) result(are)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: model
+      logical :: are(size(sweep%models)*size(sweep%operations)*size(sweep%frictions)*size(sweep%depths))
+      type(point_type) :: point
+      integer :: i
+      do i = 1, size(are)
+         point = point_at(sweep, i)
+         are(i) = point%model == model
+      end do
+   end function points_of_model
+
+   !> Text of a warning before its first number.
+   pure function kind_of(message) result(kind)
+      character(*), intent(in) :: message
+      character(:), allocatable :: kind
+      kind = message(:scan(message//'0', '0123456789') - 1)
+   end function kind_of
+
+   pure function depth_text(units, sweep, number) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number       !< of a depth
+      character(:), allocatable :: text
+      text = to_text(sweep%depths(number)/units%length, depth_digits)//' '//trim(units%length_label)
+   end function depth_text
+
+   pure function friction_text(sweep, number) result(text)
+      type(sweep_type), intent(in) :: sweep
+      integer, intent(in) :: number       !< of a friction factor
+      character(:), allocatable :: text
+      text = 'friction of &hole'
+      if (sweep%frictions(number)%present) text = 'friction '//factor_text(sweep, number)
+   end function friction_text
+end module dg_sweep_sentences
