@@ -18,6 +18,7 @@ module dg_test_string_limits
    use dg_profile, only: new_profile, side_above, side_below, side_none
    use dg_soft_string, only: solve_soft_string
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
+   use dg_unchecked_text, only: uncertain_codes
    use dg_verdict, only: answer_no, answer_yes, nearness, note_left_out, verdict_type
    use dg_whole_string, only: find_whole_string, neutral_points_of, whole_string_type
    implicit none
@@ -67,8 +68,12 @@ contains
       verdict = verdict_type(answer=answer_yes)
       call note_left_out(0.0_wp, 1.0_wp, verdict)
       call assertFalse(verdict%joints_uncertain, message='nothing is left out')
+      call assertEqual('', uncertain_codes(verdict))
       call note_left_out(huge(1.0_wp), 1.0e6_wp, verdict)
       call assertTrue(verdict%joints_uncertain, message='lock-up')
+      call assertEqual('tool_joints', uncertain_codes(verdict))
+      verdict%uncertain = 0.1_wp
+      call assertEqual('contact_force tool_joints', uncertain_codes(verdict))
       verdict = verdict_type(answer=answer_yes, friction_reserve=given(1.1_wp))
       call note_left_out(1.0e3_wp, 51.0e3_wp, verdict)
       call assertTrue(verdict%joints_uncertain, message='near lock-up')

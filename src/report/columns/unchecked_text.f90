@@ -1,4 +1,4 @@
-!> Names of the limits that a verdict leaves open, as the deck gives no rating.
+!> Texts on what a verdict leaves open: limits without a rating in the deck, and what may turn a yes.
 module dg_unchecked_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
@@ -8,7 +8,7 @@ module dg_unchecked_text
    use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
    implicit none
    private
-   public :: unchecked_text, unchecked_codes
+   public :: unchecked_text, unchecked_codes, uncertain_codes
 
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
@@ -66,4 +66,12 @@ contains
          text = text//trim(limit_code(i))
       end do
    end function unchecked_codes
+
+   !> What may turn a yes into a no, as files have it, blanks between.
+   pure function uncertain_codes(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      text = either('contact_force', '', verdict%uncertain > 0.0_wp)
+      if (verdict%joints_uncertain) text = text//either(' ', '', text /= '')//'tool_joints'
+   end function uncertain_codes
 end module dg_unchecked_text

@@ -13,7 +13,7 @@ module dg_summary_file
    use dg_model, only: model_type
    use dg_named_states, only: state_elastic, state_free, state_rigid
    use dg_text, only: text_or_nothing
-   use dg_unchecked_text, only: unchecked_codes
+   use dg_unchecked_text, only: uncertain_codes, unchecked_codes
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_name, limit_code, verdict_type
    use dg_verdict_text, only: verdict_reason
@@ -109,6 +109,9 @@ contains
       call put(row, 'friction_reserve', quantity_none, &
                'factor on all friction at which the answer becomes no, by the soft string scaled to this result; empty for no '// &
                'and unknown, above 10, and for rotating beams in helical buckling', verdict%friction_reserve)
+      call put_filled(row, 'uncertain', quantity_text, &
+                      'what may turn a yes into a no: contact_force (its error), tool_joints (friction that smeared joints '// &
+                      'leave out); else empty', uncertain_codes(verdict))
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)
