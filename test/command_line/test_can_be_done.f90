@@ -51,7 +51,7 @@ contains
          "&hole name = 'casing', md_bottom = 8000, diameter = 8.681, friction = 0.20, cased = .true. /"//newline// &
          "&hole name = 'open', diameter = 8.5, friction = 0.30 /"//newline// &
          '&fluid density = 9.6 /'//newline// &
-         '&rig max_hookload = 500, max_torque = 30 /'//newline// &
+         '&rig max_hookload = 500, block_weight = 0, max_torque = 30 /'//newline// &
          "&component name = 'bit', kind = 'bit', length = 1, od = 6.0, joint_od = 8.5 /"//newline// &
          "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline// &
          "&component name = 'jar', kind = 'jar', length = 30, od = 6.5, id = 2.75 /"//newline// &
@@ -64,9 +64,9 @@ contains
    subroutine test_doubtful_deck()
       character(*), parameter :: line = 'There is 1 warning, on the deck. Read it before you use these answers.'
       type(run_type) :: run
-      run = run_deck_text(deck("operation = 'rotary'", .false.))
+      run = run_deck_text(deck("operation = 'rotary', wob = 20, tob = 5", .false.))
       call assertEqual(0, index(run%output, 'before you use these answers'), message=run%output)
-      run = run_deck_text(replaced(deck("operation = 'rotary'", .true.), 'yield = 135', 'yield = 931'))
+      run = run_deck_text(replaced(deck("operation = 'rotary', wob = 20, tob = 5", .true.), 'yield = 135', 'yield = 931'))
       call assertTrue(index(run%output, newline//line//newline) > 0, message=run%output)
       call assertTrue(index(content(results_path//'/report.html'), '<p class="note warn">'//line) > 0, message='on the page')
    end subroutine test_doubtful_deck

@@ -24,6 +24,8 @@ contains
       call suite%addTest(TestMethod('conditions', test_conditions))
       call suite%addTest(TestMethod('measured_and_block', test_measured))
       call suite%addTest(TestMethod('sections_and_collars', test_sections))
+      call suite%addTest(TestMethod('materials_and_places', test_materials))
+      call suite%addTest(TestMethod('rig_and_hole', test_rig))
    end function unusual_decks_suite
 
    !> A lateral in field units.
@@ -179,7 +181,7 @@ contains
       call mistake('&fluid', '&rig max_hookload = 70 /'//newline//'&fluid', &
                    'The rig carries 70 klbf, string and block weigh 156.5 klbf in mud without drag. Is its limit in tonnes? '// &
                    '70 t are 154.3 klbf')
-      call usual('&fluid', '&rig max_hookload = 154.3 /'//newline//'&fluid')
+      call usual('&fluid', '&rig max_hookload = 154.3, block_weight = 0 /'//newline//'&fluid')
       call mistake('wob = 20,', 'wob = 5,', &
                    'tob = 5 kft.lbf is large for wob = 5 klbf in a hole of 8.5 in. Usual is at most 4.7 '// &
                    'kft.lbf. Is wob in tonnes? 5 t are 11.02 klbf')
@@ -267,4 +269,55 @@ contains
       call usual(path, close//'47, 45, 45, azi = 7*178')
       call usual(path, close//'54, 63, 63, azi = 7*178')
    end subroutine test_sections
+
+   !> Pipe without its joints, its nominal weight, two materials, a wall as id, a tool as long as pipe or up to surface, a kind.
+   subroutine test_materials()
+      character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625', tool = "kind = 'collar', length = 90"
+      call mistake(pipe, 'od = 5, id = 4.276', "'DP': without joint_od and mass it is plain pipe. Tool joints add 12 to 35 % "// &
+                   'to its mass. Give both, or a name of the catalogue')
+      call mistake('mass = 20.87', 'mass = 19.5', "'DP': mass = 19.5 lbm/ft is little more than its tube has. Is it the "// &
+                   'nominal weight? Give the mass with tool joints, or a name of the catalogue')
+      call mistake(pipe, 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, youngs = 10', &
+                   "'DP': youngs = 10 and density = 65.51 lbm/gal are of two materials. Give both")
+      call mistake(pipe, 'od = 5, id = 0.362, mass = 66, joint_od = 6.625', &
+                   "'DP': id = 0.362 in leaves a wall of 2.319 in. Is id the wall? Then write id = 4.276")
+      call mistake(tool, "kind = 'motor', length = 3000", "'MWD' is 3000 ft long. Usual for a tool is at most 492.1 ft. Is a "// &
+                   'length mistyped?')
+      call mistake("name = 'DP',", "name = 'DP', length = 14000, od = 5, id = 4.276, mass = 20.87, joint_od = 6.625 /"// &
+                   newline//"&component name = 'top', kind = 'MWD', ", &
+                   "'top' has no length, so that it goes up to surface. List components from the bit upwards, or give its length")
+      call mistake("kind = 'collar'", "kind = 'coler'", "kind = 'coler' is not known. Did you mean 'collar'?")
+      call mistake("kind = 'collar'", "kind = 'drill coller'", "kind = 'drill coller' is not known. Did you mean 'collar'?")
+      call usual("kind = 'collar'", "kind = 'coring'")
+      call usual("kind = 'collar'", "kind = 'riser'")
+      call usual(pipe, 'od = 5, id = 4, density = 23.4, youngs = 10.4, mass = 10, joint_od = 6.625')
+   end subroutine test_materials
+
+   !> A limit with a block that is not given, an efficiency of the whole block, friction swapped or 0, wear, a survey in ft.
+   subroutine test_rig()
+      type(run_type) :: run
+      call mistake('&fluid', '&rig max_hookload = 500 / &fluid', 'group &rig: max_hookload counts the block in, and '// &
+                   'block_weight is not given. Give it, or 0 for a limit without block')
+      call usual('&fluid', '&rig max_hookload = 500, block_weight = 0 / &fluid')
+      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', 'sheave_efficiency = 0.85 is unusual. Usual '// &
+                   'is at least 0.93')
+      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', 'sheave_efficiency is that of one sheave. '// &
+                   'If it is of the whole block, write 0.975')
+      call usual('&fluid', '&rig lines = 12, sheave_efficiency = 0.975 / &fluid')
+      call mistake('friction = 0.20', 'friction = 0.60', 'friction = 0.6 in casing is above 0.3 of open hole ''open''. Are the '// &
+                   'two swapped?')
+      call mistake("operation = 'up',", "operation = 'up', friction = 0,", &
+                   'case ''up'': friction = 0, so that there is no drag. Leave it out for the friction of &hole')
+      call mistake(', wob = 20, tob = 5 ', ' ', 'case ''turn'' drills without wob and tob. Give both, or rotate_off_bottom')
+      call mistake('density = 9.6 /', 'density = 9.6 / &fluid density = 9, above_bit = 20000, where = ''inside'' /', &
+                   'above_bit = 20000 ft is longer than any string in the hole, so that this fluid fills all of it')
+      call mistake('cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 1.0e-5', 'wear_factor = ')
+      call usual('cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 8')
+      run = run_deck_text("&job plots = .false., hdf5 = .false., profiles = .false. / &trajectory md = 0, 6562, 13124, "// &
+         "inc = 0, 0, 30, azi = 0, 0, 0 / &hole diameter = 311, friction = 0.3 / &fluid density = 1200 / "// &
+         "&component od = 127, id = 108.6, mass = 32, joint_od = 168 / &load_case name = 'up', operation = 'up', "// &
+         'bit_depth = 4000 /'//newline, '--check')
+      call assertTrue(index(run%output, 'the survey ends at 13124 m, 3.281 times as deep as the deepest bit. Is it in ft? In a '// &
+                            'file write survey_units = ''field''') > 0, message=run%output)
+   end subroutine test_rig
 end module dg_test_unusual_decks

@@ -153,7 +153,7 @@ contains
       call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' /")
       call read_text(lines, model, job, notes)
       if (.not. allocated(model%cases)) return
-      call assertEqual(3, size(notes), message='no fluid, a solid bar, string main is used by no case')
+      call assertEqual(4, size(notes), message='no fluid, a solid bar, two materials, string main is used by no case')
       call assertEqual(2, job%threads)
       call assertEqual('x/y', job%output_dir)
       call assertFalse(job%profiles)

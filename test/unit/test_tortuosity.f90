@@ -232,7 +232,7 @@ contains
       call append_text(lines, group)
       call append_text(lines, '&hole diameter = 215.9 /')
       call append_text(lines, '&fluid density = 1200 /')
-      call append_text(lines, '&component od = 127, id = 108.6 /')
+      call append_text(lines, '&component kind = ''tubing'', od = 127, id = 108.6 /')
       call append_text(lines, "&load_case name = 'a', operation = 'static', bit_depth = 900 /")
       call build_deck('deck', lines, model, job, notes, faults)
       call assertEqual(0, faults%count)

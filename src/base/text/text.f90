@@ -237,7 +237,7 @@ contains
       integer, parameter :: shortest_stem = 3   ! of fewer letters too many names begin alike
       nearest = ''
       best = max(2, len_trim(name)/3) + 1
-      if (len_trim(name) <= 2) best = 2   ! two slips would turn a two-letter name into any other
+      if (len_trim(name) <= 3) best = 2   ! two slips would turn a name of three letters into any other
       do i = 1, size(candidates)
          distance = edit_distance(trim(lower_case(name)), trim(lower_case(candidates(i))))
          if (distance < best) then

@@ -81,6 +81,7 @@ module dg_deck_draft
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
       type(rig_type) :: rig
+      logical :: block_given = .false.         !< the rig has its block_weight, be it 0
       type(draft_fluid_type), allocatable :: fluids(:)
       real(wp) :: gravity = standard_gravity   !< [m/s2]
    end type draft_type

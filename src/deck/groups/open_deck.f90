@@ -292,6 +292,7 @@ contains
             call draft_fluid(groups(i), draft%fluids(fluids), faults)
          case ('rig')
             call draft_rig(groups(i), draft%rig, faults)
+            draft%block_given = is_given(groups(i), 'block_weight')
          case ('component')
             components = components + 1
             call draft_component(groups(i), draft%units, draft%components(components), faults)

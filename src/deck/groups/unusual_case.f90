@@ -2,8 +2,8 @@
 module dg_unusual_case
    use dg_kinds, only: wp
    use dg_deck_draft, only: string_use_type
-   use dg_load_case, only: block_way, load_case_type, operation_name, operation_rotary_drilling, operation_rotate_off_bottom, &
-                           operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
+                           operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
    use dg_text, only: append_text, text_type
    use dg_unit_kind, only: in_units, unit_force, unit_moment
    use dg_units, only: unit_system_type
@@ -37,10 +37,17 @@ contains
       if (load_case%operation == operation_rotary_drilling .and. load_case%wob > 0.0_wp .and. .not. has_tob .and. &
           .not. load_case%measured_hookload%present) &
          call append_text(notes, what//' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
+      if (load_case%operation == operation_rotary_drilling .and. .not. abs(load_case%wob) > 0.0_wp .and. &
+          .not. load_case%tob > 0.0_wp) call append_text(notes, what//' drills without wob and tob. Give both, or '// &
+                                                         trim(operation_name(operation_rotate_off_bottom)))
       if (load_case%measured_torque%present) call note(usual_measured, load_case%measured_torque%value)
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
       if (load_case%friction_axial%present) then
-         if (load_case%friction_axial%value > 0.0_wp) call note(usual_friction, load_case%friction_axial%value)
+         if (load_case%friction_axial%value > 0.0_wp) then
+            call note(usual_friction, load_case%friction_axial%value)
+         else if (moves_axially(load_case%operation)) then
+            call append_text(notes, what//': friction = 0, so that there is no drag. Leave it out for the friction of &hole')
+         end if
       end if
       call note(usual_warming_top, load_case%temperature_change_top)
       call note(usual_warming_bottom, load_case%temperature_change_bottom)

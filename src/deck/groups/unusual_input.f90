@@ -2,26 +2,26 @@
 !> its place, and the usual range.
 module dg_unusual_input
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_joints, is_bit, is_hwdp, is_pipe, opens, tube_area
+   use dg_constants, only: foot
+   use dg_component, only: component_type, has_joints, is_bit, is_pipe, opens
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
    use dg_load_case, only: operation_static, rotates
    use dg_missing, only: is_missing
    use dg_unusual_survey, only: note_survey
-   use dg_text, only: append_text, edit_distance, lower_case, quoted, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length, unit_mass, unit_moment
+   use dg_text, only: append_text, lower_case, quoted, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
+   use dg_units, only: unit_system_type
    use dg_unusual_case, only: note_case, note_use
-   use dg_usual_range, only: note_range, usual_bend, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
-                             usual_joint_length, usual_joint_spacing, usual_joint_torsion, usual_makeup, usual_running_in, &
-                             usual_top_drive, usual_yield
+   use dg_unusual_component, only: note_component, note_place
+   use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
+                             usual_running_in, usual_top_drive, usual_wear
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant
 
    !> Longest pipe that stands at a bit below collars [m].
    real(wp), parameter :: longest_bha_pipe = 100.0_wp
-   !> Longest solid bar among drill tools [m].
-   real(wp), parameter :: longest_bar = 5.0_wp
    !> Widest drilled hole, 36 in, if its number of inches is read as millimetres [m].
    real(wp), parameter :: widest_of_inches = 36.5e-3_wp
    !> Deeper than any hole of a laboratory [m].
@@ -30,10 +30,12 @@ module dg_unusual_input
    character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
    !> A string that is longer than the hole by more than this [m].
    real(wp), parameter :: above_surface = 1.0_wp
-   !> Part of the mass of a pipe that its tool joints add [-]: couplings of tubing add less.
-   real(wp), parameter :: least_of_joints = 0.08_wp, round_off = 1.0e-9_wp
    !> Longest collars of a string [m]: 30 to 40 joints.
    real(wp), parameter :: longest_collars = 500.0_wp
+   !> Friction in casing over that of open hole, above which the two may be swapped [-]. Fits of measured wells have up to 1.4.
+   real(wp), parameter :: rougher = 1.6_wp
+   !> Part by which a ratio of depths may differ from that of metre and foot [-]: the deepest bit is seldom at the last station.
+   real(wp), parameter :: as_feet = 0.1_wp
    integer, parameter :: digits = 4, depth_digits = 6
 
 contains
@@ -46,11 +48,15 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i
       call note_survey(draft, notes)
+      call note_survey_in_feet(draft, uses, notes)
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid)
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
+            if (fluid%above_bit >= deepest_bit(draft, uses)) call append_text(notes, 'group &fluid: above_bit = '// &
+               in_units(draft%units, unit_length, fluid%above_bit, depth_digits)//' is longer than any string in the hole, '// &
+               'so that this fluid fills all of it'//feet_question(draft%units, fluid%above_bit, deepest_bit(draft, uses)))
             if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
                in_units(draft%units, unit_length, fluid%md_top, depth_digits)//' is below the hole, so that this fluid '// &
                'is nowhere. Give the depth where it begins')
@@ -64,12 +70,16 @@ contains
          call note_use(draft%units, uses(i), notes)
       end do
       do i = 1, size(draft%components)
-         call note_component(i)
+         call note_component(draft%units, draft%components(i), notes)
       end do
       call note_order(draft, notes)
       call note_length(draft, notes)
       call note_collars(draft, notes)
       call note_cased(draft, notes)
+      call note_place(draft, notes)
+      if (draft%rig%given .and. draft%rig%max_hookload%present .and. .not. draft%block_given) &
+         call append_text(notes, 'group &rig: max_hookload counts the block in, and block_weight is not given. Give it, or 0 '// &
+                          'for a limit without block')
       call note_range(draft%units, 'group &rig', usual_block, draft%rig%block_weight, notes)
       if (draft%rig%max_hookload%present) call note_range(draft%units, 'group &rig', usual_hookload, draft%rig%max_hookload%value, &
                                                           notes)
@@ -80,70 +90,7 @@ contains
          call note_case(draft%units, trim(draft%cases(i)%what)//' '//quoted(draft%cases(i)%load_case%name), &
                         draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
       end do
-
-   contains
-
-      !> Yield strength, and a bar where a pipe was meant.
-      subroutine note_component(number)
-         integer, intent(in) :: number
-         associate (item => draft%components(number), part => draft%components(number)%component, units => draft%units)
-            if (part%yield > 0.0_wp) &
-               call note_range(draft%units, part_text(number), usual_yield, part%yield, notes)
-            call note_range(units, part_text(number), usual_makeup, part%makeup_torque, notes)
-            call note_range(units, part_text(number), usual_joint_torsion, part%joint_torsion, notes)
-            if (nearly_kind(part%kind) /= '') call append_text(notes, part_text(number)//': kind = '//quoted(part%kind)// &
-               ' is not known. Did you mean '//quoted(nearly_kind(part%kind))//'?')
-            if (has_joints(part)) then
-               call note_range(units, part_text(number), usual_joint_spacing, part%joint_spacing, notes)
-               call note_range(units, part_text(number), usual_joint_length, part%joint_length, notes)
-            end if
-            if (part%bend > 0.0_wp) call note_range(units, part_text(number), usual_bend, part%bend, notes)
-            if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, &
-               part_text(number)//': makeup_torque is above joint_torsion, '// &
-               in_units(units, unit_moment, part%joint_torsion, digits)//': its joints would yield in make-up')
-            if (lacks_joints(part)) call append_text(notes, part_text(number)//': without mass it weighs '// &
-               in_units(units, unit_mass, part%mass, digits)//', as a tube without tool joints. Give mass, joints counted in')
-            if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
-            if (index(lower_case(part%kind), 'rod') > 0) return
-            call append_text(notes, part_text(number)//' is a solid bar of '// &
-                             in_units(units, unit_mass, part%mass, digits)// &
-                             ', as it has no id and no mass. Give the inside diameter')
-         end associate
-      end subroutine note_component
-
-      function part_text(number) result(text)
-         integer, intent(in) :: number
-         character(:), allocatable :: text
-         text = 'group &component in line '//to_text(draft%components(number)%line)//': '// &
-                quoted(draft%components(number)%component%name)
-      end function part_text
    end subroutine note_unusual
-
-   !> True for drill pipe whose mass is that of the tube between its tool joints, which would add to it. Their length is known.
-   elemental function lacks_joints(part) result(lacks)
-      type(component_type), intent(in) :: part
-      logical :: lacks
-      lacks = .false.
-      if (.not. (has_joints(part) .and. part%id > 0.0_wp)) return
-      if (.not. (is_hwdp(part) .or. index(lower_case(part%kind), 'pipe') > 0)) return
-      lacks = abs(part%mass - part%density*tube_area(part%od, part%id)) < round_off*part%mass .and. &
-              part%joint_length*tube_area(part%joint_od, part%od) > &
-              least_of_joints*part%joint_spacing*tube_area(part%od, part%id)
-   end function lacks_joints
-
-   !> The kind that a kind differs from by one letter; '' for others, which name tools.
-   pure function nearly_kind(kind) result(meant)
-      character(*), intent(in) :: kind
-      character(:), allocatable :: meant
-      character(10), parameter :: kinds(*) = [character(10) :: 'drillpipe', 'collar', 'stabilizer', 'casing', 'liner', &
-                                                'tubing', 'hwdp']
-      integer :: i
-      meant = ''
-      if (any([index(lower_case(kind), 'pipe'), index(lower_case(kind), 'collar'), index(lower_case(kind), 'stab')] > 0)) return
-      do i = 1, size(kinds)
-         if (edit_distance(lower_case(kind), trim(kinds(i))) == 1) meant = trim(kinds(i))
-      end do
-   end function nearly_kind
 
    !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
    pure function holes_in_inches(draft) result(inches)
@@ -190,6 +137,8 @@ contains
          if (.not. is_missing(running_in)) then
             if (running_in > 0.0_wp) call note_range(draft%units, what, usual_running_in, running_in, notes)
          end if
+         if (.not. is_missing(hole%section%wear_factor)) call note_range(draft%units, what, usual_wear, hole%section%wear_factor, &
+                                                                         notes)
          if (axial > 0.0_wp .and. .not. rotary > 0.0_wp .and. any(rotates(draft%cases%load_case%operation))) &
             call append_text(notes, what//' has no friction_rotary, so that torque there is zero. Give it, or friction for both')
       end associate
@@ -269,18 +218,67 @@ contains
       end do
    end subroutine note_collars
 
-   !> A cased section below an open one. What has no friction, as the gap above a riser, is no open hole.
+   !> A cased section below an open one, or rougher than one. What has no friction, as the gap above a riser, is no open hole.
    subroutine note_cased(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i
+      integer :: i, k
       do i = 2, size(draft%holes)
          if (.not. draft%holes(i)%section%cased .or. draft%holes(i - 1)%section%cased .or. &
              .not. draft%holes(i - 1)%section%friction_axial > 0.0_wp) cycle
          call append_text(notes, 'group &hole in line '//to_text(draft%holes(i)%line)//': '// &
             quoted(draft%holes(i)%section%name)//' is cased, '//quoted(draft%holes(i - 1)%section%name)// &
             ' above it is not. Give cased = .true. above, too, or leave it out')
-         return
+         exit
+      end do
+      do i = 1, size(draft%holes)
+         if (.not. draft%holes(i)%section%cased) cycle
+         do k = 1, size(draft%holes)
+            associate (cased => draft%holes(i)%section, open => draft%holes(k)%section)
+               if (open%cased .or. .not. open%friction_axial > 0.0_wp .or. &
+                   cased%friction_axial <= rougher*open%friction_axial) cycle
+               call append_text(notes, 'group &hole in line '//to_text(draft%holes(i)%line)//': friction = '// &
+                  to_text(cased%friction_axial, digits)//' in casing is above '//to_text(open%friction_axial, digits)// &
+                  ' of open hole '//quoted(open%name)//'. Are the two swapped?')
+               return
+            end associate
+         end do
       end do
    end subroutine note_cased
+
+   !> Deepest bit of all cases and studies [m].
+   pure function deepest_bit(draft, uses) result(depth)
+      type(draft_type), intent(in) :: draft
+      type(string_use_type), intent(in) :: uses(:)
+      real(wp) :: depth
+      depth = draft%stations%md(size(draft%stations%md))
+      if (size(draft%cases) + size(uses) == 0) return
+      depth = 0.0_wp
+      if (size(draft%cases) > 0) depth = maxval(draft%cases%load_case%bit_depth)
+      if (size(uses) > 0) depth = max(depth, maxval(uses%depth))
+   end function deepest_bit
+
+   !> A survey that ends as many times deeper than hole and bit as a metre has feet.
+   subroutine note_survey_in_feet(draft, uses, notes)
+      type(draft_type), intent(in) :: draft
+      type(string_use_type), intent(in) :: uses(:)
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: last, deepest
+      last = draft%stations%md(size(draft%stations%md))
+      deepest = deepest_bit(draft, uses)
+      if (abs(last/deepest*foot - 1.0_wp) > as_feet .or. .not. abs(draft%units%length - 1.0_wp) < as_feet) return
+      call append_text(notes, 'group &trajectory: the survey ends at '//in_units(draft%units, unit_length, last, depth_digits)// &
+                       ', '//to_text(last/deepest, digits)//' times as deep as the deepest bit. Is it in ft? In a file write '// &
+                       "survey_units = 'field'")
+   end subroutine note_survey_in_feet
+
+   !> Question for feet where a length in metres is too long, and not so in feet; '' for others.
+   function feet_question(units, length, longest) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: length, longest      !< [m]
+      character(:), allocatable :: text
+      text = ''
+      if (abs(units%length - 1.0_wp) < as_feet .and. length*foot < longest) &
+         text = '. Is it in ft? Then write '//to_text(length*foot, digits)
+   end function feet_question
 end module dg_unusual_input

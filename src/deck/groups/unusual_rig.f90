@@ -11,7 +11,7 @@ module dg_unusual_rig
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_tob
+   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_sheave, usual_tob
    implicit none
    private
    public :: note_rig
@@ -45,8 +45,13 @@ contains
       integer :: i
       call note_packer(model, units, notes)
       ! Without losses in the sheaves the number of lines changes no result.
-      if (model%rig%sheave_efficiency < 1.0_wp) &
+      if (model%rig%sheave_efficiency < 1.0_wp) then
          call note_range(units, 'group &rig', usual_lines, real(model%rig%lines, wp), notes)
+         call note_range(units, 'group &rig', usual_sheave, model%rig%sheave_efficiency, notes)
+         if (is_unusual(usual_sheave, model%rig%sheave_efficiency)) call append_text(notes, 'group &rig: sheave_efficiency is '// &
+            'that of one sheave. If it is of the whole block, write '// &
+            to_text(model%rig%sheave_efficiency**(2.0_wp/(model%rig%lines + 1)), few_digits + 1))
+      end if
       if (top_md(model%trajectory) > 0.0_wp) return
       weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)

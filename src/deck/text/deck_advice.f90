@@ -67,7 +67,7 @@ module dg_deck_advice
 
    !> Significant digits of a number that is advised.
    integer, parameter :: digits_told = 7, density_digits = 4
-   integer, parameter :: longest_name = 20
+   integer, parameter :: longest_name = 20, letters_of_thousand = 3
    character(*), parameter :: digits = '0123456789'
 
 contains
@@ -177,7 +177,9 @@ contains
       length = verify(text, digits//'.+-') - 1
       if (length > 0 .and. verify(trim(text), digits//' ') == 0 .and. len_trim(text) > length) then
          advice = '; decimals have a point: '//text(:length)//'.'//trim(adjustl(text(length + 1:)))
-         if (verify(trim(advice(index(advice, '.', back=.true.) + 1:)), digits) == 0) return
+         if (len_trim(adjustl(text(length + 1:))) == letters_of_thousand) advice = advice//'. Thousands have no mark: '// &
+            text(:length)//trim(adjustl(text(length + 1:)))
+         if (verify(trim(adjustl(text(length + 1:))), digits) == 0) return
          advice = ''
       end if
       if (length < 1) return

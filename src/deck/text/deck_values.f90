@@ -255,7 +255,7 @@ contains
       end if
       if (advice /= '') message = name//' = '//quoted(item%text)//' is unknown; '//advice
       if (message == '' .and. item%kind == token_word) &
-         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
+         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//without_curly(item%text)//"'"
       if (message == '') call append_text(value%content%texts, chosen)
    end subroutine take_text
 
@@ -322,4 +322,19 @@ contains
          end if
       end select
    end function needed_text
+
+   !> A text without curly quotes at its ends, which word processors write and a deck does not know.
+   pure function without_curly(text) result(bare)
+      character(*), intent(in) :: text
+      character(:), allocatable :: bare
+      character(2), parameter :: begins = char(226)//char(128)
+      character(4), parameter :: ends = char(152)//char(153)//char(156)//char(157)
+      logical :: before, behind
+      bare = trim(text)
+      if (len(bare) < 6) return
+      before = bare(:2) == begins .and. scan(bare(3:3), ends) > 0
+      behind = bare(len(bare) - 2:len(bare) - 1) == begins .and. scan(bare(len(bare):), ends) > 0
+      if (behind) bare = bare(:len(bare) - 3)
+      if (before) bare = bare(4:)
+   end function without_curly
 end module dg_deck_values

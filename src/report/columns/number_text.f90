@@ -32,14 +32,18 @@ contains
       integer, intent(in) :: decimals
       character(width) :: cell
       character(40) :: buffer, form
+      integer :: places
       if (.not. is_shown(value)) then
          cell = right_aligned(absent, width)
          return
       end if
-      write (form, '(a, i0, a)') '(f40.', decimals, ')'
-      write (buffer, form) value
-      buffer = adjustl(buffer)
-      if (verify(trim(buffer), '-0.') == 0 .and. buffer(1:1) == '-') buffer = buffer(2:)
+      do places = decimals, 0, -1
+         write (form, '(a, i0, a)') '(f40.', places, ')'
+         write (buffer, form) value
+         buffer = adjustl(buffer)
+         if (verify(trim(buffer), '-0.') == 0 .and. buffer(1:1) == '-') buffer = buffer(2:)
+         if (len_trim(buffer) < width) exit
+      end do
       if (len_trim(buffer) >= width) then
          cell = scientific_cell(value, width)
       else

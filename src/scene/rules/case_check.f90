@@ -1,5 +1,6 @@
 !> Checks of load cases: numbers that their operation needs, reach of hole and string to the bit, and passage of the string.
 module dg_case_check
+   use dg_constants, only: foot
    use dg_component, only: closed_diameter, component_type, is_bit, is_open, is_pipe
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
@@ -8,11 +9,14 @@ module dg_case_check
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_opening_check, only: check_open_passage, opening_advice
-   use dg_text, only: either, quoted, suggestion
+   use dg_text, only: either, quoted, suggestion, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
    public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
+
+   integer, parameter :: metre_digits = 6
+   character(*), parameter :: bit_advice = ". Only a bit may fill its hole: is it one? Then write kind = 'bit'"
 
 contains
 
@@ -53,11 +57,21 @@ contains
       if (depth > bottom*(1.0_wp + depth_round_off)) then
          call add_part_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
                              what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
-                             depth_words(units, bottom))
+                             depth_words(units, bottom)//metres_question(units, depth, bottom))
       else
          depth = min(depth, bottom)
       end if
    end subroutine check_reach
+
+   !> Question for a survey in m in a deck in ft, where the bit would then be in the hole; '' for others.
+   pure function metres_question(units, depth, bottom) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: depth, bottom        !< of the bit and of the survey [m]
+      character(:), allocatable :: text
+      text = ''
+      if (abs(units%length - foot) > depth_round_off .or. depth*foot > bottom*(1.0_wp + depth_round_off)) return
+      text = '. Is md of the survey in m? '//to_text(bottom/foot, metre_digits)//' m are '//depth_words(units, bottom/foot)
+   end function metres_question
 
    !> Check that there is a string of that name.
    subroutine check_string_name(string, place, names, found)
@@ -151,7 +165,9 @@ contains
             call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
                                 ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
                                 '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '// &
-                                wide(narrowest(lowest))//opening_advice(components(k), holes, lowest, units))
+                                wide(narrowest(lowest))// &
+                                either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
+                                opening_advice(components(k), holes, lowest, units))
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end
