@@ -64,9 +64,9 @@ contains
    subroutine test_doubtful_deck()
       character(*), parameter :: line = 'There is 1 warning, on the deck. Read it before you use these answers.'
       type(run_type) :: run
-      run = run_deck_text(deck("operation = 'rotary', wob = 20, tob = 5", .false.))
+      run = run_deck_text(deck("operation = 'rotate_off_bottom'", .false.))
       call assertEqual(0, index(run%output, 'before you use these answers'), message=run%output)
-      run = run_deck_text(replaced(deck("operation = 'rotary', wob = 20, tob = 5", .true.), 'yield = 135', 'yield = 931'))
+      run = run_deck_text(replaced(deck("operation = 'rotate_off_bottom'", .true.), 'yield = 135', 'yield = 931'))
       call assertTrue(index(run%output, newline//line//newline) > 0, message=run%output)
       call assertTrue(index(content(results_path//'/report.html'), '<p class="note warn">'//line) > 0, message='on the page')
    end subroutine test_doubtful_deck
