@@ -23,6 +23,7 @@ module dg_contact_list
       real(wp), allocatable :: md(:)          !< where the force acts [m]
       real(wp), allocatable :: length(:)      !< [m]
       real(wp), allocatable :: force(:)       !< [N]
+      real(wp), allocatable :: towards(:, :)  !< direction in which it presses the wall, in the frame of the hole (2,n) [-]
       real(wp), allocatable :: load(:)        !< load per metre of weight and bends on the wall [N/m]
       integer, allocatable :: owner(:)        !< element of the analysis
       logical, allocatable :: spread(:)       !< true for a force of the beam on a wall that it feels all along
@@ -48,15 +49,14 @@ contains
       kind = kinds_of(model, result%case_index, mesh)
       if (allocated(result%contacts)) deallocate (result%contacts)
       allocate (result%contacts(0))
-      call put_groups(kind, stretches, result%contacts)
+      call put_groups(model, mesh, beam, kind, stretches, result%contacts)
       associate (force => merge(stretches%force, 0.0_wp, stretches%spread .and. kind(stretches%owner) == 0))
          call find_edges(stretches%md, stretches%length, force, stretches%load, result%normal_force, edges)
       end associate
       do i = 1, size(edges)
-         call insert(contact_point_type(contact_edge, edges(i)%md, edges(i)%force, edges(i)%length), result%contacts)
-      end do
-      do i = 1, size(result%contacts)
-         result%contacts(i)%clock = clock_near(model, mesh, beam, bent%y, result%contacts(i)%md)
+         point = contact_point_type(contact_edge, edges(i)%md, edges(i)%force, edges(i)%length)
+         point%clock = clock_near(model, mesh, beam, edges(i)%md, bent%y(1:2, minloc(abs(beam%md - edges(i)%md), dim=1)))
+         call insert(point, result%contacts)
       end do
       if (beam%centred(1) .and. .not. beam%held(1)) then
          pushed = -bent%forces(1:2, 1)
@@ -82,7 +82,7 @@ contains
       integer :: e, o, p, n, k
       n = contact_places*size(beam%element) + size(bent%points)
       allocate (stretches%md(n), stretches%length(n), stretches%force(n), stretches%load(n), stretches%owner(n), &
-                stretches%spread(n))
+                stretches%spread(n), stretches%towards(2, n))
       n = 0
       k = 1
       do e = 1, size(beam%element)
@@ -91,6 +91,7 @@ contains
             if (beam%point(k) == e) then
                call add(beam%md(e), mesh%length(o), merge(scale(o)*bent%points(k), max(work%normal(o), 0.0_wp), &
                                                           scale(o) > 0.0_wp), 0.0_wp, o, .false., n, stretches)
+               stretches%towards(:, n) = direction(bent%y(1:2, e) + beam%element(e)%blade)
                k = k + 1
             end if
          end if
@@ -109,6 +110,7 @@ contains
                            stretches)
                   if (any(beam%point_owner == o)) stretches%force(n) = 0.0_wp     ! the force of this element acts at its point
                end if
+               stretches%towards(:, n) = direction((1.0_wp - xi)*bent%y(1:2, e) + xi*bent%y(1:2, e + 1) + beam%element(e)%blade)
             end associate
          end do
       end do
@@ -154,27 +156,46 @@ contains
       end associate
    end function kinds_of
 
-   !> Add one contact for each run of touching elements of one kind: a joint, or a stabilizer.
-   pure subroutine put_groups(kind, stretches, contacts)
+   !> Direction of an offset; 0 on the axis.
+   pure function direction(offset) result(towards)
+      real(wp), intent(in) :: offset(2)       !< [m]
+      real(wp) :: towards(2)
+      towards = offset/max(norm2(offset), tiny(1.0_wp))
+   end function direction
+
+   !> Add contacts for each run of touching elements of one kind: a joint, or a stabilizer. A tilted one has two, where it
+   !> presses one side with its upper and the other side with its lower edge. The force of a contact is the sum of its vectors.
+   pure subroutine put_groups(model, mesh, beam, kind, stretches, contacts)
+      type(model_type), intent(in) :: model
+      type(mesh_type), intent(in) :: mesh
+      type(bending_beam_type), intent(in) :: beam
       integer, intent(in) :: kind(:)        !< of elements of the analysis
       type(stretches_type), intent(in) :: stretches
       type(contact_point_type), allocatable, intent(inout) :: contacts(:)
+      type(contact_point_type) :: point
+      real(wp) :: pushed(2), next(2)
       integer :: of(size(stretches%owner)), first, last
       of = kind(stretches%owner)
       last = 0
       do while (last < size(of))
          first = last + 1
          last = first
+         pushed = stretches%force(first)*stretches%towards(:, first)
          do while (last < size(of))
             if (of(last + 1) /= of(first)) exit
+            next = stretches%force(last + 1)*stretches%towards(:, last + 1)
+            if (dot_product(next, pushed) < 0.0_wp) exit          ! the other side
+            pushed = pushed + next
             last = last + 1
          end do
          if (of(first) == 0) cycle
          associate (force => stretches%force(first:last))
-            if (sum(force) > 0.0_wp) call insert( &
-               contact_point_type(of(first), centroid(stretches%md(first:last), force), sum(force), &
-                                  sum(stretches%length(first:last), mask=force > 0.0_wp)), contacts)
+            if (.not. sum(force) > 0.0_wp) cycle
+            point = contact_point_type(of(first), centroid(stretches%md(first:last), force), norm2(pushed), &
+                                       sum(stretches%length(first:last), mask=force > 0.0_wp))
          end associate
+         point%clock = clock_near(model, mesh, beam, point%md, pushed)
+         call insert(point, contacts)
       end do
    end subroutine put_groups
 
@@ -187,16 +208,16 @@ contains
       contacts = [contacts(:n), point, contacts(n + 1:)]
    end subroutine insert
 
-   !> Clock angle [rad] of the beam at its node nearest to a depth.
-   pure function clock_near(model, mesh, beam, y, md) result(clock)
+   !> Clock angle [rad] of a direction across the hole, in the frame of the node of the beam that is nearest to a depth.
+   pure function clock_near(model, mesh, beam, md, across) result(clock)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
-      real(wp), intent(in) :: y(:, :)
-      real(wp), intent(in) :: md      !< [m]
+      real(wp), intent(in) :: md           !< [m]
+      real(wp), intent(in) :: across(2)
       real(wp) :: clock
       integer :: n
       n = minloc(abs(beam%md - md), dim=1)
-      clock = clock_in_hole(model%trajectory, mesh%arc(beam%owner(min(n, size(beam%owner)))), beam%place(n), y(1:2, n))
+      clock = clock_in_hole(model%trajectory, mesh%arc(beam%owner(min(n, size(beam%owner)))), beam%place(n), across)
    end function clock_near
 end module dg_contact_list
