@@ -47,6 +47,7 @@ contains
       type(component_type) :: component
       component = part('drillpipe', 0.0_wp, 0.127_wp, 0.1086_wp, 31.9_wp, 0.1619_wp)
       component%yield = yield
+      component%joint_length = 0.02_wp      ! the closed form of the bending between joints has points
       call new_well(model, md, inclination, azimuth, hole, 0.0_wp, component)
       model%numerics = settings_of('auto')
       model%mud = standing_mud(1200.0_wp)

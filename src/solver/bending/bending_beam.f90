@@ -91,7 +91,7 @@ contains
       end do
    end subroutine set_elements
 
-   !> Push of the wall on tool joints at given offsets.
+   !> Push of the wall on centralizers at given offsets.
    pure subroutine press_points(beam, offset, push)
       type(bending_beam_type), intent(in) :: beam
       real(wp), intent(in) :: offset(:, :)                 !< of their nodes (2,points) [m]

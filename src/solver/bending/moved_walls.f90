@@ -21,7 +21,7 @@ module dg_moved_walls
    !> which are a thousand times less stiff than collars, have `less_firm`. Next to an equilibrium walls may be `firmer` times
    !> as stiff [-].
    real(wp), parameter :: firm = 3.0e8_wp, less_firm = 1.0e7_wp, firmer = 3.0_wp
-   !> Length of a tool joint's contact [m].
+   !> Length of a centralizer's contact [m].
    real(wp), parameter :: joint_length = 1.0_wp
 
 contains

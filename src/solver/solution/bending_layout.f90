@@ -24,13 +24,13 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Distance of a node from the tool joint that it was made for, at most [m].
+   !> Distance of a node from the centralizer that it was made for, at most [m].
    real(wp), parameter :: same_place = 1.0e-6_wp
    !> Length of elements where clearance changes or a bend begins or ends [m]. It holds up to a distance `near_bit` above the
    !> bit [m]. An element feels the wall at a fifth of its length from its end. With elements of 0.1 m the edge of a tilted
    !> blade may enter a rigid wall unfelt.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
-   !> Clearance of an element whose only contact is a point, as of a tool joint [m].
+   !> Clearance of an element whose only contact is a point, that of a centralizer [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
    !> Distance from a free end over which stiffer springs hold a compressed string, over sqrt(EI/P) [-].
    real(wp), parameter :: end_reach = 8.0_wp
@@ -87,7 +87,7 @@ contains
 
    !> Depths along the string where the beam must have nodes, and the longest element allowed at each of them. They are:
    !> - the nodes of the mesh
-   !> - tool joints that touch one by one
+   !> - centralizers
    !> - beginnings and ends of bends, as seen from the displaced string
    !> - single contacts, if `alone`
    pure subroutine find_breaks(model, mesh, gaps, solved, alone, breaks, longest)
@@ -183,13 +183,14 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> True if the contact of an element is that of one tool joint, between the ends of the element.
+   !> True if the contact of an element is that of one centralizer, between the ends of the element. A tool joint touches along
+   !> its length: pulled in a bend, with both edges.
    pure function is_point(mesh, gaps, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
       integer, intent(in) :: e
       logical :: is
-      is = mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
+      is = mesh%centralizer(e) .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
    end function is_point
 
    !> True if an element has a single contact between its ends, at the extremum that its gap follows.
