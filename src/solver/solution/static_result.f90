@@ -1,6 +1,7 @@
 !> Result of an analysis by beams with contact gap elements.
 module dg_static_result
    use dg_kinds, only: wp
+   use dg_constants, only: degree
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
                              result_locked_up, result_not_converged
    use dg_gap_survey, only: node_offset
@@ -51,6 +52,8 @@ module dg_static_result
    !> Error of the moments over their difference to another equilibrium of a coil [-]. Two equilibria are seldom both ends of
    !> the range.
    real(wp), parameter :: beyond_both = 2.0_wp
+   !> Contact over weight and bit load that counts where a rotating string does not stay on one side [-].
+   real(wp), parameter :: little_contact = 0.02_wp
    !> Contact force and moment too small to be compared [N, N.m].
    real(wp), parameter :: least_contact = 10.0_wp, least_moment = 1.0e-3_wp
    !> Digits in a message.
@@ -142,9 +145,9 @@ contains
    end subroutine fill_result
 
    !> Warn of a rotating string that does not stay on one side of the hole, with its length and the resulting error. The
-   !> warning is only given if torque at surface or the sum of contact forces (over weight and bit load) changes noticeably. On
-   !> a side that is held, friction m*R sideways carries a part of the load w. The contact force is then R = w/sqrt(1 + m^2).
-   !> Without that friction it is w.
+   !> warning is only given if torque at surface or the sum of contact forces changes noticeably. That sum counts if it is some
+   !> percents of weight and bit load. On a side that is held, friction m*R sideways carries a part of the load w. The contact
+   !> force is then R = w/sqrt(1 + m^2), and presses the wall at an angle atan(m) from the load. Without that friction it is w.
    pure subroutine warn_of_whirling(units, mesh, work, force_scale, result)
       type(unit_system_type), intent(in) :: units
       type(mesh_type), intent(in) :: mesh
@@ -154,7 +157,7 @@ contains
       real(wp) :: high(mesh%elements), pressed(mesh%elements), length, by_contact, by_torque
       high = 1.0_wp - sqrt((1.0_wp + (work%sideways*mesh%friction_around)**2)/(1.0_wp + mesh%friction_around**2))
       pressed = max(work%normal, 0.0_wp)
-      by_contact = sum(high*pressed)/force_scale
+      by_contact = sum(high*pressed)/max(sum(pressed), little_contact*force_scale)
       by_torque = sum(high*pressed*mesh%friction_around*mesh%radius)/max(abs(work%top_torque), least_moment)
       if (max(by_contact, by_torque) < unlike) return
       length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
@@ -162,7 +165,9 @@ contains
                        ' the rotating string does not stay on one side of the hole. Sideways friction is ignored there, so '// &
                        'contact force may be up to '//to_text(rounded_up(100.0_wp*maxval(high), shown_clearances), &
                        shown_clearances)//' % too high there, and torque at surface '// &
-                       to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' % too high')
+                       to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' % too high. Where a '// &
+                       'bend or a pad presses it to one side, that side may be off by '// &
+                       to_text(anint(atan(maxval(mesh%friction_around, mask=high*pressed > 0.0_wp))/degree))//' deg')
    end subroutine warn_of_whirling
 
    !> Reject a converged result if its forces are out of balance, or if walls pull. For a rotating string that does not stay on
