@@ -98,6 +98,7 @@ contains
       call mistake(angles, 'inc = 0, 0, 0, 1.7, 1.047, 1.134, azi = 0, 0, 0, 3.1, -3.1, -3', expected)
       call usual(angles, 'inc = 0, 0.5, 1.2, 0.7, 1.2, 0.9, azi = 0, 120, 250, 10, 200, 5')
       call usual(angles, 'inc = 0, 0, 1, 0.5, 1, 0.5, azi = 4, 4, 4, 4, 4, 4')
+      call usual(angles, 'inc = 0, 0, 0, 0, 0, 0.5, azi = 4, 4, 4, 4, 4, 4')
    end subroutine test_radians
 
    !> Swapped columns, a mistyped azimuth within the survey and at its end. Slant holes that turn and quarter turns are usual.
@@ -226,9 +227,14 @@ contains
       call mistake('tob = 5 ', 'tob = 5, above_ambient_top = 700 ', 'above_ambient_top = 700 degF is unusual')
       call mistake('tob = 5 ', 'tob = 5, temperature_change_bottom = 700 ', 'temperature_change_bottom = 700 degF is unusual')
       call mistake('tob = 5 ', 'tob = 5, temperature_change_top = -500 ', &
-                   'temperature_change_top = -500 degF is unusual. Usual is at least -270 degF')
+                   'temperature_change_top = -500 degF is unusual. Usual is at least -468 degF')
       call usual('tob = 5 ', 'tob = 5, above_ambient_bottom = 540, temperature_change_bottom = 450 ')
       call usual('tob = 5 ', 'tob = 5, rpm = 60, hours = 300 ')
+      call usual('tob = 5 ', 'tob = 5, rpm = 600 ')
+      call usual('tob = 5 ', 'tob = 5, temperature_change_top = -330 ')
+      call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'inside' /", &
+                   "case 'up': there is no fluid outside of the string. For one on both sides write where = 'both'")
+      call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /", "there is no fluid inside of the string")
    end subroutine test_conditions
 
    !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 156 klbf in mud along the hole.

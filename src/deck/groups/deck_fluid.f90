@@ -7,13 +7,13 @@ module dg_deck_fluid
    use dg_deck_draft, only: draft_fluid_type, draft_type
    use dg_drillstring, only: component_at, component_tops
    use dg_error, only: add_fault, error_list_type, key_of
-   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, fluid_tops, side_inside, &
+   use dg_fluid, only: collar_name, collar_none, fluid_type, mud_type, standing_mud, fluid_tops, collar_closed, side_inside, &
                        side_outside
    use dg_fluid_check, only: check_fluid, check_fluid_order
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
    use dg_load_case, only: load_case_type
    use dg_model, only: model_type, string_index
-   use dg_text, only: append_text, quoted, text_type
+   use dg_text, only: append_text, either, quoted, text_type
    use dg_trajectory, only: bottom_md, measured_depth_at, trajectory_type, top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_length, unit_pressure
    use dg_units, only: unit_system_type
@@ -23,7 +23,9 @@ module dg_deck_fluid
 
    integer, parameter :: depth_digits = 9
 
-   !> Difference of pressures that is round-off of depths [Pa].
+   !> Difference of pressure at the bit that needs a float valve [Pa]: a gap of air above the mud outside makes less.
+   real(wp), parameter :: least_difference = 0.5e6_wp
+   !> Pressure of a side without fluid [Pa].
    real(wp), parameter :: no_pressure = 1.0e3_wp
    !> Just above a depth [m].
    real(wp), parameter :: hair = 1.0e-6_wp
@@ -101,7 +103,8 @@ contains
       integer :: i
       logical :: held, floats
       if (.not. allocated(model%mud%fluids)) return
-      held = model%boundary%packer_bore > 0.0_wp      ! its seal holds the difference
+      ! the seal of a packer, or a closed float collar, holds the difference
+      held = model%boundary%packer_bore > 0.0_wp .or. any(model%mud%fluids%collar == collar_closed)
       floats = .false.
       do i = 1, size(model%cases)
          if (.not. held) call note_bit(i, held)
@@ -124,10 +127,15 @@ contains
             call new_fluid_column(model, case, side_outside, outside)
             within = pressure_at(inside, case%bit_depth, tvd)
             around = pressure_at(outside, case%bit_depth, tvd)
-            said = abs(within - around) > no_pressure
-            if (said) call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &
+            said = abs(within - around) > least_difference
+            if (said .and. min(within, around) < no_pressure) then
+               call append_text(notes, 'group &fluid: load case '//quoted(case%name)//': there is no fluid '// &
+                  either('inside', 'outside', within < around)//" of the string. For one on both sides write where = 'both'")
+            else if (said) then
+               call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &
                ': without pump pressure the fluid inside presses on the bit with '//pressed(within)//', that outside with '// &
                pressed(around)//'; a float valve or plug at the end of the string must hold the difference')
+            end if
          end associate
       end subroutine note_bit
 

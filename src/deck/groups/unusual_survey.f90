@@ -24,6 +24,9 @@ module dg_unusual_survey
    real(wp), parameter :: close_spike = 3.0_wp*degree, spike_rate = 5.0_wp*degree/30.0_wp
    !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
    real(wp), parameter :: largest_radian = 1.6_wp*degree, least_radian = 0.5_wp*degree, near_right_angle = 0.005_wp*degree
+   !> Largest inclination of a survey with few inclined stations that may be in radians: a plumb hole has one of half a degree.
+   real(wp), parameter :: least_of_few = 0.75_wp*degree
+   integer, parameter :: few = 3
    !> Largest inclination of a survey in radians, read as degrees, where its azimuths are below 2 pi, too [rad].
    real(wp), parameter :: largest_of_both = 1.8_wp*degree
    !> Azimuths that differ by less are alike [rad].
@@ -62,7 +65,7 @@ contains
          largest = maxval(inclination)
          if (largest > largest_of_both .or. largest < least_radian) return
          if (.not. azimuths_in_radians(pack(azimuth, inclination > 0.0_wp))) then
-            if (largest > largest_radian) return
+            if (largest > largest_radian .or. (largest < least_of_few .and. count(inclination > 0.0_wp) < few)) return
             builds = all(inclination(2:) >= inclination(:size(inclination) - 1))
             one_way = maxval(azimuth, mask=inclination > 0.0_wp) - minval(azimuth, mask=inclination > 0.0_wp) < least_radian
             if (.not. (abs(largest - 0.5_wp*pi*degree) < near_right_angle .or. (builds .and. one_way))) return

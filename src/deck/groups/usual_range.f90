@@ -31,7 +31,7 @@ module dg_usual_range
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
                          usual_running_force = 29
    !> Temperatures above that of the air, and changes of them [K].
-   real(wp), parameter :: hottest = 325.0_wp, coldest = -150.0_wp
+   real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
    type(usual_type), parameter :: usual(29) = [ &
@@ -47,7 +47,7 @@ module dg_usual_range
       usual_type('joint_torsion', unit_moment, 0.0_wp, 500.0e3_wp, 'tool joints of 8 1/2 in: 200 kN.m'), &
       usual_type('friction', unit_none, 0.03_wp, 1.0_wp, 'roller tools 0.05; brine on casing 0.6'), &
       usual_type('trip_speed', unit_speed, 0.0_wp, 3.0_wp, 'a stand of 28 m in 20 s: 1.4 m/s'), &
-      usual_type('rpm', unit_rotation, 5.0_wp*per_minute, 350.0_wp*per_minute, 'top drives 250 turns a minute'), &
+      usual_type('rpm', unit_rotation, 5.0_wp*per_minute, 700.0_wp*per_minute, 'top drives 250, diamond coring 600'), &
       usual_type('max_hookload', unit_force, 0.0_wp, 18.0e6_wp, 'largest rigs 1,500 t'), &
       usual_type('friction_running_in', unit_none, 0.03_wp, 1.0_wp, 'as friction'), &
       usual_type('gravity', unit_gravity, 9.7_wp, 10.0_wp, '9.76 on high mountains to 9.83 at the poles'), &
