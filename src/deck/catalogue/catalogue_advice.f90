@@ -45,6 +45,8 @@ contains
       character(longest), allocatable :: names(:)
       character(:), allocatable :: grade
       integer :: i, rank, best, distance, nearest
+      advice = grade_advice(catalogue, name)
+      if (advice /= '') return
       call take_parts(catalogue, name, wanted)
       grade = grade_name(catalogue, wanted%grade)
       if (grade /= '') grade = ' '//grade
@@ -92,6 +94,38 @@ contains
       advice = advice//'?'
       if (size(found) > most_told) advice = advice//' --list-catalogue lists more'
    end function catalogue_advice
+
+   !> Advice on a name that is one of the catalogue with a word behind it, which is no grade; '' for others.
+   pure function grade_advice(catalogue, name) result(advice)
+      type(catalogue_type), intent(in) :: catalogue
+      character(*), intent(in) :: name
+      character(:), allocatable :: advice
+      character(:), allocatable :: body, word, grade
+      integer :: i, last
+      logical :: found
+      advice = ''
+      last = index(trim(name), ' ', back=.true.)
+      if (last < 2) return
+      body = trim(name(:last - 1))
+      word = trim(name(last + 1:))
+      grade = ''
+      found = .false.
+      do i = 1, size(catalogue%entries)
+         associate (entry => catalogue%entries(i))
+            if (entry%kind /= kind_of_grades) then
+               found = found .or. lower_case(entry%name) == lower_case(body)
+            else if (edit_distance(lower_case(word), lower_case(entry%name)) == 1) then
+               grade = entry%name
+            end if
+         end associate
+      end do
+      if (.not. found) return
+      if (grade /= '') then
+         advice = "did you mean '"//body//' '//grade//"'?"
+      else
+         advice = "the catalogue has no grade '"//word//"'. Leave it out and give yield, or see --list-catalogue grade"
+      end if
+   end function grade_advice
 
    !> Split a name: kind, size, weight, grade, and the rest.
    subroutine take_parts(catalogue, name, parts)
