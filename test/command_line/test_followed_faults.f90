@@ -60,6 +60,17 @@ contains
       call follow("&boundary", "&boundry", "did you mean 'boundary'?", "boundry", "boundary")
       call follow("element_length = 10.0", "history = yes", "write .true. or .false.", "yes", ".true.")
       call follow("wob = 20.0", "string = 'mian'", "did you mean 'main'?", "mian", "main")
+      call follow("title = 'a deck'", "title = "//curly(152)//'deck'//curly(153), "write title = 'deck'", &
+                  curly(152)//'deck'//curly(153), "'deck'")
+      call follow("&component od = 127.0", "&component string = 'Main', od = 127.0", "string = 'Main' differs from 'main' in "// &
+                  "line 11 by capitals only; write one of them", "'Main'", "'main'")
+   contains
+      !> A curly quote, as word processors write it.
+      function curly(last) result(quote)
+         integer, intent(in) :: last
+         character(3) :: quote
+         quote = char(226)//char(128)//char(last)
+      end function curly
    end subroutine test_form
 
    !> Survey, hole and fluid.
@@ -225,6 +236,11 @@ contains
       call follow("yield = 135", "yield = 135 ksi", "; write the number alone", " ksi", "", deck)
       call follow("yield = 135", "yield = 135000", "135000 psi is written 135", "135000", "135", deck)
       call follow("density = 10", "density = 75", "a mud of 75 pcf (lbm/ft3) is written 10.03", "= 75", "= 10.03", deck)
+      call follow("bit_depth = 9000", "bit_depth = 9,000", "decimals have a point: 9.000. Thousands have no mark: 9000", "9,000", &
+                  "9000", deck)
+      call follow("md = 0, 9000", "md = 0, 2743.2", "Is md of the survey in m? 2743.2 m are 9000 ft", "2743.2", "9000", deck)
+      call follow("kind = 'collar', length = 90", "kind = 'PDC', length = 90, joint_od = 8.5", &
+                  "Only a bit may fill its hole: is it one? Then write kind = 'bit'", "'PDC'", "'bit'", deck)
       call follow("&component od = 5, id = 4.276, yield = 135 /"//newline, "", &
                   "add drill pipe without a length as last component", "id = 3.25 /", &
                   "id = 3.25 / &component od = 5, id = 4.276 /", deck)

@@ -171,10 +171,17 @@ contains
       type(error_list_type) :: found
       integer, dimension(size(draft%components)) :: lowest, uppermost
       real(wp) :: heaviest
-      integer :: i
+      integer :: i, k
       lowest = lowest_of(draft)
       do i = 1, size(lowest)
          uppermost(lowest(i)) = i
+         do k = 1, i - 1
+            if (lowest(k) == lowest(i) .or. lower_case(draft%components(k)%string) /= lower_case(draft%components(i)%string)) cycle
+            call add_fault(faults, draft%path, draft%components(i)%line, 'group &component: string = '// &
+                           quoted(draft%components(i)%string)//' differs from '//quoted(draft%components(k)%string)// &
+                           ' in line '//to_text(draft%components(k)%line)//' by capitals only; write one of them')
+            exit
+         end do
       end do
       heaviest = 0.0_wp
       if (size(draft%fluids) > 0) heaviest = maxval(draft%fluids%fluid%density)
