@@ -83,6 +83,8 @@ contains
                    'the dogleg is 30 deg/100 ft at 8500 ft. Usual in a hole of 8.5 in is at most 24.3 deg/100 ft. Check '// &
                    'depths, angles '// &
                    'and their units: are depths in m? 1 m is 3.281 ft')
+      call mistake('&hole name = ''casing''', '&tortuosity kind = ''sine'', amplitude = 5, period = 60 / &hole name = ''casing''', &
+                   'group &tortuosity: the dogleg is ')
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8290, 12000, 15000', &
                    'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.3 deg/100 ft. Check '// &
                    'depths, angles '// &

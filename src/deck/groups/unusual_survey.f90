@@ -126,12 +126,13 @@ contains
             usual_here = limit
             place = i
          end do
-         if (place > 0) call append_text(notes, 'group &trajectory: the dogleg is '// &
+         if (place > 0) call append_text(notes, either('group &tortuosity', 'group &trajectory', draft%tortuous)// &
+            ': the dogleg is '// &
             in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
             in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
             in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
             in_units(units, unit_curvature, at_most(units, unit_curvature, usual_here, few_digits), few_digits)// &
-            '. Check depths, angles and their units'// &
+            either('. Check amplitude and period', '. Check depths, angles and their units', draft%tortuous)// &
             either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
                    abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
          place = 0

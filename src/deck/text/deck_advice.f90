@@ -3,11 +3,12 @@
 !> units. None of these is read.
 module dg_deck_advice
    use dg_kinds, only: wp
+   use dg_constants, only: psi
    use dg_deck_number, only: read_fraction, read_real
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
    use dg_load_case, only: alike, operation_aliases, operation_count, operation_from_name, operation_name
    use dg_text, only: nearest_name, suggestion, edit_distance, joined, lower_case, to_text
-   use dg_unit_kind, only: smaller_unit, unit_density, unit_factor, unit_label, unit_none
+   use dg_unit_kind, only: smaller_unit, unit_density, unit_factor, unit_label, unit_none, unit_pressure
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -210,6 +211,8 @@ contains
       call hold_in_range(rule, held, legal)
       if (legal) advice = '; '//text//' '//trim(smaller)//' is written '// &
          to_text(number, merge(density_digits, digits_told, rule%unit == unit_density))
+      if (legal .and. rule%unit == unit_pressure .and. smaller == 'kPa') advice = advice//', '//text//' psi '// &
+         to_text(number*of_them*psi/unit_factor(units, unit_pressure), density_digits)
    end function unit_advice
 
    !> A text without a mark of inches at its end, in quotes or as a word.
