@@ -282,7 +282,7 @@ contains
    subroutine test_materials()
       character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625', tool = "kind = 'collar', length = 90"
       call mistake(pipe, 'od = 5, id = 4.276', "'DP': without joint_od and mass it is plain pipe. Tool joints add 12 to 35 % "// &
-                   'to its mass. Give both, or a name of the catalogue')
+                   "to its mass. Give both, or a name of the catalogue. Pipe without joints needs its kind, as 'casing'")
       call mistake('mass = 20.87', 'mass = 19.5', "'DP': mass = 19.5 lbm/ft is little more than its tube has. Is it the "// &
                    'nominal weight? Give the mass with tool joints, or a name of the catalogue')
       call mistake(pipe, 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, youngs = 10', &
@@ -322,10 +322,10 @@ contains
       call mistake('cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 1.0e-5', 'wear_factor = ')
       call usual('cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 8')
       run = run_deck_text("&job plots = .false., hdf5 = .false., profiles = .false. / &trajectory md = 0, 6562, 13124, "// &
-         "inc = 0, 0, 30, azi = 0, 0, 0 / &hole diameter = 311, friction = 0.3 / &fluid density = 1200 / "// &
+         "inc = 0, 0, 30, azi = 0, 0, 0 / &hole md_bottom = 4000, diameter = 311, friction = 0.3 / &fluid density = 1200 / "// &
          "&component od = 127, id = 108.6, mass = 32, joint_od = 168 / &load_case name = 'up', operation = 'up', "// &
          'bit_depth = 4000 /'//newline, '--check')
-      call assertTrue(index(run%output, 'the survey ends at 13124 m, 3.281 times as deep as the deepest bit. Is it in ft? In a '// &
+      call assertTrue(index(run%output, 'the survey ends at 13124 m, 3.281 times as deep as bit and hole. Is it in ft? In a '// &
                             'file write survey_units = ''field''') > 0, message=run%output)
    end subroutine test_rig
 end module dg_test_unusual_decks

@@ -35,7 +35,7 @@ module dg_unusual_component
                                           'turbine', 'sensor', 'collar']
    !> Shortest kind that may have two letters wrong, and kinds that are meant so.
    integer, parameter :: long_kind = 5
-   character(*), parameter :: meant_so(*) = [character(8) :: 'coring', 'turbine', 'roller', 'holder']
+   character(*), parameter :: meant_so(*) = [character(8) :: 'coring', 'turbine', 'roller', 'collet']
    integer, parameter :: digits = 4
 
 contains
@@ -66,7 +66,8 @@ contains
          if (lacks_joints(part)) call append_text(notes, what//': without mass it weighs '// &
             in_units(units, unit_mass, part%mass, digits)//', as a tube without tool joints. Give mass, joints counted in')
          if (is_plain(item)) call append_text(notes, what//': without joint_od and mass it is plain pipe. Tool joints add '// &
-                                              '12 to 35 % to its mass. Give both, or a name of the catalogue')
+                                              '12 to 35 % to its mass. Give both, or a name of the catalogue. '// &
+                                              "Pipe without joints needs its kind, as 'casing'")
          if (has_nominal_mass(item)) call append_text(notes, what//': mass = '//in_units(units, unit_mass, part%mass, digits)// &
             ' is little more than its tube has. Is it the nominal weight? Give the mass with tool joints, or a name of the '// &
             'catalogue')

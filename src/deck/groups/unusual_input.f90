@@ -35,7 +35,7 @@ module dg_unusual_input
    !> Friction in casing over that of open hole, above which the two may be swapped [-]. Fits of measured wells have up to 1.4.
    real(wp), parameter :: rougher = 1.6_wp
    !> Part by which a ratio of depths may differ from that of metre and foot [-]: the deepest bit is seldom at the last station.
-   real(wp), parameter :: as_feet = 0.1_wp
+   real(wp), parameter :: as_feet = 0.03_wp
    integer, parameter :: digits = 4, depth_digits = 6
 
 contains
@@ -54,9 +54,10 @@ contains
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid)
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
-            if (fluid%above_bit >= deepest_bit(draft, uses)) call append_text(notes, 'group &fluid: above_bit = '// &
-               in_units(draft%units, unit_length, fluid%above_bit, depth_digits)//' is longer than any string in the hole, '// &
-               'so that this fluid fills all of it'//feet_question(draft%units, fluid%above_bit, deepest_bit(draft, uses)))
+            if (fluid%above_bit > 0.0_wp .and. fluid%above_bit >= deepest_bit(draft, uses)) &
+               call append_text(notes, 'group &fluid: above_bit = '//in_units(draft%units, unit_length, fluid%above_bit, &
+               depth_digits)//' is longer than any string in the hole, so that this fluid fills all of it'// &
+               feet_question(draft%units, fluid%above_bit, deepest_bit(draft, uses)))
             if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
                in_units(draft%units, unit_length, fluid%md_top, depth_digits)//' is below the hole, so that this fluid '// &
                'is nowhere. Give the depth where it begins')
@@ -258,17 +259,17 @@ contains
       if (size(uses) > 0) depth = max(depth, maxval(uses%depth))
    end function deepest_bit
 
-   !> A survey that ends as many times deeper than hole and bit as a metre has feet.
+   !> A survey that ends as many times deeper than bit and hole as a metre has feet.
    subroutine note_survey_in_feet(draft, uses, notes)
       type(draft_type), intent(in) :: draft
       type(string_use_type), intent(in) :: uses(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: last, deepest
       last = draft%stations%md(size(draft%stations%md))
-      deepest = deepest_bit(draft, uses)
-      if (abs(last/deepest*foot - 1.0_wp) > as_feet .or. .not. abs(draft%units%length - 1.0_wp) < as_feet) return
+      deepest = max(deepest_bit(draft, uses), maxval(draft%holes%section%md_bottom))
+      if (abs(last*foot - deepest) > as_feet*deepest .or. .not. abs(draft%units%length - 1.0_wp) < as_feet) return
       call append_text(notes, 'group &trajectory: the survey ends at '//in_units(draft%units, unit_length, last, depth_digits)// &
-                       ', '//to_text(last/deepest, digits)//' times as deep as the deepest bit. Is it in ft? In a file write '// &
+                       ', '//to_text(last/deepest, digits)//' times as deep as bit and hole. Is it in ft? In a file write '// &
                        "survey_units = 'field'")
    end subroutine note_survey_in_feet
 
