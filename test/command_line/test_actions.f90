@@ -138,8 +138,7 @@ contains
       call refuse("catalogue = 'DP 5 19.50 NC5'", "input/catalogue.csv has no 'DP 5 19.50 NC5'; did you mean 'DP 5 19.50 NC50'?")
       call refuse("catalogue = 'DP 5 19.5 NC50 S-135'", "did you mean 'DP 5 19.50 NC50 S135'?")
       call refuse("catalogue = 'DP 5 19.50 NC50 S153'", "did you mean 'DP 5 19.50 NC50 S135'?")
-      call refuse("catalogue = 'DP 5 19.50 NC50 V150'", "the catalogue has no grade 'V150'. Leave it out and give yield, or "// &
-                  'see --list-catalogue grade')
+      call refuse("catalogue = 'DP 5 19.50 NC50 V150'", "leave out 'V150'. For a grade that the catalogue does not have give yield")
       call refuse("catalogue = 'something else altogether'", '--list-catalogue lists what it has')
       ! by kind, size, weight and grade, then by connection: never heavy weight pipe for drill pipe
       call refuse("catalogue = 'DP 5 19.5 S-135'", "has no 'DP 5 19.5 S-135'; did you mean 'DP 5 19.50 NC50 S135', 'DP 5 19.50 "// &

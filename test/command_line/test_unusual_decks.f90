@@ -235,8 +235,9 @@ contains
       call usual('tob = 5 ', 'tob = 5, rpm = 600 ')
       call usual('tob = 5 ', 'tob = 5, temperature_change_top = -330 ')
       call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'inside' /", &
-                   "case 'up': there is no fluid outside of the string. For one on both sides write where = 'both'")
-      call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /", "there is no fluid inside of the string")
+                   "There is no fluid outside. For one on both sides write where = 'both'")
+      call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /", &
+                   "There is no fluid inside. For one on both sides")
    end subroutine test_conditions
 
    !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 156 klbf in mud along the hole.
@@ -307,15 +308,15 @@ contains
       call mistake('&fluid', '&rig max_hookload = 500 / &fluid', 'group &rig: max_hookload counts the block in, and '// &
                    'block_weight is not given. Give it, or 0 for a limit without block')
       call usual('&fluid', '&rig max_hookload = 500, block_weight = 0 / &fluid')
-      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', 'sheave_efficiency = 0.85 is unusual. Usual '// &
+      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.5 / &fluid', 'sheave_efficiency = 0.5 is unusual. Usual '// &
                    'is at least 0.93')
-      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', 'sheave_efficiency is that of one sheave. '// &
-                   'If it is of the whole block, write 0.975')
+      call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', &
+                   'sheave_efficiency = 0.85 is that of one sheave. If it is of the whole block, write 0.975')
       call usual('&fluid', '&rig lines = 12, sheave_efficiency = 0.975 / &fluid')
       call mistake('friction = 0.20', 'friction = 0.60', 'friction = 0.6 in casing is above 0.3 of open hole ''open''. Are the '// &
                    'two swapped?')
       call mistake("operation = 'up',", "operation = 'up', friction = 0,", &
-                   'case ''up'': friction = 0, so that there is no drag. Leave it out for the friction of &hole')
+                   'case ''up'': axial friction is 0, so that there is no drag. Leave it out for that of &hole')
       call mistake(', wob = 20, tob = 5 ', ' ', 'case ''turn'' drills without wob and tob. Give both, or rotate_off_bottom')
       call mistake('density = 9.6 /', 'density = 9.6 / &fluid density = 9, above_bit = 20000, where = ''inside'' /', &
                    'above_bit = 20000 ft is longer than any string in the hole, so that this fluid fills all of it')

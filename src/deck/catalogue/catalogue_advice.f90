@@ -123,7 +123,7 @@ contains
       if (grade /= '') then
          advice = "did you mean '"//body//' '//grade//"'?"
       else
-         advice = "the catalogue has no grade '"//word//"'. Leave it out and give yield, or see --list-catalogue grade"
+         advice = "leave out '"//word//"'. For a grade that the catalogue does not have give yield"
       end if
    end function grade_advice
 

@@ -128,13 +128,12 @@ contains
             within = pressure_at(inside, case%bit_depth, tvd)
             around = pressure_at(outside, case%bit_depth, tvd)
             said = abs(within - around) > least_difference
-            if (said .and. min(within, around) < no_pressure) then
-               call append_text(notes, 'group &fluid: load case '//quoted(case%name)//': there is no fluid '// &
-                  either('inside', 'outside', within < around)//" of the string. For one on both sides write where = 'both'")
-            else if (said) then
+            if (said) then
                call append_text(notes, 'group &fluid: load case '//quoted(case%name)// &
                ': without pump pressure the fluid inside presses on the bit with '//pressed(within)//', that outside with '// &
-               pressed(around)//'; a float valve or plug at the end of the string must hold the difference')
+               pressed(around)//'; a float valve or plug at the end of the string must hold the difference'// &
+                  either('. There is no fluid '//either('inside', 'outside', within < around)// &
+                         ". For one on both sides write where = 'both'", '', min(within, around) < no_pressure))
             end if
          end associate
       end subroutine note_bit

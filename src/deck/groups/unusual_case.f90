@@ -38,7 +38,8 @@ contains
           .not. load_case%measured_hookload%present) &
          call append_text(notes, what//' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
       if (load_case%operation == operation_rotary_drilling .and. .not. abs(load_case%wob) > 0.0_wp .and. &
-          .not. load_case%tob > 0.0_wp) call append_text(notes, what//' drills without wob and tob. Give both, or '// &
+          .not. (load_case%tob > 0.0_wp .or. load_case%measured_hookload%present)) &
+         call append_text(notes, what//' drills without wob and tob. Give both, or '// &
                                                          trim(operation_name(operation_rotate_off_bottom)))
       if (load_case%measured_torque%present) call note(usual_measured, load_case%measured_torque%value)
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
@@ -46,7 +47,7 @@ contains
          if (load_case%friction_axial%value > 0.0_wp) then
             call note(usual_friction, load_case%friction_axial%value)
          else if (moves_axially(load_case%operation)) then
-            call append_text(notes, what//': friction = 0, so that there is no drag. Leave it out for the friction of &hole')
+            call append_text(notes, what//': axial friction is 0, so that there is no drag. Leave it out for that of &hole')
          end if
       end if
       call note(usual_warming_top, load_case%temperature_change_top)

@@ -2,7 +2,7 @@
 !> and the usual range.
 module dg_unusual_component
    use dg_kinds, only: wp
-   use dg_component, only: component_type, has_joints, is_coiled_tubing, is_hwdp, is_pipe, tube_area
+   use dg_component, only: component_type, effective_joint_length, has_joints, is_coiled_tubing, is_hwdp, is_pipe, tube_area
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of
    use dg_text, only: append_text, edit_distance, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment
@@ -20,12 +20,14 @@ module dg_unusual_component
    !> Largest mass over that of the tube, of pipe with tool joints, that is the nominal weight of a catalogue and not its mass [-].
    !> Nominal weight is 1.03 to 1.09 of the tube, true mass 1.12 to 1.35.
    real(wp), parameter :: nominal = 1.095_wp
+   !> Least mass of joints over that of the tube, by which nominal weights are too small [-]: couplings have less.
+   real(wp), parameter :: heavy_joints = 0.11_wp
    !> Diameters of drill pipe [m]: 3 1/2 to 6 5/8 in; nominal weights of tubing, up to 4 in, are true ones.
    real(wp), parameter :: thinnest = 0.088_wp, thickest = 0.17_wp, thickest_tubing = 0.102_wp
-   !> Least bore of pipe over its outside diameter [-]: heavy weight pipe has 0.59, collars without a kind 0.35.
-   real(wp), parameter :: least_bore = 0.3_wp
-   !> Young's modulus and density of light alloys [Pa, kg/m3]: titanium has 114e9 and 4430, aluminium 72e9 and 2800.
-   real(wp), parameter :: soft_metal = 130.0e9_wp, light_metal = 5500.0_wp, stiff_metal = 170.0e9_wp
+   !> Least bore of pipe over its outside diameter [-]: heavy weight pipe has 0.59, collars without a kind 0.25.
+   real(wp), parameter :: least_bore = 0.22_wp
+   !> Young's modulus and density of light alloys [Pa, kg/m3]: aluminium has 72e9 and 2800, titanium 114e9 and 4430.
+   real(wp), parameter :: soft_metal = 90.0e9_wp, light_metal = 5500.0_wp, stiff_metal = 170.0e9_wp
    !> Longest tool [m]: collars with a logging tool have 60.
    real(wp), parameter :: longest_tool = 150.0_wp
    !> Shortest string of pipe without joints that is unusual [m].
@@ -80,7 +82,7 @@ contains
             call append_text(notes, what//': youngs = '//to_text(part%youngs/unit_factor(units, unit_modulus), digits)// &
                ' and density = '//in_units(units, unit_density, part%density, digits)//' are of two materials. Give both')
          if (part%id > 0.0_wp .or. item%mass_given .or. (part%length > 0.0_wp .and. part%length <= longest_bar)) return
-         if (index(lower_case(part%kind), 'rod') > 0) return
+         if (index(lower_case(part%kind), 'rod') > 0 .or. index(lower_case(part%kind), 'bar') > 0) return
          call append_text(notes, what//' is a solid bar of '//in_units(units, unit_mass, part%mass, digits)// &
                           ', as it has no id and no mass. Give the inside diameter')
       end associate
@@ -154,6 +156,8 @@ contains
       associate (part => item%component)
          has = has_joints(part) .and. item%mass_given .and. is_pipe(part) .and. index(lower_case(part%kind), 'pipe') > 0 .and. &
                part%od > thickest_tubing .and. part%od < thickest
+         if (has) has = effective_joint_length(part)*tube_area(part%joint_od, part%od) > &
+                        heavy_joints*part%joint_spacing*tube_area(part%od, part%id)
          tube = part%density*tube_area(part%od, part%id)
          if (has) has = part%mass > tube .and. part%mass < nominal*tube
       end associate

@@ -35,7 +35,7 @@ module dg_unusual_input
    !> Friction in casing over that of open hole, above which the two may be swapped [-]. Fits of measured wells have up to 1.4.
    real(wp), parameter :: rougher = 1.6_wp
    !> Part by which a ratio of depths may differ from that of metre and foot [-]: the deepest bit is seldom at the last station.
-   real(wp), parameter :: as_feet = 0.03_wp
+   real(wp), parameter :: as_feet = 0.01_wp
    integer, parameter :: digits = 4, depth_digits = 6
 
 contains
@@ -219,7 +219,7 @@ contains
       end do
    end subroutine note_collars
 
-   !> A cased section below an open one, or rougher than one. What has no friction, as the gap above a riser, is no open hole.
+   !> A cased section below an open one, or rougher than one below it. What has no friction, as the gap above a riser, is not open.
    subroutine note_cased(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
@@ -234,7 +234,7 @@ contains
       end do
       do i = 1, size(draft%holes)
          if (.not. draft%holes(i)%section%cased) cycle
-         do k = 1, size(draft%holes)
+         do k = i + 1, size(draft%holes)
             associate (cased => draft%holes(i)%section, open => draft%holes(k)%section)
                if (open%cased .or. .not. open%friction_axial > 0.0_wp .or. &
                    cased%friction_axial <= rougher*open%friction_axial) cycle

@@ -41,16 +41,19 @@ contains
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: weights(size(model%cases))
+      real(wp) :: weights(size(model%cases)), each
       integer :: i
       call note_packer(model, units, notes)
       ! Without losses in the sheaves the number of lines changes no result.
       if (model%rig%sheave_efficiency < 1.0_wp) then
          call note_range(units, 'group &rig', usual_lines, real(model%rig%lines, wp), notes)
-         call note_range(units, 'group &rig', usual_sheave, model%rig%sheave_efficiency, notes)
-         if (is_unusual(usual_sheave, model%rig%sheave_efficiency)) call append_text(notes, 'group &rig: sheave_efficiency is '// &
-            'that of one sheave. If it is of the whole block, write '// &
-            to_text(model%rig%sheave_efficiency**(2.0_wp/(model%rig%lines + 1)), few_digits + 1))
+         each = model%rig%sheave_efficiency**(2.0_wp/(model%rig%lines + 1))
+         if (is_unusual(usual_sheave, each)) then
+            call note_range(units, 'group &rig', usual_sheave, model%rig%sheave_efficiency, notes)
+         else if (is_unusual(usual_sheave, model%rig%sheave_efficiency)) then
+            call append_text(notes, 'group &rig: sheave_efficiency = '//to_text(model%rig%sheave_efficiency, digits)// &
+               ' is that of one sheave. If it is of the whole block, write '//to_text(each, few_digits + 1))
+         end if
       end if
       if (top_md(model%trajectory) > 0.0_wp) return
       weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]

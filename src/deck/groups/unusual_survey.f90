@@ -25,7 +25,7 @@ module dg_unusual_survey
    !> Inclinations of a survey in radians: the largest is near pi/2, or smaller than 1.6 deg while the survey builds and holds.
    real(wp), parameter :: largest_radian = 1.6_wp*degree, least_radian = 0.5_wp*degree, near_right_angle = 0.005_wp*degree
    !> Largest inclination of a survey with few inclined stations that may be in radians: a plumb hole has one of half a degree.
-   real(wp), parameter :: least_of_few = 0.75_wp*degree
+   real(wp), parameter :: least_of_few = 1.3_wp*degree
    integer, parameter :: few = 3
    !> Largest inclination of a survey in radians, read as degrees, where its azimuths are below 2 pi, too [rad].
    real(wp), parameter :: largest_of_both = 1.8_wp*degree

@@ -178,8 +178,8 @@ contains
       length = verify(text, digits//'.+-') - 1
       if (length > 0 .and. verify(trim(text), digits//' ') == 0 .and. len_trim(text) > length) then
          advice = '; decimals have a point: '//text(:length)//'.'//trim(adjustl(text(length + 1:)))
-         if (len_trim(adjustl(text(length + 1:))) == letters_of_thousand) advice = advice//'. Thousands have no mark: '// &
-            text(:length)//trim(adjustl(text(length + 1:)))
+         if (len_trim(adjustl(text(length + 1:))) == letters_of_thousand .and. scan(text(1:1), '0-') == 0) &
+            advice = advice//'. Thousands have no mark: '//text(:length)//trim(adjustl(text(length + 1:)))
          if (verify(trim(adjustl(text(length + 1:))), digits) == 0) return
          advice = ''
       end if

@@ -42,6 +42,7 @@ contains
          write (buffer, form) value
          buffer = adjustl(buffer)
          if (verify(trim(buffer), '-0.') == 0 .and. buffer(1:1) == '-') buffer = buffer(2:)
+         if (places == 0 .and. decimals > 0) buffer = buffer(:index(buffer//'.', '.') - 1)
          if (len_trim(buffer) < width) exit
       end do
       if (len_trim(buffer) >= width) then

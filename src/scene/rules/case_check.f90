@@ -16,6 +16,8 @@ module dg_case_check
    public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
 
    integer, parameter :: metre_digits = 6
+   !> Depth of a bit over that of its survey, from which the survey may be in m and the bit in ft [-].
+   real(wp), parameter :: least_ratio = 2.5_wp
    character(*), parameter :: bit_advice = ". Only a bit may fill its hole: is it one? Then write kind = 'bit'"
 
 contains
@@ -57,7 +59,7 @@ contains
       if (depth > bottom*(1.0_wp + depth_round_off)) then
          call add_part_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
                              what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
-                             depth_words(units, bottom)//metres_question(units, depth, bottom))
+                             depth_words(units, bottom)//either(metres_question(units, depth, bottom), '', what == 'survey'))
       else
          depth = min(depth, bottom)
       end if
@@ -69,8 +71,10 @@ contains
       real(wp), intent(in) :: depth, bottom        !< of the bit and of the survey [m]
       character(:), allocatable :: text
       text = ''
-      if (abs(units%length - foot) > depth_round_off .or. depth*foot > bottom*(1.0_wp + depth_round_off)) return
-      text = '. Is md of the survey in m? '//to_text(bottom/foot, metre_digits)//' m are '//depth_words(units, bottom/foot)
+      if (abs(units%length - foot) > depth_round_off .or. depth < least_ratio*bottom .or. &
+          depth*foot > bottom*(1.0_wp + depth_round_off)) return
+      text = '. Is md of the survey in m? '//to_text(bottom/foot, metre_digits)//' m are '// &
+             to_text(bottom/foot**2, metre_digits)//' ft'
    end function metres_question
 
    !> Check that there is a string of that name.

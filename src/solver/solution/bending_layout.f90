@@ -24,13 +24,13 @@ module dg_bending_layout
    real(wp), parameter :: change = 0.01_wp
    !> Nodes closer than this are one [m].
    real(wp), parameter :: sliver = 0.02_wp
-   !> Distance of a node from the centralizer that it was made for, at most [m].
+   !> Distance of a node from the point of contact that it was made for, at most [m].
    real(wp), parameter :: same_place = 1.0e-6_wp
    !> Length of elements where clearance changes or a bend begins or ends [m]. It holds up to a distance `near_bit` above the
    !> bit [m]. An element feels the wall at a fifth of its length from its end. With elements of 0.1 m the edge of a tilted
    !> blade may enter a rigid wall unfelt.
    real(wp), parameter :: edge_length = 2.0e-3_wp, near_bit = 50.0_wp
-   !> Clearance of an element whose only contact is a point, that of a centralizer [m].
+   !> Clearance of an element whose only contact is a point [m].
    real(wp), parameter :: out_of_reach = 1.0e6_wp
    !> Distance from a free end over which stiffer springs hold a compressed string, over sqrt(EI/P) [-].
    real(wp), parameter :: end_reach = 8.0_wp
@@ -87,7 +87,7 @@ contains
 
    !> Depths along the string where the beam must have nodes, and the longest element allowed at each of them. They are:
    !> - the nodes of the mesh
-   !> - centralizers
+   !> - centralizers, and tool joints in compression
    !> - beginnings and ends of bends, as seen from the displaced string
    !> - single contacts, if `alone`
    pure subroutine find_breaks(model, mesh, gaps, solved, alone, breaks, longest)
@@ -128,7 +128,7 @@ contains
             end if
             if (is_edge(mesh, n)) longest(count) = min(longest(count), edge_length)
             if (n == mesh%nodes) exit
-            if (is_point(mesh, gaps, n)) then
+            if (is_point(mesh, gaps, solved%axial, n)) then
                count = count + 1
                breaks(count) = mesh%md(n) + gaps%xi(n)*mesh%length(n)
                longest(count) = huge(1.0_wp)
@@ -183,14 +183,16 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> True if the contact of an element is that of one centralizer, between the ends of the element. A tool joint touches along
-   !> its length: pulled in a bend, with both edges.
-   pure function is_point(mesh, gaps, e) result(is)
+   !> True if the contact of an element is a point between its ends: that of a centralizer, or of a tool joint in compression, which
+   !> touches in its middle. Pulled in a bend, a tool joint touches with both edges.
+   pure function is_point(mesh, gaps, axial, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
+      real(wp), intent(in) :: axial(:)      !< at the nodes, tension > 0 [N]
       integer, intent(in) :: e
       logical :: is
-      is = mesh%centralizer(e) .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
+      is = mesh%spacing(e) > 0.0_wp .and. mesh%load_factor(e) > 1.0_wp .and. is_between(mesh, gaps, e)
+      if (is) is = mesh%centralizer(e) .or. min(axial(e), axial(e + 1)) < 0.0_wp
    end function is_point
 
    !> True if an element has a single contact between its ends, at the extremum that its gap follows.
@@ -288,7 +290,7 @@ contains
          beam%element(e)%law%clearance = mesh%opening(o)         ! a fitted gap has a clearance of its own
          beam%element(e)%law%contact = hardened(gaps%law(o)%contact/mesh%length(o))
          beam%element(e)%law%maximum = hardened(gaps%law(o)%maximum/mesh%length(o))
-         if (is_point(mesh, gaps, o)) then
+         if (is_point(mesh, gaps, solved%axial, o)) then
             beam%element(e)%law%clearance = out_of_reach
             if (e > 1) then
                if (beam%owner(e - 1) == o .and. abs(nodes(e) - mesh%md(o) - gaps%xi(o)*mesh%length(o)) < same_place) then

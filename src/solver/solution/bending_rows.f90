@@ -149,7 +149,7 @@ contains
             moment(n) = coarse(n)
          end if
       end do
-      kept(beam%point) = .true.       ! centralizers have rows of their own
+      kept(beam%point) = .true.       ! points of contact have rows of their own
       call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
    end subroutine choose_moments
 
@@ -209,7 +209,7 @@ contains
    end function contact_above
 
    !> Contact forces of the elements of the beam, at both of their ends (2,e) [N]. They are distributed as in the beam, and
-   !> scaled to the sum of the analysis. The force of a centralizer is spread over its element of the analysis. Elements that
+   !> scaled to the sum of the analysis. The force of a point is spread over its element of the analysis. Elements that
    !> the beam does not replace have the forces of the analysis.
    pure function contact_at_ends(mesh, work, beam, bent, scale) result(forces)
       type(mesh_type), intent(in) :: mesh

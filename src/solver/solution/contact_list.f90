@@ -18,6 +18,9 @@ module dg_contact_list
    private
    public :: list_contacts
 
+   !> Cosine of the largest angle between forces of one contact [-]: 30 deg.
+   real(wp), parameter :: one_side = 0.866_wp
+
    !> Contact forces of short lengths of string, from the top down.
    type :: stretches_type
       real(wp), allocatable :: md(:)          !< where the force acts [m]
@@ -163,8 +166,8 @@ contains
       towards = offset/max(norm2(offset), tiny(1.0_wp))
    end function direction
 
-   !> Add contacts for each run of touching elements of one kind: a joint, or a stabilizer. A tilted one has two, where it
-   !> presses one side with its upper and the other side with its lower edge. The force of a contact is the sum of its vectors.
+   !> Add contacts for each run of touching elements of one kind: a joint, or a stabilizer. A tilted one has two, where its
+   !> upper and its lower edge press different sides. The force of a contact is the sum of its vectors.
    pure subroutine put_groups(model, mesh, beam, kind, stretches, contacts)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
@@ -184,7 +187,7 @@ contains
          do while (last < size(of))
             if (of(last + 1) /= of(first)) exit
             next = stretches%force(last + 1)*stretches%towards(:, last + 1)
-            if (dot_product(next, pushed) < 0.0_wp) exit          ! the other side
+            if (dot_product(next, pushed) < one_side*norm2(next)*norm2(pushed)) exit
             pushed = pushed + next
             last = last + 1
          end do

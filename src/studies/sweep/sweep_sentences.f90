@@ -82,7 +82,7 @@ contains
       end do
    end subroutine append_passed
 
-   !> Warnings of the points of a model that can be done. Warnings are of one kind if they are alike up to the first number. Each
+   !> Warnings of the points of a model that can be done. Warnings are of one kind if they are alike but for their numbers. Each
    !> kind has one line, with the warning of its deepest point.
    pure subroutine append_warned(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
@@ -148,11 +148,15 @@ contains
       end do
    end function points_of_model
 
-   !> Text of a warning before its first number.
+   !> Text of a warning without its digits.
    pure function kind_of(message) result(kind)
       character(*), intent(in) :: message
       character(:), allocatable :: kind
-      kind = message(:scan(message//'0', '0123456789') - 1)
+      integer :: i
+      kind = ''
+      do i = 1, len(message)
+         if (scan(message(i:i), '0123456789.') == 0) kind = kind//message(i:i)
+      end do
    end function kind_of
 
    pure function depth_text(units, sweep, number) result(text)
