@@ -311,7 +311,7 @@ contains
       call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.5 / &fluid', 'sheave_efficiency = 0.5 is unusual. Usual '// &
                    'is at least 0.93')
       call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.85 / &fluid', &
-                   'sheave_efficiency = 0.85 is that of one sheave. If it is of the whole block, write 0.975')
+                   'sheave_efficiency is that of one sheave, 0.85 here. If it is of the whole block, write 0.975')
       call usual('&fluid', '&rig lines = 12, sheave_efficiency = 0.975 / &fluid')
       call mistake('friction = 0.20', 'friction = 0.60', 'friction = 0.6 in casing is above 0.3 of open hole ''open''. Are the '// &
                    'two swapped?')

@@ -51,8 +51,9 @@ contains
          if (is_unusual(usual_sheave, each)) then
             call note_range(units, 'group &rig', usual_sheave, model%rig%sheave_efficiency, notes)
          else if (is_unusual(usual_sheave, model%rig%sheave_efficiency)) then
-            call append_text(notes, 'group &rig: sheave_efficiency = '//to_text(model%rig%sheave_efficiency, digits)// &
-               ' is that of one sheave. If it is of the whole block, write '//to_text(each, few_digits + 1))
+            call append_text(notes, 'group &rig: sheave_efficiency is that of one sheave, '// &
+               to_text(model%rig%sheave_efficiency, digits)//' here. If it is of the whole block, write '// &
+               to_text(each, few_digits + 1))
          end if
       end if
       if (top_md(model%trajectory) > 0.0_wp) return

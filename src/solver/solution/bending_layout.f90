@@ -183,8 +183,8 @@ contains
       if (.not. is .and. allocated(mesh%bend)) is = any(abs(mesh%bend(:, n - 1)) > 0.0_wp) .neqv. any(abs(mesh%bend(:, n)) > 0.0_wp)
    end function is_edge
 
-   !> True if the contact of an element is a point between its ends: that of a centralizer, or of a tool joint in compression, which
-   !> touches in its middle. Pulled in a bend, a tool joint touches with both edges.
+   !> True if the contact of an element is a point between its ends. That is so for centralizers, and for tool joints in
+   !> compression, which touch in their middle. Pulled in a bend, a tool joint touches with both edges.
    pure function is_point(mesh, gaps, axial, e) result(is)
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
