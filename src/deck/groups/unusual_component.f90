@@ -133,9 +133,16 @@ contains
       if (.not. (has_joints(part) .and. part%id > 0.0_wp)) return
       if (.not. (is_hwdp(part) .or. index(lower_case(part%kind), 'pipe') > 0)) return
       lacks = abs(part%mass - part%density*tube_area(part%od, part%id)) < round_off*part%mass .and. &
-              part%joint_length*tube_area(part%joint_od, part%od) > &
-              least_of_joints*part%joint_spacing*tube_area(part%od, part%id)
+              added_by_joints(part, part%joint_length) > least_of_joints
    end function lacks_joints
+
+   !> Mass that tool joints add to pipe, over that of the tube [-].
+   elemental function added_by_joints(part, length) result(share)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: length          !< of a joint [m]
+      real(wp) :: share
+      share = length*tube_area(part%joint_od, part%od)/(part%joint_spacing*tube_area(part%od, part%id))
+   end function added_by_joints
 
    !> True for steel drill pipe to surface that has neither joints nor a mass.
    elemental function is_plain(item) result(is)
@@ -156,8 +163,7 @@ contains
       associate (part => item%component)
          has = has_joints(part) .and. item%mass_given .and. is_pipe(part) .and. index(lower_case(part%kind), 'pipe') > 0 .and. &
                part%od > thickest_tubing .and. part%od < thickest
-         if (has) has = effective_joint_length(part)*tube_area(part%joint_od, part%od) > &
-                        heavy_joints*part%joint_spacing*tube_area(part%od, part%id)
+         if (has) has = added_by_joints(part, effective_joint_length(part)) > heavy_joints
          tube = part%density*tube_area(part%od, part%id)
          if (has) has = part%mass > tube .and. part%mass < nominal*tube
       end associate

@@ -267,11 +267,18 @@ contains
       real(wp) :: last, deepest
       last = draft%stations%md(size(draft%stations%md))
       deepest = max(deepest_bit(draft, uses), maxval(draft%holes%section%md_bottom))
-      if (abs(last*foot - deepest) > as_feet*deepest .or. .not. abs(draft%units%length - 1.0_wp) < as_feet) return
+      if (abs(last*foot - deepest) > as_feet*deepest .or. .not. in_metres(draft%units)) return
       call append_text(notes, 'group &trajectory: the survey ends at '//in_units(draft%units, unit_length, last, depth_digits)// &
                        ', '//to_text(last/deepest, digits)//' times as deep as bit and hole. Is it in ft? In a file write '// &
                        "survey_units = 'field'")
    end subroutine note_survey_in_feet
+
+   !> True for depths in metres.
+   pure function in_metres(units) result(are)
+      type(unit_system_type), intent(in) :: units
+      logical :: are
+      are = abs(units%length - 1.0_wp) < as_feet
+   end function in_metres
 
    !> Question for feet where a length in metres is too long, and not so in feet; '' for others.
    function feet_question(units, length, longest) result(text)
@@ -279,7 +286,7 @@ contains
       real(wp), intent(in) :: length, longest      !< [m]
       character(:), allocatable :: text
       text = ''
-      if (abs(units%length - 1.0_wp) < as_feet .and. length*foot < longest) &
+      if (in_metres(units) .and. length*foot < longest) &
          text = '. Is it in ft? Then write '//to_text(length*foot, digits)
    end function feet_question
 end module dg_unusual_input

@@ -58,7 +58,7 @@ contains
       end associate
       do i = 1, size(edges)
          point = contact_point_type(contact_edge, edges(i)%md, edges(i)%force, edges(i)%length)
-         point%clock = clock_near(model, mesh, beam, edges(i)%md, bent%y(1:2, minloc(abs(beam%md - edges(i)%md), dim=1)))
+         point%clock = clock_near(model, mesh, beam, edges(i)%md, bent%y(1:2, nearest_node(beam, edges(i)%md)))
          call insert(point, result%contacts)
       end do
       if (beam%centred(1) .and. .not. beam%held(1)) then
@@ -220,7 +220,15 @@ contains
       real(wp), intent(in) :: across(2)
       real(wp) :: clock
       integer :: n
-      n = minloc(abs(beam%md - md), dim=1)
+      n = nearest_node(beam, md)
       clock = clock_in_hole(model%trajectory, mesh%arc(beam%owner(min(n, size(beam%owner)))), beam%place(n), across)
    end function clock_near
+
+   !> Node of the beam that is nearest to a depth.
+   pure function nearest_node(beam, md) result(n)
+      type(bending_beam_type), intent(in) :: beam
+      real(wp), intent(in) :: md           !< [m]
+      integer :: n
+      n = minloc(abs(beam%md - md), dim=1)
+   end function nearest_node
 end module dg_contact_list
