@@ -1,9 +1,9 @@
 !> Names and words as people read them in a sentence.
 module dg_readable
-   use dg_text, only: letter_end
+   use dg_text, only: letter_end, lower_case
    implicit none
    private
-   public :: spaced, capital, cut_text
+   public :: spaced, squeezed, capital, cut_text
 
 contains
 
@@ -17,6 +17,17 @@ contains
          if (name(i:i) == '_') text(i:i) = ' '
       end do
    end function spaced
+
+   !> Small letters without blanks, tabs and the letters of `also`.
+   pure function squeezed(text, also) result(tight)
+      character(*), intent(in) :: text, also
+      character(:), allocatable :: tight
+      integer :: i
+      tight = ''
+      do i = 1, len(text)
+         if (scan(text(i:i), ' '//achar(9)//also) == 0) tight = tight//lower_case(text(i:i))
+      end do
+   end function squeezed
 
    !> A text as a sentence begins.
    pure function capital(text) result(sentence)

@@ -4,6 +4,7 @@ module dg_catalogue_advice
    use dg_catalogue, only: catalogue_type, kind_of_grades
    use dg_deck_number, only: read_fraction, read_real
    use dg_kinds, only: wp
+   use dg_readable, only: squeezed
    use dg_text, only: append_text, edit_distance, lower_case, suggestion, text_type
    implicit none
    private
@@ -156,8 +157,8 @@ contains
             whole = verify(word, '0123456789') == 0
          else if (legal) then
             parts%weight = number
-         else if (grade_name(catalogue, bare(word)) /= '') then
-            parts%grade = bare(word)
+         else if (grade_name(catalogue, squeezed(word, '-')) /= '') then
+            parts%grade = squeezed(word, '-')
          else if (parts%kind == '' .and. .not. parts%size > 0.0_wp .and. parts%rest == '') then
             parts%kind = kind_of(catalogue, word)
             if (parts%kind == '') parts%rest = word
@@ -176,7 +177,7 @@ contains
       integer :: i
       kind = word
       do i = 1, size(kind_words, 2)
-         if (bare(word) == kind_words(1, i)) kind = trim(kind_words(2, i))
+         if (squeezed(word, '-') == kind_words(1, i)) kind = trim(kind_words(2, i))
       end do
       do i = 1, size(catalogue%entries)
          if (catalogue%entries(i)%kind == kind_of_grades) cycle
@@ -188,27 +189,16 @@ contains
    !> Name of a grade in the catalogue, found without regard to hyphens; '' for an unknown grade.
    pure function grade_name(catalogue, word) result(name)
       type(catalogue_type), intent(in) :: catalogue
-      character(*), intent(in) :: word        !< as `bare` gives it
+      character(*), intent(in) :: word        !< as `squeezed` gives it, without hyphens
       character(:), allocatable :: name
       integer :: i
       name = ''
       if (word == '') return
       do i = 1, size(catalogue%entries)
          if (catalogue%entries(i)%kind /= kind_of_grades) cycle
-         if (bare(lower_case(catalogue%entries(i)%name)) == word) name = catalogue%entries(i)%name
+         if (squeezed(catalogue%entries(i)%name, '-') == word) name = catalogue%entries(i)%name
       end do
    end function grade_name
-
-   !> A word without hyphens: S-135 is S135.
-   pure function bare(word) result(text)
-      character(*), intent(in) :: word
-      character(:), allocatable :: text
-      integer :: i
-      text = ''
-      do i = 1, len(word)
-         if (word(i:i) /= '-') text = text//word(i:i)
-      end do
-   end function bare
 
    !> A word without the mark or unit at its end.
    pure function without_mark(word) result(text)

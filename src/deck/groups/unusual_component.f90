@@ -144,7 +144,7 @@ contains
       share = length*tube_area(part%joint_od, part%od)/(part%joint_spacing*tube_area(part%od, part%id))
    end function added_by_joints
 
-   !> True for steel drill pipe to surface that has neither joints nor a mass.
+   !> True for drill pipe to surface that has neither joints nor a mass.
    elemental function is_plain(item) result(is)
       type(draft_component_type), intent(in) :: item
       logical :: is
@@ -155,7 +155,7 @@ contains
       end associate
    end function is_plain
 
-   !> True for steel drill pipe with joints whose mass is near that of its tube.
+   !> True for drill pipe with joints whose mass is near that of its tube.
    elemental function has_nominal_mass(item) result(has)
       type(draft_component_type), intent(in) :: item
       logical :: has

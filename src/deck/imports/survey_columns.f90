@@ -1,8 +1,8 @@
 !> Which columns of a survey table are measured depth, inclination and azimuth, by their headings or as the deck names them.
 module dg_survey_columns
    use dg_kinds, only: wp
+   use dg_readable, only: squeezed
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
-   use dg_table_text, only: squeezed
    use dg_table_unit, only: read_unit
    use dg_text, only: nearest_name, quoted
    use dg_units, only: unit_system_type

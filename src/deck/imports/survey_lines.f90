@@ -1,11 +1,12 @@
 !> Lines of a survey file without a station, and lines that may be a damaged station.
 module dg_survey_lines
    use dg_deck_number, only: is_number
+   use dg_readable, only: squeezed
    use dg_survey_columns, only: layout_type
    use dg_survey_heading, only: column_md
    use dg_survey_layout, only: is_unit_row
    use dg_table_number, only: plain_number
-   use dg_table_text, only: content_length, squeezed
+   use dg_table_text, only: content_length
    use dg_text, only: lower_case, text_type
    implicit none
    private

@@ -5,8 +5,7 @@ module dg_table_text
    implicit none
    private
    public :: skipped_rows_type, skipped_words
-   public :: close_brackets, content_length, find_separator, split_fields, split_row, squeezed, &
-             split_unit, without_comment
+   public :: close_brackets, content_length, find_separator, split_fields, split_row, split_unit, without_comment
 
    character(*), parameter :: tab = achar(9)
    !> Rows that are not read, of one kind.
@@ -111,18 +110,6 @@ contains
          if (scan(text(i:i), ')]') == 1) depth = max(depth - 1, 0)
       end do
    end function close_brackets
-
-   !> Small letters without blanks, tabs and the letters of `also`.
-   pure function squeezed(text, also) result(tight)
-      character(*), intent(in) :: text
-      character(*), intent(in) :: also
-      character(:), allocatable :: tight
-      integer :: i
-      tight = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), ' '//tab//also) == 0) tight = tight//lower_case(text(i:i))
-      end do
-   end function squeezed
 
    !> A line without its comment; '' where nothing but blanks, tabs and separators stands before it.
    pure function without_comment(line) result(text)

@@ -67,7 +67,7 @@ contains
       end do
    end function unchecked_codes
 
-   !> What may turn a yes into a no, as files have it, blanks between.
+   !> Codes of the doubts about a yes, as files have them, blanks between.
    pure function uncertain_codes(verdict) result(text)
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text

@@ -6,9 +6,10 @@ module dg_legacy_file
    use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_lines, only: read_lines
    use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, rows, system_count
+   use dg_readable, only: squeezed
    use dg_table_number, only: doubt, doubtful_line, marks_type, read_cell
    use dg_table_text, only: close_brackets, find_separator, skipped_rows_type, skipped_words, split_fields, split_row, &
-                            split_unit, squeezed, without_comment
+                            split_unit, without_comment
    use dg_text, only: quoted, suggestion, text_type, to_text
    implicit none
    private

@@ -1,4 +1,4 @@
-!> What a sweep says in sentences: limits that it passes, and where first; warnings of its points.
+!> Sentences of a sweep: limits that it passes, and where first; warnings of its points.
 module dg_sweep_sentences
    use dg_kinds, only: wp
    use dg_job, only: model_name
@@ -6,6 +6,7 @@ module dg_sweep_sentences
    use dg_measured_table, only: factor_text
    use dg_missing, only: is_missing
    use dg_number_text, only: append_wrapped, page_width
+   use dg_readable, only: squeezed
    use dg_sweep, only: point_at, point_number, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, either, text_type, to_text
@@ -18,6 +19,8 @@ module dg_sweep_sentences
    !> Limits that a sentence tells.
    integer, parameter :: most_passed = 6
    integer, parameter :: depth_digits = 7
+   !> Letters in which warnings of one kind may differ.
+   character(*), parameter :: digits_and_point = '0123456789.'
 
 contains
 
@@ -96,12 +99,12 @@ contains
       integer :: i, deepest
       left = is_warned(points) .and. points_of_model(sweep, model)
       do while (any(left))
-         kind = kind_of(points(findloc(left, .true., dim=1))%message)
+         kind = squeezed(points(findloc(left, .true., dim=1))%message, digits_and_point)
          alike = .false.
          deepest = 0
          do i = 1, size(points)
             if (.not. left(i)) cycle
-            alike(i) = kind_of(points(i)%message) == kind
+            alike(i) = squeezed(points(i)%message, digits_and_point) == kind
             if (.not. alike(i)) cycle
             point = point_at(sweep, i)
             if (deepest > 0) then
@@ -147,17 +150,6 @@ contains
          are(i) = point%model == model
       end do
    end function points_of_model
-
-   !> Text of a warning without its digits.
-   pure function kind_of(message) result(kind)
-      character(*), intent(in) :: message
-      character(:), allocatable :: kind
-      integer :: i
-      kind = ''
-      do i = 1, len(message)
-         if (scan(message(i:i), '0123456789.') == 0) kind = kind//message(i:i)
-      end do
-   end function kind_of
 
    pure function depth_text(units, sweep, number) result(text)
       type(unit_system_type), intent(in) :: units
