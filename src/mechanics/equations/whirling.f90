@@ -23,7 +23,7 @@ module dg_whirling
    use dg_kinds, only: wp
    use dg_beam_element, only: torque_force, torque_tangent
    use dg_block_matrix, only: block_matrix_type
-   use dg_helical_load, only: helical_load
+   use dg_helical_load, only: helical_load, least_helical_load
    use dg_mesh, only: mesh_type, upright
    use dg_model, only: model_type
    use dg_scatter, only: element_type, part_energy, part_of, part_rest
@@ -53,31 +53,33 @@ module dg_whirling
 contains
 
    !> Share of friction around the string that acts sideways, by element [-]. It is below 1 where the soft string is compressed
-   !> near buckling. It is 0 in a vertical part of the hole with any compression, as no weight holds the string to a side
-   !> there. For a string that does not turn, that is only so in a hole that is vertical all along. If it is below 1 anywhere,
-   !> torques at bit and top act semi-tangentially. For a string that slides without turning, which has no such friction, it
-   !> has no other effect. A torque about the string's own axis at a free bit would drive the string around for ever. A shaft
-   !> without friction keeps that torque: it buckles as Greenhill's (1883).
+   !> near buckling. It is 0 under any compression where the string buckles as in a vertical hole: its side load there is too
+   !> small to raise its buckling load, so it holds no coil to a side. In an exactly vertical part it is 0 all along if any of
+   !> that part is compressed. If it is below 1 anywhere, torques at bit and top act semi-tangentially. For a string that slides
+   !> without turning, which has no such friction, it has no other effect. A torque about the string's own axis at a free bit
+   !> would drive the string around for ever. A shaft without friction keeps that torque: it buckles as Greenhill's (1883).
    pure subroutine find_sideways(model, case_index, mesh, compressed, sideways)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(mesh_type), intent(in) :: mesh
       real(wp), intent(in) :: compressed        !< largest compression of the soft string over its helical load [-]
       real(wp), intent(out) :: sideways(:)      !< 0 to 1 (e) [-]
-      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, ratio
-      logical :: vertical(mesh%nodes), straight_down
+      real(wp) :: axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), side, load, ratio
+      logical :: vertical(mesh%nodes)
+      logical :: hangs                          ! buckles as in a vertical hole
       integer :: e
       sideways = 1.0_wp
       vertical = mesh%frame(3, 1, :) > upright
-      straight_down = all(vertical)
       if (.not. (compressed > whirls_from .or. (compressed > 0.0_wp .and. any(vertical)))) return
       call soft_string_at(model, case_index, mesh%md, axial, torque, contact, other=other_loads_type(coiled=.true.))
       do e = 1, mesh%elements
-         if (.not. (mesh%friction_around(e) > 0.0_wp .or. abs(mesh%friction_along(e)) > 0.0_wp .or. straight_down)) cycle
          side = min(norm2(contact(:, e)), norm2(contact(:, e + 1)))
-         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/helical_load(mesh%section(e)%ei, side, mesh%weight(e), mesh%clearance(e))
+         load = helical_load(mesh%section(e)%ei, side, mesh%weight(e), mesh%clearance(e))
+         hangs = .not. load > least_helical_load(mesh%section(e)%ei, mesh%weight(e))
+         if (.not. (mesh%friction_around(e) > 0.0_wp .or. abs(mesh%friction_along(e)) > 0.0_wp .or. hangs)) cycle
+         ratio = -min(axial(e), axial(e + 1), 0.0_wp)/load
          sideways(e) = min(1.0_wp, max(0.0_wp, (whirls_all - ratio)/(whirls_all - whirls_from)))
-         if (straight_down .and. ratio > 0.0_wp) sideways(e) = 0.0_wp
+         if (hangs .and. ratio > 0.0_wp) sideways(e) = 0.0_wp
       end do
       call free_vertical_stretches(vertical, axial, mesh%friction_around, sideways)
    end subroutine find_sideways
