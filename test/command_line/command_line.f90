@@ -41,6 +41,7 @@ contains
       use dg_test_followed_keys, only: followed_keys_suite
       use dg_test_followed_studies, only: followed_studies_suite
       use dg_test_followed_surveys, only: followed_surveys_suite
+      use dg_test_followed_units, only: followed_units_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
@@ -65,6 +66,7 @@ contains
       call suite%addTest(followed_keys_suite())
       call suite%addTest(followed_studies_suite())
       call suite%addTest(followed_surveys_suite())
+      call suite%addTest(followed_units_suite())
       call suite%addTest(followed_advice_suite())
       call suite%addTest(output_folder_suite())
       call suite%addTest(standard_output_suite())

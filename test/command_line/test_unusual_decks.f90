@@ -163,7 +163,7 @@ contains
       call mistake('friction = 0.30', 'friction_axial = 0.3', '''open'' has no friction_rotary, so that torque there is zero')
       call mistake('&fluid density = 9.6 /', '&fluid density = 9.6 / &fluid density = 10, md_top = 16000 /', &
                    'md_top = 16000 ft is below the hole, so that this fluid is nowhere')
-      call mistake('density = 9.6', 'density = 24', 'density = 24 is unusual. Usual is at most 22.5')
+      call mistake('density = 9.6', 'density = 24', 'density = 24 lbm/gal is unusual. Usual is at most 22.5 lbm/gal')
    end subroutine test_fluid_and_friction
 
    !> Pounds, foot-pounds, a pressure in ksi.
@@ -198,7 +198,7 @@ contains
       call mistake('wob = 20,', 'wob = 20000,', 'wob = 20000 klbf is unusual. Usual is at most 157 klbf')
       call mistake('tob = 5 ', 'tob = 5000 ', 'tob = 5000 kft.lbf is unusual. Usual is at most 73.7 kft.lbf. Is it in ft.lbf? '// &
                    'Then write 5')
-      call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157 klbf. Check the unit')
+      call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157 klbf. Is it in kN? Then write 44.96')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
 

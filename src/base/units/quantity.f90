@@ -8,7 +8,7 @@ module dg_quantity
    implicit none
    private
    public :: unit_type, rows, heaviest_mud
-   public :: system_si, system_field, system_base, system_count, system_name, deck_systems
+   public :: system_si, system_field, system_metric, system_base, system_count, system_name, deck_systems
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_mass, quantity_density, &
       quantity_force, quantity_moment, quantity_line_load, quantity_modulus, quantity_stress, quantity_pressure, quantity_wall, &
       quantity_curvature, quantity_rotation, quantity_speed, quantity_gravity, quantity_percent, quantity_turns, quantity_time, &
@@ -44,6 +44,7 @@ module dg_quantity
    !> Systems of units. That of programs stands last; no deck has it.
    integer, parameter :: system_si = 1
    integer, parameter :: system_field = 2
+   integer, parameter :: system_metric = 3
    integer, parameter :: system_base = 4
    integer, parameter :: system_count = 4
    character(6), parameter :: system_name(system_count) = [character(6) :: 'SI', 'field', 'metric', 'base']

@@ -4,12 +4,13 @@ module dg_unusual_rig
    use dg_kinds, only: wp
    use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
+   use dg_likely_unit, only: unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, operation_trip_in, &
                            operation_trip_out, rotates
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_diameter, unit_factor, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
    use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_sheave, usual_tob
    implicit none
@@ -22,6 +23,8 @@ module dg_unusual_rig
    !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
    !> klbf read as kN 0.22; kN read as klbf are 4.4.
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
+   !> Range of a hook load in the unit that is asked for, over the same, and of torque on bit over its usual most [-].
+   real(wp), parameter :: least_likely = 0.6_wp, most_likely = 2.0_wp, least_tob = 0.03_wp
    !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]. Sharp PDC
    !> bits in soft rock have 2, and reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times
    !> too large. Then usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
@@ -116,11 +119,21 @@ contains
       real(wp), intent(in) :: force        !< [N]
       real(wp), intent(in) :: gravity      !< [m/s2]
       character(:), allocatable :: text
-      text = '. Check the unit'
+      text = '. Check both numbers'
       if (abs(units%force/(tonne*gravity) - 1.0_wp) < near_tonne) return
       text = '. Is '//what//' in tonnes? '//to_text(force/units%force, digits)//' t are '// &
              in_units(units, unit_force, force/units%force*tonne*gravity, digits)
    end function tonnes_text
+
+   !> Questions for the unit of a force or moment in which it would be likely.
+   function questions(units, quantity, value, low, high) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: quantity
+      real(wp), intent(in) :: value, low, high     !< [SI]
+      character(:), allocatable :: text
+      text = unit_questions(units, quantity, value/unit_factor(units, quantity), low, high, digits)
+      if (text == '') text = '. Check both numbers'
+   end function questions
 
    !> A rig that does not carry the weight of the string without drag.
    subroutine note_rig_limit(model, units, weights, notes)
@@ -155,7 +168,7 @@ contains
             if (case%tob <= usual .or. is_unusual(usual_tob, case%tob)) cycle      ! which has a note of its own
             in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
             if (in_tonnes < least_load .or. in_tonnes > most_load) cycle
-            question = '. Check the unit'
+            question = questions(units, unit_moment, case%tob, least_tob*usual, usual)
             if (case%tob <= most_bit_friction*in_tonnes*diameter**2/3.0_wp) &
                question = tonnes_text('wob', units, case%wob, model%gravity)
             call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
@@ -195,7 +208,8 @@ contains
                in_units(units, unit_force, case%measured_hookload%value, digits)//' is '// &
                to_text(share/percent, few_digits)//' % of what '//either('string and block weigh', 'the string weighs', &
                model%rig%given)//' in mud'//either(' less WOB', '', case%wob > 0.0_wp)//', '// &
-               in_units(units, unit_force, expected, digits)//'. Check the unit')
+               in_units(units, unit_force, expected, digits)// &
+               questions(units, unit_force, case%measured_hookload%value, least_likely*expected, most_likely*expected))
             return
          end associate
       end do

@@ -2,8 +2,9 @@
 module dg_usual_range
    use dg_kinds, only: wp
    use dg_constants, only: degree, pi
+   use dg_likely_unit, only: unit_questions
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: at_most, heaviest_mud, in_units, smaller_unit, unit_angle, unit_factor, unit_force, unit_gravity, &
+   use dg_unit_kind, only: at_most, heaviest_mud, in_units, unit_angle, unit_density, unit_factor, unit_force, unit_gravity, &
                            unit_length, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, &
                            unit_temperature, unit_wear
    use dg_units, only: unit_system_type
@@ -18,7 +19,7 @@ module dg_usual_range
    !> Usual range of a key.
    type :: usual_type
       character(25) :: key
-      integer :: unit              !< unit_none for densities and plain numbers
+      integer :: unit              !< unit_none for plain numbers
       real(wp) :: low, high        !< [SI]
       character(72) :: source
    end type usual_type
@@ -38,7 +39,7 @@ module dg_usual_range
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
-      usual_type('density', unit_none, 0.0_wp, heaviest_mud, 'heaviest kill mud 22.5 lbm/gal'), &
+      usual_type('density', unit_density, 0.0_wp, heaviest_mud, 'heaviest kill mud 22.5 lbm/gal'), &
       usual_type('pump_pressure', unit_pressure, 0.35e6_wp, 105.0e6_wp, &
                  'stimulation pumps 15,000 psi; less than 50 psi was meant as ksi'), &
       usual_type('block_weight', unit_force, 0.0_wp, 1.5e6_wp, 'block, compensator and top drive of 1,250 t rigs: 120 t'), &
@@ -65,11 +66,11 @@ module dg_usual_range
       usual_type('wear_factor', unit_wear, 0.1e-14_wp, 1.0e-11_wp, 'tests of 1e-10/psi: 0.1 to 1000'), &
       usual_type('restoring_force', unit_force, 0.0_wp, 50.0e3_wp, 'API 10D, 20 in: 1,707 lbf; stiff bows several times that'), &
       usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf')]
-   integer, parameter :: digits = 4, few_digits = 3, longest_name = 20
-   !> Least value, over the largest usual one, at which a smaller unit may be meant where the least usual value is 0 [-].
-   real(wp), parameter :: far_beyond = 5.0_wp
-   !> Least value that may be meant in a smaller unit, over the least usual one [-]: softer steel is rare.
-   real(wp), parameter :: well_above = 2.0_wp
+   integer, parameter :: digits = 4, few_digits = 3
+   !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
+   real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
+   !> Temperature of the air, 24 degC [K], and minutes of an hour.
+   real(wp), parameter :: ambient = 297.0_wp, minutes = 60.0_wp
 
 contains
 
@@ -100,20 +101,27 @@ contains
 
    contains
 
-      !> Question for the unit, with the number that is right for a smaller one where it would be usual.
+      !> Questions for the unit, with the number that is right for another one in which it would be usual.
       function unit_question() result(text)
          character(:), allocatable :: text
-         character(longest_name) :: smaller
-         real(wp) :: of_them, meant
-         text = '. Check the unit'
-         if (usual(number)%unit == unit_none .or. value < usual(number)%high) return
-         if (.not. usual(number)%low > 0.0_wp .and. value < far_beyond*usual(number)%high) return
-         call smaller_unit(units, usual(number)%unit, value/unit_factor(units, usual(number)%unit), smaller, of_them, &
-                           well_above*usual(number)%low)
-         meant = value/of_them
-         if (smaller == '' .or. is_unusual(number, meant)) return
-         text = '. Is it in '//trim(smaller)//'? Then write '// &
-                to_text(meant/unit_factor(units, usual(number)%unit), digits)
+         type(usual_type) :: row
+         real(wp) :: least
+         text = ''
+         row = usual(number)
+         select case (number)
+         case (usual_hours)
+            text = '. Is it in minutes? Then write '//to_text(value/minutes, digits)
+         case (usual_ambient_top, usual_ambient_bottom)
+            if (value > ambient) text = '. Is it a temperature? Then write '//to_text((value - ambient)/ &
+                                        unit_factor(units, unit_temperature), digits)
+         case (usual_warming_top, usual_warming_bottom)
+            text = '. Is it a temperature? Then write its rise since the string was run'
+         case default
+            least = max(row%low, least_meant*row%high)
+            if (row%unit == unit_stress) least = least_steel*row%high
+            text = unit_questions(units, row%unit, value/unit_factor(units, row%unit), least, row%high, digits)
+         end select
+         if (text == '') text = '. Check the unit'
       end function unit_question
 
       !> A value in the units of the deck, with its unit where the range has one.
@@ -122,7 +130,6 @@ contains
          integer, intent(in) :: places        !< digits
          character(:), allocatable :: text
          text = to_text(number_in_si, places)
-         if (number == usual_density) text = to_text(number_in_si/units%density, places)
          if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, places)
       end function value_text
    end subroutine note_range

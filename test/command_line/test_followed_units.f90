@@ -1,0 +1,108 @@
+!> Numbers in another unit than the deck's: the message names the unit and the right number, and with that the deck is sound.
+module dg_test_followed_units
+   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: replaced, run_deck_text, run_type
+   implicit none
+   private
+   public :: followed_units_suite
+
+   character(*), parameter :: newline = achar(10)
+
+contains
+
+   function followed_units_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('followed_units')
+      call suite%addTest(TestMethod('sound_decks', test_sound))
+      call suite%addTest(TestMethod('usual_ranges', test_ranges))
+      call suite%addTest(TestMethod('temperatures_and_times', test_temperatures))
+      call suite%addTest(TestMethod('hook_loads', test_hook_loads))
+   end function followed_units_suite
+
+   !> A deviated well in SI, or in the units of the field.
+   function well(units) result(text)
+      character(*), intent(in) :: units
+      character(:), allocatable :: text
+      if (units == 'SI') then
+         text = "&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+            "&trajectory md = 0, 400, 1400, 4200, inc = 0, 0, 60, 60, azi = 4*60 /"//newline// &
+            "&hole name = 'casing', md_bottom = 2000, diameter = 220.5, friction = 0.2, cased = .true. /"//newline// &
+            "&hole name = 'open', diameter = 215.9, friction = 0.3 /"//newline// &
+            "&fluid density = 1300 /"//newline// &
+            "&component name = 'bit', kind = 'bit', length = 0.3, od = 150, joint_od = 215.9 /"//newline// &
+            "&component name = 'MWD', kind = 'mwd', length = 30, od = 171.4, id = 71.4 /"//newline// &
+            "&component name = 'DP', od = 127, id = 108.6, mass = 32, joint_od = 168.3, yield = 931 /"//newline// &
+            "&rig block_weight = 350, max_hookload = 2200, max_torque = 52 /"//newline// &
+            "&load_case name = 'up', operation = 'trip_out', bit_depth = 4200 /"//newline// &
+            "&load_case name = 'turn', operation = 'rotary_drilling', bit_depth = 4200, wob = 80, tob = 8 /"//newline
+      else
+         text = "&job units = '"//units//"', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+            "&trajectory md = 0, 2000, 3000, 12000, inc = 0, 0, 60, 60, azi = 4*45 /"//newline// &
+            "&hole name = 'casing', md_bottom = 7000, diameter = 8.681, friction = 0.2, cased = .true. /"//newline// &
+            "&hole name = 'open', diameter = 8.5, friction = 0.3 /"//newline// &
+            "&fluid density = 10.2 /"//newline// &
+            "&component name = 'bit', kind = 'bit', length = 1, od = 6, joint_od = 8.5 /"//newline// &
+            "&component name = 'MWD', kind = 'mwd', length = 90, od = 6.75, id = 3.25 /"//newline// &
+            "&component name = 'DP', od = 5, id = 4.276, mass = 21.5, joint_od = 6.625, yield = 135 /"//newline// &
+            "&rig block_weight = 60, max_hookload = 750, max_torque = 50 /"//newline// &
+            "&load_case name = 'up', operation = 'trip_out', bit_depth = 12000 /"//newline// &
+            "&load_case name = 'turn', operation = 'rotary_drilling', bit_depth = 12000, wob = 25, tob = 5 /"//newline
+      end if
+   end function well
+
+   !> With `wrong` in place of `sound` the deck has a message that holds `expected`, with `right` it has none.
+   subroutine follow(units, sound, wrong, expected, right)
+      character(*), intent(in) :: units, sound, wrong, expected, right
+      type(run_type) :: run
+      run = run_deck_text(replaced(well(units), sound, wrong), '--check')
+      call assertTrue(index(run%output//run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%output// &
+                      run%diagnostics)
+      call silent(units, sound, right)
+   end subroutine follow
+
+   !> With `right` in place of `sound` the deck has neither fault nor note.
+   subroutine silent(units, sound, right)
+      character(*), intent(in) :: units, sound, right
+      type(run_type) :: run
+      run = run_deck_text(replaced(well(units), sound, right), '--check')
+      call assertEqual(0, run%status, message=right//': '//run%diagnostics)
+      call assertEqual(0, index(run%output, newline//'note '), message=right//': '//run%output)
+   end subroutine silent
+
+   subroutine test_sound()
+      call silent('SI', '&fluid', '&fluid')
+      call silent('field', '&fluid', '&fluid')
+   end subroutine test_sound
+
+   subroutine test_ranges()
+      call follow('SI', 'tob = 8 ', 'tob = 8, pump_pressure = 210 ', 'Is it in bar? Then write 21', 'tob = 8, pump_pressure = 21 ')
+      call follow('field', 'tob = 5 ', 'tob = 5, pump_pressure = 20.7 ', 'Is it in MPa? Then write 3002', &
+                  'tob = 5, pump_pressure = 3002 ')
+      call follow('SI', 'yield = 931', 'yield = 135', 'Is it in ksi? Then write 930.8', 'yield = 930.8')
+      call follow('SI', 'wob = 80', 'wob = 8000', 'Is it in N? Then write 8. Is it in kg? Then write 78.45', 'wob = 78.45')
+      call follow('SI', 'tob = 8 ', 'tob = 800 ', 'Is it in daN.m? Then write 8', 'tob = 8 ')
+      call follow('field', 'tob = 5 ', 'tob = 5, rpm = 2 ', 'Is it in rev/s? Then write 120', 'tob = 5, rpm = 120 ')
+      call follow('field', 'yield', 'joint_spacing = 9.5, yield', 'Is it in m? Then write 31.17', 'joint_spacing = 31.17, yield')
+      call follow('field', "'field'", "'field', gravity = 32.2", 'Is it in ft/s2? Then write 9.815', "'field', gravity = 9.815")
+      call follow('field', 'cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 1e-9', &
+                  'Is it in 1/psi? Then write 10', 'cased = .true., casing_od = 9.625, wear_factor = 10')
+      call follow('SI', "'trip_out'", "'backream', rpm = 60, trip_speed = 18", 'Is it in m/min? Then write 0.3', &
+                  "'backream', rpm = 60, trip_speed = 0.3")
+   end subroutine test_ranges
+
+   subroutine test_temperatures()
+      call follow('SI', 'tob = 8 ', 'tob = 8, above_ambient_bottom = 473 ', 'Is it a temperature? Then write 176', &
+                  'tob = 8, above_ambient_bottom = 176 ')
+      call follow('SI', 'tob = 8 ', 'tob = 8, temperature_change_bottom = 373 ', &
+                  'Is it a temperature? Then write its rise since the string was run', 'tob = 8, temperature_change_bottom = 76 ')
+      call follow('SI', 'tob = 8 ', 'tob = 8, rpm = 100, hours = 5000 ', 'Is it in minutes? Then write 83.33', &
+                  'tob = 8, rpm = 100, hours = 83.33 ')
+   end subroutine test_temperatures
+
+   subroutine test_hook_loads()
+      call follow('SI', "'trip_out',", "'trip_out', measured_hookload = 150,", 'Is it in t? Then write 1471', &
+                  "'trip_out', measured_hookload = 1471,")
+      call follow('field', "'trip_out',", "'trip_out', measured_hookload = 1100,", 'Is it in kN? Then write 247.3', &
+                  "'trip_out', measured_hookload = 247.3,")
+   end subroutine test_hook_loads
+end module dg_test_followed_units
