@@ -146,14 +146,21 @@ contains
                       "catalogue = 'DC 6-3/4 2-13/16 NC50', length = 90")
       run = run_deck_text(text, '--check')
       call assertEqual(2, run%status)
-      call assertTrue(index(run%diagnostics, "are these inches? Write units = 'metric' or 'field' in &job") > 0, &
+      call assertTrue(index(run%diagnostics, "its numbers look like field: a hole of 8.681 in, mud of 10 lbm/gal. "// &
+                            "Write units = 'field' in &job") > 0, &
                       message=run%diagnostics)
       call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
       call pass(text, "models = 'soft'", "units = 'field'")
       ! Pipe that is typed in passes the hole.
-      call refuse(field_deck, "&job units = 'field' /", unitless, 'group &hole: diameter = 8.681 mm: are these inches?')
+      call refuse(replaced(field_deck, '&fluid density = 10 /'//newline, ''), "&job units = 'field' /", unitless, &
+                  "group &hole: diameter = 8.681 mm: are these inches? Write units = 'metric' or 'field' in &job")
+      ! Holes alone in inches.
+      text = replaced(replaced(field_deck, 'density = 10', 'density = 1200'), "&job units = 'field' /", unitless)
+      call refuse(text, 'od = 5, id = 4.276, yield = 135', 'od = 127, id = 108.6', &
+                  'does not pass the hole of 8.681 mm (line 3)')
       ! A model of it in a laboratory.
       text = replaced(replaced(field_deck, "&job units = 'field' /", unitless), 'md = 0, 9000', 'md = 0, 90')
+      text = replaced(text, 'density = 10', 'density = 1000')
       text = replaced(replaced(text, 'md_bottom = 5000', 'md_bottom = 50'), 'length = 90', 'length = 9')
       call pass(text, 'bit_depth = 9000', 'bit_depth = 90')
    end subroutine test_once

@@ -24,6 +24,7 @@ module dg_open_deck
    use dg_error, only: add_fault, error_list_type, error_type
    use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
+   use dg_meant_units, only: check_units
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
@@ -57,6 +58,7 @@ contains
       call check_group_names(path, groups, rules, faults)
       deck%draft%path = path
       call find_units(path, groups, rules, deck%draft%units, known, faults)
+      if (known) call check_units(path, groups, deck%draft%units, known, faults)
       if (.not. known) return      ! of numbers in unknown units no range and no other file can be checked
       allocate (deck%groups(size(groups)))
       do i = 1, size(groups)
