@@ -17,6 +17,8 @@ contains
       call suite%addTest(TestMethod('usual_ranges', test_ranges))
       call suite%addTest(TestMethod('temperatures_and_times', test_temperatures))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
+      call suite%addTest(TestMethod('diameters', test_diameters))
+      call suite%addTest(TestMethod('systems', test_systems))
    end function followed_units_suite
 
    !> A deviated well in SI, or in the units of the field.
@@ -75,7 +77,8 @@ contains
    end subroutine test_sound
 
    subroutine test_ranges()
-      call follow('SI', 'tob = 8 ', 'tob = 8, pump_pressure = 210 ', 'Is it in bar? Then write 21', 'tob = 8, pump_pressure = 21 ')
+      call follow('SI', 'tob = 8 ', 'tob = 8, pump_pressure = 210 ', 'Is it in bar? Then write 21', 'tob = 8, '// &
+               'pump_pressure = 21 ')
       call follow('field', 'tob = 5 ', 'tob = 5, pump_pressure = 20.7 ', 'Is it in MPa? Then write 3002', &
                   'tob = 5, pump_pressure = 3002 ')
       call follow('SI', 'yield = 931', 'yield = 135', 'Is it in ksi? Then write 930.8', 'yield = 930.8')
@@ -105,4 +108,53 @@ contains
       call follow('field', "'trip_out',", "'trip_out', measured_hookload = 1100,", 'Is it in kN? Then write 247.3', &
                   "'trip_out', measured_hookload = 247.3,")
    end subroutine test_hook_loads
+
+   !> Holes and pipe in inches or metres. One message for a hole that nothing passes.
+   subroutine test_diameters()
+      type(run_type) :: run
+      call follow('SI', 'diameter = 215.9', 'diameter = 8.5', "'bit' with 215.9 mm does not pass the hole of 8.5 mm (line 4) "// &
+                  "in case 'up'. Look at the diameter of that hole. Is it in inches? Then write 215.9", 'diameter = 215.9')
+      run = run_deck_text(replaced(well('SI'), 'diameter = 215.9', 'diameter = 8.5'), '--check')
+      call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
+      call follow('SI', 'diameter = 220.5', 'diameter = 0.2205', 'out of range; needs a number, 1 to 5000 mm. Is it in m? '// &
+                  'Then write 220.5', 'diameter = 220.5')
+      call follow('field', 'diameter = 8.5,', 'diameter = 0.216,', 'Look at the diameter of that hole. Is it in m? '// &
+               'Then write '// &
+                  '8.504', 'diameter = 8.504,')
+      call follow('SI', 'od = 127, id = 108.6, mass = 32, joint_od = 168.3', 'od = 5, id = 4.276, mass = 32, joint_od = 6.625', &
+                  "'DP': it is 6.625 mm wide in holes of 215.9 mm and more; mind the units. Is it in inches? Then write 168.3", &
+                  'od = 127, id = 108.6, mass = 32, joint_od = 168.3')
+      call follow('SI', 'mass = 32', 'mass = 21.5', 'mind the units, and the density of what is not steel. Is it in lbm/ft? '// &
+                  'Then write 32', 'mass = 32')
+   end subroutine test_diameters
+
+   !> Decks whose units are forgotten or wrong have one message. With its advice they are sound.
+   subroutine test_systems()
+      character(*), parameter :: field = "units = 'field', ", metric = "units = 'metric', "
+      character(:), allocatable :: deck
+      call swap(well('field'), field, '', field, 'group &job: the deck is read in units SI, its numbers look like '// &
+               'field: a hole '// &
+                "of 8.681 in, mud of 10.2 lbm/gal. Write units = 'field' in &job")
+      call swap(well('field'), field, "units = 'SI', ", field, "Write units = 'field' in &job. Depths are then in ft, "// &
+               "forces in "// &
+                'klbf')
+      call swap(well('SI'), '&job ', '&job '//field, '&job ', 'its numbers look like SI: a hole of 220.5 mm, mud of '// &
+               '1300 kg/m3. '// &
+                "Write units = 'SI' in &job. Depths are then in m, forces in kN")
+      call swap(well('SI'), '&job ', '&job '//metric, '&job ', "Write units = 'SI' in &job")
+      deck = replaced(replaced(replaced(well('field'), 'density = 10.2', 'density = 1.22'), 'mass = 21.5', 'mass = 32'), &
+                      'yield = 135', 'yield = 9310')
+      call swap(deck, field, '', metric, "its numbers look like metric: a hole of 8.681 in, mud of 1.22 sg. Write units = "// &
+                "'metric' in &job")
+   contains
+      subroutine swap(text, sound, wrong, right, expected)
+         character(*), intent(in) :: text, sound, wrong, right, expected
+         type(run_type) :: run
+         run = run_deck_text(replaced(text, sound, wrong), '--check')
+         call assertTrue(index(run%diagnostics, expected) > 0, message='wanted: '//expected//'; got: '//run%diagnostics)
+         call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
+         run = run_deck_text(replaced(text, sound, right), '--check')
+         call assertEqual(0, run%status, message=run%diagnostics)
+      end subroutine swap
+   end subroutine test_systems
 end module dg_test_followed_units

@@ -4,7 +4,7 @@ module dg_likely_unit
    use dg_kinds, only: wp
    use dg_quantity, only: quantity_angle, quantity_density, quantity_force, quantity_gravity, quantity_length, quantity_mass, &
                           quantity_moment, quantity_pressure, quantity_rotation, quantity_speed, quantity_stress, quantity_wear, &
-                          quantity_width, system_field, system_metric
+                          quantity_width, system_field, system_metric, system_si
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_factor
    use dg_units, only: unit_system_type
@@ -49,9 +49,9 @@ module dg_likely_unit
       other_unit_type(quantity_length, 'ft', foot, T, F, T), &
       other_unit_type(quantity_length, 'm', 1.0_wp, F, T, F), &
       other_unit_type(quantity_length, 'mm', 1.0e-3_wp, T, F, T), &
-      other_unit_type(quantity_length, 'in', inch, T, T, T), &
+      other_unit_type(quantity_length, 'inches', inch, T, T, T), &
       other_unit_type(quantity_length, 'cm', 1.0e-2_wp, T, F, T), &
-      other_unit_type(quantity_width, 'in', inch, T, F, F), &
+      other_unit_type(quantity_width, 'inches', inch, T, F, F), &
       other_unit_type(quantity_width, 'm', 1.0_wp, T, T, T), &
       other_unit_type(quantity_width, 'mm', 1.0e-3_wp, F, T, T), &
       other_unit_type(quantity_angle, 'rad', 1.0_wp, T, T, T), &
@@ -108,7 +108,7 @@ contains
       type(other_unit_type), intent(in) :: other
       integer, intent(in) :: system
       logical :: likely
-      likely = other%si
+      likely = other%si .and. system == system_si
       if (system == system_field) likely = other%field
       if (system == system_metric) likely = other%metric
    end function is_likely

@@ -3,7 +3,7 @@
 !> that are legal in themselves are checked, so that one slip gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_case_check, only: check_passage, check_reach, check_string_length, check_string_name
+   use dg_case_check, only: check_passage, hole_question, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type, find_case, lowest_of, sections_of
    use dg_error, only: add_fault, clear_errors, error_list_type, is_listed, key_of, other_of, other_place_of, part_of, &
@@ -293,6 +293,10 @@ contains
             end if
             if (index(words, sinks_not) > 0 .and. is_listed(faults, sinks_not)) cycle
             if (index(words, passes_not) > 0 .and. is_listed(faults, inches_meant)) cycle
+            ! a hole in another unit is too narrow for all
+            if (index(words, hole_question) > 0) then
+               if (is_listed(faults, words(index(words, passes_not):index(words, case_mark)))) cycle
+            end if
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do

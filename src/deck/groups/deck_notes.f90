@@ -8,6 +8,7 @@ module dg_deck_notes
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: rotates
+   use dg_likely_unit, only: unit_questions
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing, missing
    use dg_path_difference, only: find_difference, path_difference_type
@@ -203,9 +204,13 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: tube
       associate (part => item%component, units => draft%units)
-         if (narrowest > widest_hole*closed_diameter(part)) call note('it is '// &
-            in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
-            in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units')
+         if (narrowest > widest_hole*closed_diameter(part)) then
+            call note('it is '//in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
+                      in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units'// &
+                      unit_questions(units, unit_diameter, closed_diameter(part)/units%diameter, narrowest/widest_hole, &
+                                     narrowest, few_digits))
+            return      ! its mass follows
+         end if
          if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
             in_units(units, unit_diameter, closed_diameter(part), digits)//', are wider than its centralizers, '// &
             in_units(units, unit_diameter, part%centralizer%od, digits)//': the centralizers do not touch; check both')
@@ -219,7 +224,9 @@ contains
             if (part%id > 0.0_wp) then
                call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
                   'density has '//to_text(tube/units%mass_per_length, few_digits)// &
-                  '; mind the units, and the density of what is not steel')
+                  '; mind the units, and the density of what is not steel'// &
+                  unit_questions(units, unit_mass, part%mass/units%mass_per_length, &
+                                 merge(least_pipe_mass, least_mass, has_joints(part))*tube, most_mass*tube, few_digits))
             else
                call note('it has no id. Stiffness and strength are those of a solid bar, which has '// &
                   in_units(units, unit_mass, tube, few_digits)//', not mass = '// &

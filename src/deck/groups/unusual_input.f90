@@ -24,6 +24,8 @@ module dg_unusual_input
    real(wp), parameter :: longest_bha_pipe = 100.0_wp
    !> Widest drilled hole, 36 in, if its number of inches is read as millimetres [m].
    real(wp), parameter :: widest_of_inches = 36.5e-3_wp
+   !> Lightest mud in kg/m3, a foam.
+   real(wp), parameter :: lightest_mud = 300.0_wp
    !> Deeper than any hole of a laboratory [m].
    real(wp), parameter :: deepest_model = 100.0_wp
    !> Advice on a deck with such holes.
@@ -102,6 +104,9 @@ contains
       if (.not. (draft%has_stations .and. all(draft%holes%sound))) return
       inches = all(draft%holes%section%diameter < widest_of_inches) .and. &
                draft%stations%md(size(draft%stations%md)) > deepest_model
+      ! a string in mm and mud in kg/m3 are those of SI: the holes alone are wrong
+      if (inches .and. any(draft%fluids%fluid%density > lightest_mud)) &
+         inches = all(draft%components%component%od < widest_of_inches)
    end function holes_in_inches
 
    !> Hole sections without any friction that a moving case relies on.

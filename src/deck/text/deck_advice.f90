@@ -6,9 +6,10 @@ module dg_deck_advice
    use dg_constants, only: psi
    use dg_deck_number, only: read_fraction, read_real
    use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
+   use dg_likely_unit, only: unit_questions
    use dg_load_case, only: alike, operation_aliases, operation_count, operation_from_name, operation_name
    use dg_text, only: nearest_name, suggestion, edit_distance, joined, lower_case, to_text
-   use dg_unit_kind, only: smaller_unit, unit_density, unit_factor, unit_label, unit_none, unit_pressure
+   use dg_unit_kind, only: smaller_unit, unit_density, unit_diameter, unit_factor, unit_label, unit_none, unit_pressure
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -68,6 +69,8 @@ module dg_deck_advice
 
    !> Significant digits of a number that is advised.
    integer, parameter :: digits_told = 7, density_digits = 4
+   !> Diameters that may be meant in another unit [m].
+   real(wp), parameter :: narrowest_pipe = 0.01_wp, widest_hole = 1.2_wp
    integer, parameter :: longest_name = 20, letters_of_thousand = 3
    character(*), parameter :: digits = '0123456789'
 
@@ -205,7 +208,11 @@ contains
       call read_real(text, number, legal)
       if (.not. legal) return
       call smaller_unit(units, rule%unit, number, smaller, of_them)
-      if (smaller == '') return
+      if (smaller == '') then
+         if (rule%unit == unit_diameter) &
+            advice = unit_questions(units, rule%unit, number, narrowest_pipe, widest_hole, density_digits)
+         return
+      end if
       number = number/of_them
       held = number*unit_factor(units, rule%unit)
       call hold_in_range(rule, held, legal)

@@ -5,19 +5,27 @@ module dg_case_check
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
+   use dg_likely_unit, only: unit_questions
    use dg_load_case, only: load_case_type, moves_axially, operation_name, rotates
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_opening_check, only: check_open_passage, opening_advice
    use dg_text, only: either, quoted, suggestion, to_text
+   use dg_unit_kind, only: unit_diameter
    use dg_units, only: unit_system_type
    implicit none
    private
+   public :: hole_question
    public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
 
    integer, parameter :: metre_digits = 6
    !> Depth of a bit over that of its survey, from which the survey may be in m and the bit in ft [-].
    real(wp), parameter :: least_ratio = 2.5_wp
+   !> Widest hole, and part of a diameter that is round-off of inches [m, -].
+   real(wp), parameter :: widest_hole = 1.2_wp, rounded = 2.0e-3_wp
+   integer, parameter :: hole_digits = 4
+   !> Words before a question for the unit of a hole.
+   character(*), parameter :: hole_question = '. Look at the diameter of that hole'
    character(*), parameter :: bit_advice = ". Only a bit may fill its hole: is it one? Then write kind = 'bit'"
 
 contains
@@ -167,16 +175,26 @@ contains
             if (diameter < holes(h)%diameter) cycle
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
             call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
-                                ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose// &
-                                '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '// &
-                                wide(narrowest(lowest))// &
-                                either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
-                                opening_advice(components(k), holes, lowest, units))
+                                ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose//advice())
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end
       end do
    contains
+      !> Advice: the hole is in another unit, or the component is a bit, or a tool that opens.
+      function advice() result(text)
+         character(:), allocatable :: text
+         text = unit_questions(units, unit_diameter, holes(h)%diameter/units%diameter, (1.0_wp - rounded)*diameter, &
+                               widest_hole, hole_digits)
+         if (text /= '') then
+            text = hole_question//text
+         else
+            text = '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '//wide(narrowest(lowest))// &
+                   either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
+                   opening_advice(components(k), holes, lowest, units)
+         end if
+      end function advice
+
       function wide(width) result(text)
          real(wp), intent(in) :: width
          character(:), allocatable :: text
