@@ -30,7 +30,6 @@ contains
       call suite%addTest(TestMethod('packers', test_packers))
       call suite%addTest(TestMethod('wear_and_fatigue', test_wear))
       call suite%addTest(TestMethod('all_faults_in_one_run', test_all_faults))
-      call suite%addTest(TestMethod('field_units_in_messages', test_field_units))
    end function bad_decks_suite
 
    !> The deck with `old` changed to `new` must be refused at `line` with a message that holds `expected`.
@@ -302,12 +301,6 @@ contains
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
       call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
    end subroutine one_message
-
-   !> Ranges are told in the deck's units: 1 to 5000 mm is 0.03937 to 196.85 in.
-   subroutine test_field_units()
-      call refuse("title = 'a deck'", "units = 'field'", 7, &
-                  'diameter = 220.0 is out of range; needs a number, 0.03937 to 196.85 in')
-   end subroutine test_field_units
 
    pure function times(part, text) result(number)
       character(*), intent(in) :: part, text

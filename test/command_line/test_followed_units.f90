@@ -19,6 +19,8 @@ contains
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('diameters', test_diameters))
       call suite%addTest(TestMethod('systems', test_systems))
+      call suite%addTest(TestMethod('mud_weights', test_mud_weights))
+      call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
    end function followed_units_suite
 
    !> A deviated well in SI, or in the units of the field.
@@ -50,6 +52,11 @@ contains
             "&load_case name = 'up', operation = 'trip_out', bit_depth = 12000 /"//newline// &
             "&load_case name = 'turn', operation = 'rotary_drilling', bit_depth = 12000, wob = 25, tob = 5 /"//newline
       end if
+      if (units /= 'metric') return
+      text = replaced(replaced(replaced(text, 'density = 10.2', 'density = 1.22'), 'mass = 21.5', 'mass = 32'), '135', '9310')
+      text = replaced(replaced(replaced(text, '0, 2000, 3000, 12000', '0, 600, 1600, 4000'), '12000', '4000'), '12000', '4000')
+      text = replaced(replaced(replaced(text, '= 7000', '= 2000'), '= 750', '= 250'), '= 90', '= 30')
+      text = replaced(replaced(text, 'weight = 60', 'weight = 30'), 'length = 1,', 'length = 0.3,')
    end function well
 
    !> With `wrong` in place of `sound` the deck has a message that holds `expected`, with `right` it has none.
@@ -157,4 +164,47 @@ contains
          call assertEqual(0, run%status, message=run%diagnostics)
       end subroutine swap
    end subroutine test_systems
+
+   !> Mud weights of both sides and of one. Gas, air and hydrogen of one side are right.
+   subroutine test_mud_weights()
+      character(*), parameter :: inside = 'tob = 8, inside_density = ', still = 'is neither that of a liquid nor of a '// &
+               'gas at its '// &
+         'pressure. Is it in ', fluids = "where = 'outside' / &fluid where = 'inside', density = "
+      call follow('field', 'density = 10.2', 'density = 0.53', 'Is it in psi/ft? Then write 10.2', 'density = 10.2')
+      call follow('SI', 'density = 1300', 'density = 0.55', 'Is it in psi/ft? Then write 1269', 'density = 1269')
+      call follow('SI', 'density = 1300', 'density = 80', 'Is it in pcf (lbm/ft3)? Then write 1281', 'density = 1281')
+      call follow('field', 'density = 10.2', 'density = 1.22', 'Is it in sg? Then write 10.18', 'density = 10.18')
+      call follow('SI', 'tob = 8 ', inside//'1.3 ', 'inside_density = 1.3 kg/m3 '//still//'sg? Then write 1300', inside//'1300 ')
+      call follow('SI', 'tob = 8 ', inside//'11 ', still//'lbm/gal? Then write 1318', inside//'1300 ')
+      call follow('field', 'tob = 5 ', 'tob = 5, inside_density = 1.22 ', still//'sg? Then write 10.18', &
+                  'tob = 5, inside_density = 10.18 ')
+      call follow('SI', 'density = 1300', 'density = 1300, '//fluids//'1.3', 'group &fluid in line 5: density = 1.3 '// &
+               'kg/m3 '//still, &
+                  'density = 1300, '//fluids//'1300')
+      call unasked('1.2')
+      call unasked('150, pump_pressure = 20')
+      call unasked('14, pump_pressure = 20')
+      call unasked('120')
+   contains
+      !> A density inside that is no mistake: the only note is on the float valve.
+      subroutine unasked(density)
+         character(*), intent(in) :: density
+         type(run_type) :: run
+         run = run_deck_text(replaced(well('SI'), 'tob = 8 ', inside//density//' '), '--check')
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call assertEqual(0, index(run%output, still), message=run%output)
+      end subroutine unasked
+   end subroutine test_mud_weights
+
+   !> Weight on bit and overpull. Tonnes are known by the torque on bit.
+   subroutine test_weight_on_bit()
+      call follow('field', 'wob = 25', 'wob = 110', 'wob = 110 klbf is large for a hole of 8.5 in. Usual is at most '// &
+               '60 klbf. Is it '// &
+                  'in kN? Then write 24.73', 'wob = 24.73')
+      call follow('field', 'wob = 25', 'wob = 20000', 'Is it in lbf? Then write 20', 'wob = 20')
+      call follow('metric', 'wob = 25', 'wob = 120', 'Is it in kN? Then write 12', 'wob = 12')
+      call follow('SI', 'wob = 80', 'wob = 8', 'Is wob in tonnes? 8 t are 78.45 kN', 'wob = 78.45')
+      call follow('field', "'trip_out',", "'trip_out', wob = -20000,", 'wob = -20000 klbf is unusual. Usual is at least '// &
+                  '-674.4 klbf. Is it in lbf? Then write -20', "'trip_out', wob = -20,")
+   end subroutine test_weight_on_bit
 end module dg_test_followed_units

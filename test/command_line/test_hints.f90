@@ -95,7 +95,8 @@ contains
    end subroutine test_foreign
 
    subroutine test_values()
-      call refuse(field_deck, 'diameter = 8.5', 'diameter = 215.9', '; 215.9 mm is written 8.5')
+      call refuse(field_deck, 'diameter = 8.5', 'diameter = 215.9', &
+                  'diameter = 215.9 is out of range; needs a number, 0.03937 to 196.85 in; 215.9 mm is written 8.5')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8-1/2', &
                   'diameter = 8-1/2 is not a number; needs a number, 0.03937 to '// &
                   '196.85 in; write 8.5')

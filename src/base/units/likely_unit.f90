@@ -66,7 +66,6 @@ module dg_likely_unit
       other_unit_type(quantity_density, 'kg/m3', 1.0_wp, F, T, T), &
       other_unit_type(quantity_density, 'pcf (lbm/ft3)', pound/foot**3, T, T, F), &
       other_unit_type(quantity_density, 'psi/ft', psi/foot/gravity, T, T, T), &
-      other_unit_type(quantity_density, 'kPa/m', 1.0e3_wp/gravity, T, F, T), &
       other_unit_type(quantity_gravity, 'ft/s2', foot, T, T, T), &
       other_unit_type(quantity_gravity, 'g', gravity, T, T, T), &
       other_unit_type(quantity_rotation, 'rev/s', 2.0_wp*pi, T, T, T), &
@@ -75,7 +74,7 @@ module dg_likely_unit
       other_unit_type(quantity_wear, '1e-14/Pa', 1.0e-14_wp, F, T, F), &
       other_unit_type(quantity_wear, '1/psi', 1.0_wp/psi, T, T, T), &
       other_unit_type(quantity_wear, '1/Pa', 1.0_wp, T, T, T)]
-   !> Units that one message names.
+   !> Units that one message names. Of densities the first is by far the likeliest.
    integer, parameter :: most_asked = 2
 
 contains
@@ -99,7 +98,7 @@ contains
          text = text//'. Is it in '//trim(other%name)//'? Then write '// &
                 to_text(number*other%factor/unit_factor(units, quantity), digits)
          asked = asked + 1
-         if (asked == most_asked) return
+         if (asked == most_asked .or. quantity == quantity_density) return
       end do
    end function unit_questions
 

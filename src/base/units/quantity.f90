@@ -7,7 +7,7 @@ module dg_quantity
    use dg_constants, only: degree, foot, gallon, inch, pi, pound, pound_force, psi
    implicit none
    private
-   public :: unit_type, rows, heaviest_mud
+   public :: unit_type, rows, heaviest_mud, lightest_oil
    public :: system_si, system_field, system_metric, system_base, system_count, system_name, deck_systems
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_mass, quantity_density, &
       quantity_force, quantity_moment, quantity_line_load, quantity_modulus, quantity_stress, quantity_pressure, quantity_wall, &
@@ -71,6 +71,8 @@ module dg_quantity
 
    !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
    real(wp), parameter :: heaviest_mud = 2700.0_wp
+   !> Lightest liquid in a well, diesel and crude oil [kg/m3].
+   real(wp), parameter :: lightest_oil = 780.0_wp
 
    real(wp), parameter :: one = 1.0_wp, kilo = 1.0e3_wp, mega = 1.0e6_wp, giga = 1.0e9_wp
    real(wp), parameter :: gallons_in_cubic_foot = 1728.0_wp/231.0_wp

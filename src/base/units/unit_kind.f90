@@ -7,13 +7,13 @@ module dg_unit_kind
       unit_pressure => quantity_pressure, unit_wall => quantity_wall, unit_rotation => quantity_rotation, &
       unit_speed => quantity_speed, unit_gravity => quantity_gravity, unit_curvature => quantity_curvature, &
       unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_wear => quantity_wear, &
-      unit_loss => quantity_loss, heaviest_mud, rows, unit_type
+      unit_loss => quantity_loss, heaviest_mud, lightest_oil, rows, unit_type
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
    use dg_units, only: unit_in, unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most, smaller_unit, heaviest_mud
+   public :: unit_factor, unit_label, in_units, at_most, smaller_unit, heaviest_mud, lightest_oil
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss

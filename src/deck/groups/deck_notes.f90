@@ -3,7 +3,7 @@
 module dg_deck_notes
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, has_bend, has_blades, has_joints, has_pad, is_eccentric, is_open, opens, tube_area
-   use dg_constants, only: degree, gallon, pound
+   use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
@@ -15,8 +15,8 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: heaviest_mud, in_units, unit_curvature, unit_density, unit_diameter, unit_factor, unit_length, &
-                           unit_mass, unit_modulus
+   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_curvature, unit_density, unit_diameter, unit_factor, &
+                           unit_length, unit_mass, unit_modulus
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -65,7 +65,8 @@ contains
             if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
                call append_text(notes, 'group &fluid: density = '//in_units(units, unit_density, fluid%density, digits)// &
                                 ' is that of a gas or foam, water has '//in_units(units, unit_density, water, few_digits)// &
-                                density_question(units, fluid%density))
+                                unit_questions(units, unit_density, fluid%density/units%density, lightest_oil, heaviest_mud, &
+                                               few_digits))
          end associate
       end do
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
@@ -87,25 +88,6 @@ contains
       end do
       call note_tools(draft, job, uses, notes)
    end subroutine note_oddities
-
-   !> Question for the unit of a light fluid. It names the number that is right if that is in sg or lbm/gal, as mud is.
-   !> '' if neither would be a mud.
-   pure function density_question(units, density) result(text)
-      type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: density     !< as read [kg/m3]
-      character(:), allocatable :: text
-      real(wp), parameter :: factors(2) = [1000.0_wp, pound/gallon]
-      character(*), parameter :: names(2) = [character(7) :: 'sg', 'lbm/gal']
-      real(wp) :: meant
-      integer :: i
-      text = ''
-      do i = 1, size(factors)
-         meant = density/units%density*factors(i)
-         if (meant < lightest_mud .or. meant > heaviest_mud) cycle
-         text = '. Is it in '//trim(names(i))//'? Then write '//to_text(meant/units%density, few_digits)
-         return
-      end do
-   end function density_question
 
    !> Note bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
    subroutine note_tools(draft, job, uses, notes)

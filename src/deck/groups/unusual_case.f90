@@ -2,17 +2,25 @@
 module dg_unusual_case
    use dg_kinds, only: wp
    use dg_deck_draft, only: string_use_type
+   use dg_likely_unit, only: unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
                            operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
    use dg_text, only: append_text, text_type
-   use dg_unit_kind, only: in_units, unit_force, unit_moment
+   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_density, unit_force, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_friction, usual_hours, usual_measured, &
-                             usual_pump, usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
+   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, usual_hours, &
+                             usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, &
+                             usual_warming_top, usual_wob
    implicit none
    private
-   public :: note_case, note_use
+   public :: note_case, note_light, note_use
 
+   !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
+   !> [Pa].
+   real(wp), parameter :: densest_gas = 1.3e-5_wp, thinnest_gas = 4.0e-6_wp, thinnest_air = 1.15e-5_wp, atmosphere = 1.0e5_wp
+   real(wp), parameter :: hydrogen(2) = [5.0e-7_wp, 1.0e-6_wp]
+   !> Largest number that may be meant in sg or lbm/gal: more is a gas whose pressure is not given.
+   real(wp), parameter :: largest_number = 25.0_wp
    integer, parameter :: digits = 4
 
 contains
@@ -50,6 +58,10 @@ contains
             call append_text(notes, what//': axial friction is 0, so that there is no drag. Leave it out for that of &hole')
          end if
       end if
+      if (load_case%inside_density%present) then
+         call note(usual_density, load_case%inside_density%value)
+         call note_light(units, what//': inside_density', load_case%inside_density%value, load_case%pump_pressure, notes)
+      end if
       call note(usual_warming_top, load_case%temperature_change_top)
       call note(usual_warming_bottom, load_case%temperature_change_bottom)
       call note(usual_ambient_top, load_case%above_ambient_top)
@@ -61,6 +73,26 @@ contains
          call note_range(units, what, number, value, notes)
       end subroutine note
    end subroutine note_case
+
+   !> Adds a note on a fluid of one side that is too light for a liquid and has not the density of a gas, if another unit is likely.
+   subroutine note_light(units, what, density, pressure, notes)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: what         !< has the density
+      real(wp), intent(in) :: density, pressure     !< [kg/m3], of the pump [Pa]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question
+      real(wp) :: least
+      if (density >= lightest_oil .or. density/units%density > largest_number) return
+      least = thinnest_gas
+      if (.not. pressure > 0.0_wp) least = thinnest_air
+      associate (ratio => density/(pressure + atmosphere))
+         if (ratio >= least .and. ratio <= densest_gas) return
+         if (ratio >= hydrogen(1) .and. ratio <= hydrogen(2)) return
+      end associate
+      question = unit_questions(units, unit_density, density/units%density, lightest_oil, heaviest_mud, digits)
+      if (question /= '') call append_text(notes, what//' = '//in_units(units, unit_density, density, digits)// &
+                                           ' is neither that of a liquid nor of a gas at its pressure'//question)
+   end subroutine note_light
 
    !> Adds notes on the loads of a study.
    subroutine note_use(units, use, notes)

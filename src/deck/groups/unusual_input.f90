@@ -12,7 +12,7 @@ module dg_unusual_input
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
-   use dg_unusual_case, only: note_case, note_use
+   use dg_unusual_case, only: note_case, note_light, note_use
    use dg_unusual_component, only: note_component, note_place
    use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
                              usual_running_in, usual_top_drive, usual_wear
@@ -56,6 +56,9 @@ contains
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid)
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
+            if (fluid%density > 0.0_wp .and. .not. (fluid%inside .and. fluid%outside)) &
+               call note_light(draft%units, 'group &fluid in line '//to_text(draft%fluids(i)%line)//': density', fluid%density, &
+                               largest_pump(draft), notes)
             if (fluid%above_bit > 0.0_wp .and. fluid%above_bit >= deepest_bit(draft, uses)) &
                call append_text(notes, 'group &fluid: above_bit = '//in_units(draft%units, unit_length, fluid%above_bit, &
                depth_digits)//' is longer than any string in the hole, so that this fluid fills all of it'// &
@@ -94,6 +97,14 @@ contains
                         draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
       end do
    end subroutine note_unusual
+
+   !> Largest pump pressure of all cases [Pa].
+   pure function largest_pump(draft) result(pressure)
+      type(draft_type), intent(in) :: draft
+      real(wp) :: pressure
+      pressure = 0.0_wp
+      if (size(draft%cases) > 0) pressure = maxval(draft%cases%load_case%pump_pressure)
+   end function largest_pump
 
    !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
    pure function holes_in_inches(draft) result(inches)

@@ -5,14 +5,14 @@ module dg_unusual_rig
    use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
    use dg_likely_unit, only: unit_questions
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, operation_trip_in, &
-                           operation_trip_out, rotates
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, &
+                           operation_sliding_drilling, operation_trip_in, operation_trip_out, rotates
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_diameter, unit_factor, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: at_most, in_units, unit_diameter, unit_factor, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_sheave, usual_tob
+   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_sheave, usual_tob, usual_wob
    implicit none
    private
    public :: note_rig
@@ -29,6 +29,8 @@ module dg_unusual_rig
    !> bits in soft rock have 2, and reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times
    !> too large. Then usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
    real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
+   !> Weight on bit over diameter that no bit has [N/m].
+   real(wp), parameter :: heaviest_load = 2.0e6_wp
    !> Weight of string and block over the largest hook load of the rig, above which a wrong unit is likely [-]. Less is an
    !> impossible plan.
    real(wp), parameter :: most_overload = 2.0_wp
@@ -63,6 +65,7 @@ contains
       weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)
       call note_rig_limit(model, units, weights, notes)
+      call note_weight_on_bit(model, units, notes)
       call note_torque_on_bit(model, units, notes)
       call note_measured(model, units, weights, notes)
       call note_swapped(model, units, notes)
@@ -150,6 +153,29 @@ contains
             in_units(units, unit_force, load, digits)//' in mud without drag'//tonnes_text('its limit', units, most, model%gravity))
       end associate
    end subroutine note_rig_limit
+
+   !> Note a weight on bit that is too large for the hole, but usual in another unit. Only the first such load case is named.
+   subroutine note_weight_on_bit(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question
+      real(wp) :: diameter
+      integer :: i
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
+            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
+            if (case%wob <= heaviest_load*diameter .or. is_unusual(usual_wob, case%wob)) cycle     ! which has a note of its own
+            question = unit_questions(units, unit_force, case%wob/units%force, least_load*diameter, most_load*diameter, digits)
+            if (question == '') cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': wob = '//in_units(units, unit_force, case%wob, digits)// &
+               ' is large for a hole of '//in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
+               in_units(units, unit_force, at_most(units, unit_force, most_load*diameter, few_digits), few_digits)//question)
+            return
+         end associate
+      end do
+   end subroutine note_weight_on_bit
 
    !> Note a torque on bit that is too large for its weight on bit, but usual if that is in tonnes. Only the first such load
    !> case is named.

@@ -105,7 +105,7 @@ contains
       function unit_question() result(text)
          character(:), allocatable :: text
          type(usual_type) :: row
-         real(wp) :: least
+         real(wp) :: least, most
          text = ''
          row = usual(number)
          select case (number)
@@ -119,7 +119,12 @@ contains
          case default
             least = max(row%low, least_meant*row%high)
             if (row%unit == unit_stress) least = least_steel*row%high
-            text = unit_questions(units, row%unit, value/unit_factor(units, row%unit), least, row%high, digits)
+            most = row%high
+            if (value < 0.0_wp) then      ! an overpull
+               least = row%low
+               most = least_meant*row%low
+            end if
+            text = unit_questions(units, row%unit, value/unit_factor(units, row%unit), least, most, digits)
          end select
          if (text == '') text = '. Check the unit'
       end function unit_question
