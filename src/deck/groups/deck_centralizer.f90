@@ -98,13 +98,26 @@ contains
       type(checked_group_type), intent(in) :: group
       type(error_list_type), intent(inout) :: faults
       character(name_shown) :: names(size(draft%components))
+      logical :: mine(size(names))
+      character(:), allocatable :: string, advice
       integer :: k
-      if (size(names) == 0 .or. .not. is_sound(group, 'component')) return
+      if (size(names) == 0 .or. .not. (is_sound(group, 'component') .and. is_sound(group, 'string'))) return
+      if (.not. all(draft%components%sound)) return     ! one of them may be meant
+      string = text_of(group, 'string', 'main')
       do k = 1, size(names)
          names(k) = draft%components(k)%component%name
+         mine(k) = draft%components(k)%string == string
       end do
-      if (.not. all(draft%components%sound)) return     ! one of them may be meant
-      call group_fault(group, 'component', 'string '//quoted(text_of(group, 'string', 'main'))//' has no component '// &
-                       quoted(text_of(group, 'component', ''))//'; '//suggestion(text_of(group, 'component', ''), names), faults)
+      if (any(mine)) then
+         advice = suggestion(text_of(group, 'component', ''), pack(names, mine))
+      else
+         do k = 1, size(names)
+            if (draft%components(k)%component%name == text_of(group, 'component', '')) exit
+         end do
+         k = min(k, size(names))
+         advice = 'no component belongs to that string. Write string = '//quoted(draft%components(k)%string)
+      end if
+      call group_fault(group, 'component', 'string '//quoted(string)//' has no component '// &
+                       quoted(text_of(group, 'component', ''))//'; '//advice, faults)
    end subroutine report_unknown
 end module dg_deck_centralizer
