@@ -108,7 +108,7 @@ contains
 
    subroutine test_keys()
       call refuse("md_bottom = 400.0", "md_botom = 400.0", 6, "unknown key 'md_botom'; did you mean 'md_bottom'?")
-      call refuse("friction = 0.3", "colour = 0.3", 9, "unknown key 'colour'; legal: name, md_top")
+      call refuse("friction = 0.3", "colour = 0.3", 9, "unknown key 'colour'; input/README.md lists all 14")
       call refuse("friction = 0.3", "diameter = 210", 9, 'diameter is given a second time, first in line 9')
       call refuse("  bit_depth = 900.0 /", "/", 16, 'key bit_depth is missing; needs a number, 0.001')
       call refuse("diameter = 215.9,", "", 8, 'key diameter is missing')

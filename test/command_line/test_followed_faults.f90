@@ -60,8 +60,10 @@ contains
       call follow("&boundary", "&boundry", "did you mean 'boundary'?", "boundry", "boundary")
       call follow("element_length = 10.0", "history = yes", "write .true. or .false.", "yes", ".true.")
       call follow("wob = 20.0", "string = 'mian'", "did you mean 'main'?", "mian", "main")
-      call follow("title = 'a deck'", "title = "//curly(152)//'deck'//curly(153), "write title = 'deck'", &
-                  curly(152)//'deck'//curly(153), "'deck'")
+      call follow("title = 'a deck'", "title = "//curly(152)//'deck'//curly(153), "has curly quotes, as word processors "// &
+                  "write; write title = 'deck'", curly(152)//'deck'//curly(153), "'deck'")
+      call follow("operation = 'sliding'", "operation = "//curly(156)//'sliding'//curly(157), "has curly quotes, as word "// &
+                  "processors write; write operation = 'sliding'", curly(156)//'sliding'//curly(157), "'sliding'")
       call follow("&component od = 127.0", "&component string = 'Main', od = 127.0", "string = 'Main' differs from 'main' in "// &
                   "line 11 by capitals only; write one of them", "'Main'", "'main'")
    contains

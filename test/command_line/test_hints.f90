@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('short_string', test_short_string))
       call suite%addTest(TestMethod('all_sections_too_narrow', test_sections))
       call suite%addTest(TestMethod('said_once', test_once))
+      call suite%addTest(TestMethod('centralizers_and_fatigue', test_names))
    end function hints_suite
 
    !> The deck with a change is refused with these words.
@@ -84,6 +85,11 @@ contains
       call refuse(good_deck(), 'joint_od', 'tj_od', "unknown key 'tj_od'; did you mean 'joint_od'?")
       call refuse(good_deck(), 'diameter = 220.0', 'id = 220.0', "unknown key 'id'; did you mean 'diameter'?")
       call refuse(good_deck(), 'density', 'mud_weight', "unknown key 'mud_weight'; did you mean 'density'?")
+      call refuse(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, overpull = 50', &
+                  "unknown key 'overpull'; near by meaning: wob. input/README.md lists all 25")
+      call refuse(good_deck(), 'joint_od', 'buckling', "unknown key 'buckling'; input/README.md lists all 54")
+      call refuse(good_deck(), 'friction = 0.3', 'friction_factor_open = 0.3', "unknown key 'friction_factor_open'; near by "// &
+                  'meaning: friction, friction_axial, ')
       call refuse(good_deck(), '&component', '&bha', "unknown group &bha; did you mean 'component'?")
       call refuse(good_deck(), '&component', '&string', "unknown group &string; did you mean 'component'?")
       call refuse(good_deck(), '&load_case', '&bitrun', "unknown group &bitrun; did you mean 'load_case'?")
@@ -133,6 +139,21 @@ contains
       call assertTrue(index(run%diagnostics, 'does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'with 8.6 in does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
    end subroutine test_sections
+
+   !> Components of the string that is named, and a grade without a fatigue curve. With the advice the deck is sound.
+   subroutine test_names()
+      character(*), parameter :: liner = "&component string = 'liner', name = 'shoe', length = 5, od = 7, id = 6 /"//newline// &
+         "&component string = 'liner', name = 'pipe', od = 5, id = 4.276 /"//newline, place = ', od = 8, spacing = 40 /'//newline
+      call refuse(field_deck//liner//"&centralizer string = 'liner', component = 'casing'"//place, '&fluid', '&fluid', &
+                  "string 'liner' has no component 'casing'; legal: shoe, pipe"//newline)
+      call pass(field_deck//liner//"&centralizer string = 'liner', component = 'pipe'"//place, '&fluid', '&fluid')
+      call refuse(field_deck//liner//"&centralizer string = 'linr', component = 'pipe'"//place, '&fluid', '&fluid', &
+                  "string 'linr' has no component 'pipe'; no component belongs to that string. Write string = 'liner'")
+      call refuse(field_deck, 'yield = 135', "yield = 105, fatigue_curve = 'G105'", "fatigue_curve = 'G105' is "// &
+               "unknown; API RP 7G "// &
+                  "has curves of E75 and S135 alone. For another grade write 'own', with fatigue_limit and tensile_strength")
+      call pass(field_deck, 'yield = 135', "yield = 105, fatigue_curve = 'own', fatigue_limit = 19, tensile_strength = 115")
+   end subroutine test_names
 
    !> One mistake that touches all components has one message. With its advice the deck is sound.
    subroutine test_once()

@@ -111,9 +111,11 @@ contains
       type(group_keys_type), intent(in) :: rules(:)      !< groups that a deck may have
       type(error_list_type), intent(inout) :: faults
       character(name_length) :: names(size(rules))
+      character(len(rules(1)%rule%meaning)) :: meanings(size(rules))
       integer :: i, j, k, slips, found(size(rules))
       do k = 1, size(rules)
          names(k) = rules(k)%rule%name
+         meanings(k) = rules(k)%rule%meaning
       end do
       slips = 0
       found = 0
@@ -122,7 +124,7 @@ contains
          if (k == 0) then
             slips = slips + 1
             call add_fault(faults, path, groups(i)%line, 'unknown group &'//groups(i)%name//'; '// &
-                           key_advice('', groups(i)%name, names))
+                           key_advice('', groups(i)%name, names, meanings))
             cycle
          end if
          found(k) = found(k) + 1

@@ -61,6 +61,8 @@ module dg_deck_advice
 
    !> Slips that a name may have, by its length.
    integer, parameter :: short_name = 4, slips_of_short = 1, slips_of_long = 2
+   !> Names that one message lists, letters of a word that counts, and how much it counts in a name and in a meaning.
+   integer, parameter :: few_keys = 6, shortest_word = 3, of_name = 3, of_meaning = 2
    !> Letters of a name that is cut short.
    integer, parameter :: shortest_stem = 5
    !> Words of the rig that mean more than one operation, or one with a load.
@@ -77,18 +79,70 @@ module dg_deck_advice
 contains
 
    !> Advice on an unknown key of a group, or on an unknown group if `group` is ''. It is the one with the same meaning, else
-   !> the nearest by its letters, else all.
-   pure function key_advice(group, name, legal) result(advice)
+   !> the nearest by its letters, else those near by meaning, or all where they are few.
+   pure function key_advice(group, name, legal, meanings) result(advice)
       character(*), intent(in) :: group, name
-      character(*), intent(in) :: legal(:)
+      character(*), intent(in) :: legal(:), meanings(:)
       character(:), allocatable :: advice
+      integer, allocatable :: near(:)
       advice = same_name(group, name, legal)
       if (advice /= '') then
          advice = "did you mean '"//advice//"'?"
       else
          advice = suggestion(name, legal)
+         if (size(legal) <= few_keys .or. nearest_name(name, legal) /= '') return
+         near = near_by_meaning(name, legal, meanings)
+         advice = 'input/README.md lists all '//to_text(size(legal))
+         if (size(near) > 0) advice = 'near by meaning: '//joined(legal(near), ', ')//'. '//advice
       end if
    end function key_advice
+
+   !> Places of the few names that share most words with an unknown one, in themselves or in their meaning.
+   pure function near_by_meaning(name, legal, meanings) result(places)
+      character(*), intent(in) :: name
+      character(*), intent(in) :: legal(:), meanings(:)
+      integer, allocatable :: places(:)
+      integer :: score(size(legal)), i, first, last
+      character(:), allocatable :: word
+      score = 0
+      first = 1
+      do while (first <= len(name))
+         last = first + scan(name(first:)//'_', '_- ') - 2
+         word = name(first:last)
+         first = last + 2
+         if (len(word) < shortest_word) cycle
+         if (word(len(word):) == 's') word = word(:len(word) - 1)
+         do i = 1, size(legal)
+            if (index(legal(i), word) > 0) score(i) = score(i) + of_name
+            if (shares_word(word, lower_case(meanings(i)))) score(i) = score(i) + of_meaning
+         end do
+      end do
+      allocate (places(0))
+      do while (any(score > 0) .and. size(places) < few_keys)
+         places = [places, maxloc(score, dim=1)]
+         score(places(size(places))) = 0
+      end do
+   end function near_by_meaning
+
+   !> True if a text has a word that begins with `word`, or with which `word` ends: 'pulls' and 'overpull'.
+   pure function shares_word(word, text) result(shares)
+      character(*), intent(in) :: word, text
+      logical :: shares
+      character(:), allocatable :: other
+      integer :: first, last
+      shares = .false.
+      first = 1
+      do while (first <= len_trim(text))
+         last = first + scan(text(first:)//' ', ' ,;:()=-') - 2
+         other = text(first:last)
+         first = last + 2
+         if (len(other) < shortest_word) cycle
+         if (other(len(other):) == 's') other = other(:len(other) - 1)
+         if (index(other, word) == 1) shares = .true.
+         if (len(other) < short_name .or. len(other) > len(word)) cycle
+         if (word(len(word) - len(other) + 1:) == other) shares = .true.
+      end do
+   end function shares_word
 
    !> The key that an unknown one is taken for; '' where none is.
    pure function meant_key(group, name, legal) result(meant)

@@ -20,6 +20,9 @@ module dg_deck_values
    private
    public :: check_group
 
+   !> Advice on the fatigue curve of a grade that has none.
+   character(*), parameter :: other_grade = "API RP 7G has curves of E75 and S135 alone. For another grade write 'own', with "// &
+      'fatigue_limit and tensile_strength'
    !> Values that a message repeats where there are too many.
    integer, parameter :: values_shown = 3
    !> Texts that a list may have; numbers may be as many as repeat counts allow.
@@ -58,7 +61,7 @@ contains
          k = rule_place(rules, group%entries(i)%key)
          if (k == 0) then
             call add_fault(faults, path, group%entries(i)%line, place//'unknown key '//quoted(group%entries(i)%key)// &
-                           '; '//key_advice(group%name, group%entries(i)%key, keys))
+                           '; '//key_advice(group%name, group%entries(i)%key, keys, rules%meaning))
          else
             count_of(k) = count_of(k) + 1
             call take_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
@@ -233,6 +236,11 @@ contains
       message = ''
       advice = ''
       chosen = item%text
+      if (item%kind == token_word .and. without_curly(item%text) /= item%text) then
+         message = name//' = '//item%text//' has curly quotes, as word processors write; write '//name//" = '"// &
+                   without_curly(item%text)//"'"
+         return
+      end if
       if (rule%choices == '*') then
          operation = operation_from_name(item%text)
          if (operation > 0) chosen = trim(operation_name(operation))
@@ -246,6 +254,7 @@ contains
          if (i > size(choices)) then      ! all that are legal, too: a name with digits is near to many
             advice = suggestion(item%text, choices)
             if (index(advice, 'legal: ') /= 1) advice = advice//' legal: '//joined(choices, ', ')
+            if (rule%key == 'fatigue_curve' .and. scan(item%text, '0123456789') > 0) advice = other_grade
          end if
       else if (rule%required .and. item%text == '') then
          message = name//' is empty; give a text'
@@ -255,7 +264,7 @@ contains
       end if
       if (advice /= '') message = name//' = '//quoted(item%text)//' is unknown; '//advice
       if (message == '' .and. item%kind == token_word) &
-         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//without_curly(item%text)//"'"
+         message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
       if (message == '') call append_text(value%content%texts, chosen)
    end subroutine take_text
 
