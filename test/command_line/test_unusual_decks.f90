@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('sections_and_collars', test_sections))
       call suite%addTest(TestMethod('materials_and_places', test_materials))
       call suite%addTest(TestMethod('rig_and_hole', test_rig))
+      call suite%addTest(TestMethod('no_mistakes', test_no_mistakes))
    end function unusual_decks_suite
 
    !> A lateral in field units.
@@ -135,9 +136,12 @@ contains
                    "&component name = 'low', length = 1, od = 5, id = 4 /"//newline// &
                    "&component name = 'bit', kind = 'bit', length = 1,", &
                    'bit ''bit'' stands above ''low''. List components from the bit upwards')
-      call mistake("&component name = 'MWD'", "&component name = 'low', length = 9000, od = 5, id = 4.276, joint_od = 6.625 /"// &
-                   newline//"&component name = 'MWD'", &
-                   'drill pipe ''low'' stands at the bit, collars ''MWD'' above it. List components from the bit upwards')
+      call mistake("&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 "// &
+               "/"//newline//"&component name = "// &
+                   "'DP', od = 5,", "&component name = 'HW', length = 14900, kind = 'drillpipe', joint_od = 6.625, od "// &
+                   "= 5, id = 4 /"// &
+                   newline//"&component name = 'MWD', kind = 'collar', od = 5,", &
+                   'drill pipe ''HW'' stands at the bit, collars ''MWD'' above it. List components from the bit upwards')
       call mistake('mass = 20.87', 'mass = 13', 'mass = 13, but a tube of its od, id and density has 17.95')
       call mistake('mass = 20.87, joint_od = 6.625', 'joint_od = 6.625, joint_length = 1.6', &
                    '''DP'': without mass it weighs 17.95 lbm/ft, as a tube without tool joints. Give mass, joints counted in')
@@ -329,4 +333,22 @@ contains
       call assertTrue(index(run%output, 'the survey ends at 13124 m, 3.281 times as deep as bit and hole. Is it in ft? In a '// &
                             'file write survey_units = ''field''') > 0, message=run%output)
    end subroutine test_rig
+
+   !> Decks that looked like a mistake and are right.
+   subroutine test_no_mistakes()
+      character(*), parameter :: tool = "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /", &
+         low = "&component name = 'low', length = 5000, od = 5, id = 4.276, mass = 20.87, joint_od = 6.625 /"//newline, &
+         casing = "&hole name = 'casing'", riser = "&hole name = 'riser', md_bottom = 1500, diameter = 19, friction = 0.2, "// &
+         "cased = .true. / &hole name = 'casing'", open = "&hole name = 'open', diameter = 8.5, friction = 0.30 /"
+      call usual(tool, low//tool)
+      call usual(casing, "&hole name = 'air', md_bottom = 80, diameter = 40 /"//newline//riser)
+      call mistake(casing, "&hole name = 'air', md_bottom = 80, diameter = 18 /"//newline//riser, "'air' has no friction")
+      call usual(open, "&hole name = 'open', diameter = 8.5, friction = 0.30 / &boundary packer_bore = 8.5 /")
+      call usual(open, "&hole name = 'liner', md_bottom = 14900, diameter = 9, friction = 0.30 / &hole name = 'end', "// &
+               "diameter = "// &
+                 '8.5, friction = 0.3 / &boundary packer_bore = 8.9 /')
+      call usual('cased = .true.', 'cased = .true., casing_od = 9.625, wear_factor = 0.02')
+      call usual('joint_od = 6.625', 'joint_od = 6.625, joint_spacing = 9.84')
+      call usual("name = 'DP', od", "name = 'DP', kind = 'coring rod', joint_spacing = 4.92, joint_length = 0.3, od")
+   end subroutine test_no_mistakes
 end module dg_test_unusual_decks

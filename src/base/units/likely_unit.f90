@@ -3,8 +3,8 @@ module dg_likely_unit
    use dg_constants, only: foot, gallon, inch, pi, pound, pound_force, psi
    use dg_kinds, only: wp
    use dg_quantity, only: quantity_angle, quantity_density, quantity_force, quantity_gravity, quantity_length, quantity_mass, &
-                          quantity_moment, quantity_pressure, quantity_rotation, quantity_speed, quantity_stress, quantity_wear, &
-                          quantity_width, system_field, system_metric, system_si
+                          quantity_moment, quantity_pressure, quantity_rotation, quantity_speed, quantity_stress, quantity_wall, &
+                          quantity_wear, quantity_width, system_field, system_metric, system_si
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_factor
    use dg_units, only: unit_system_type
@@ -70,6 +70,10 @@ module dg_likely_unit
       other_unit_type(quantity_gravity, 'g', gravity, T, T, T), &
       other_unit_type(quantity_rotation, 'rev/s', 2.0_wp*pi, T, T, T), &
       other_unit_type(quantity_rotation, 'rad/s', 1.0_wp, T, T, T), &
+      other_unit_type(quantity_wall, 'GPa', 1.0e9_wp, T, F, T), &
+      other_unit_type(quantity_wall, 'MPa', 1.0e6_wp, T, F, T), &
+      other_unit_type(quantity_wall, '1e6 psi', 1.0e6_wp*psi, F, T, F), &
+      other_unit_type(quantity_wall, 'ksi', 1.0e3_wp*psi, F, T, F), &
       other_unit_type(quantity_wear, '1e-10/psi', 1.0e-10_wp/psi, T, F, T), &
       other_unit_type(quantity_wear, '1e-14/Pa', 1.0e-14_wp, F, T, F), &
       other_unit_type(quantity_wear, '1/psi', 1.0_wp/psi, T, T, T), &

@@ -58,7 +58,7 @@ contains
          if (nearly_kind(part%kind) /= '') call append_text(notes, what//': kind = '//quoted(part%kind)// &
             ' is not known. Did you mean '//quoted(nearly_kind(part%kind))//'?')
          if (has_joints(part)) then
-            call note_range(units, what, usual_joint_spacing, part%joint_spacing, notes)
+            if (.not. is_rod(part)) call note_range(units, what, usual_joint_spacing, part%joint_spacing, notes)
             call note_range(units, what, usual_joint_length, part%joint_length, notes)
          end if
          if (part%bend > 0.0_wp) call note_range(units, what, usual_bend, part%bend, notes)
@@ -87,6 +87,13 @@ contains
                           ', as it has no id and no mass. Give the inside diameter')
       end associate
    end subroutine note_component
+
+   !> True for rods, which are as short as 1.5 m.
+   pure function is_rod(part) result(is)
+      type(component_type), intent(in) :: part
+      logical :: is
+      is = index(lower_case(part%kind), 'rod') > 0 .or. index(lower_case(part%kind), 'coring') > 0
+   end function is_rod
 
    !> A tool of the length of pipe, or one without a length that goes up to surface.
    subroutine note_place(draft, notes)

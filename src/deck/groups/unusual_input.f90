@@ -15,7 +15,7 @@ module dg_unusual_input
    use dg_unusual_case, only: note_case, note_light, note_use
    use dg_unusual_component, only: note_component, note_place
    use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
-                             usual_running_in, usual_top_drive, usual_wear
+                             usual_running_in, usual_top_drive, usual_wall, usual_wear
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant
@@ -30,6 +30,8 @@ module dg_unusual_input
    real(wp), parameter :: deepest_model = 100.0_wp
    !> Advice on a deck with such holes.
    character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
+   !> Longest gap of air above a riser [m].
+   real(wp), parameter :: longest_air_gap = 100.0_wp
    !> A string that is longer than the hole by more than this [m].
    real(wp), parameter :: above_surface = 1.0_wp
    !> Longest collars of a string [m]: 30 to 40 joints.
@@ -130,6 +132,7 @@ contains
              draft%cases(k)%load_case%friction_axial%present) cycle
          do i = 1, size(draft%holes)
             associate (hole => draft%holes(i))
+               if (is_air_gap(draft, i)) cycle
                if (hole%friction_given .or. axial_friction(hole%section, draft%cases(k)%load_case%operation) > 0.0_wp .or. &
                    hole%section%md_top >= draft%cases(k)%load_case%bit_depth) cycle
                call append_text(notes, 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)// &
@@ -139,6 +142,16 @@ contains
          return
       end do
    end subroutine note_friction
+
+   !> True for the uppermost section where it is short and wider than the one below: the air above a riser, where no wall is.
+   pure function is_air_gap(draft, number) result(is)
+      type(draft_type), intent(in) :: draft
+      integer, intent(in) :: number         !< of the section
+      logical :: is
+      is = number == 1 .and. size(draft%holes) > 1
+      if (is) is = draft%holes(1)%section%md_bottom < longest_air_gap .and. &
+                   draft%holes(1)%section%diameter > draft%holes(2)%section%diameter
+   end function is_air_gap
 
    !> Friction that is far from what was measured anywhere, and a section that lets a string turn without any.
    subroutine note_hole_friction(draft, hole, notes)
@@ -154,6 +167,8 @@ contains
          if (.not. is_missing(running_in)) then
             if (running_in > 0.0_wp) call note_range(draft%units, what, usual_running_in, running_in, notes)
          end if
+         if (hole%section%wall_stiffness > 0.0_wp) &
+            call note_range(draft%units, what, usual_wall, hole%section%wall_stiffness, notes)
          if (.not. is_missing(hole%section%wear_factor)) call note_range(draft%units, what, usual_wear, hole%section%wear_factor, &
                                                                          notes)
          if (axial > 0.0_wp .and. .not. rotary > 0.0_wp .and. any(rotates(draft%cases%load_case%operation))) &
@@ -181,6 +196,8 @@ contains
          if (any(lowest(:i - 1) == lowest(i) .and. .not. is_bit(draft%components(:i - 1)%component))) cycle
          do k = i + 1, size(draft%components)
             if (lowest(k) /= lowest(i) .or. index(lower_case(draft%components(k)%component%kind), 'collar') == 0) cycle
+            ! with pipe above the collars, too, the string is inverted on purpose
+            if (any(lowest(k:) == lowest(i) .and. is_long_pipe_to_surface(draft%components(k:)%component))) exit
             call append_text(notes, 'group &component in line '//to_text(draft%components(i)%line)//': drill pipe '// &
                              quoted(draft%components(i)%component%name)//' stands at the bit, collars '// &
                              quoted(draft%components(k)%component%name)//' above it. List components from the bit upwards')
@@ -195,6 +212,11 @@ contains
          logical :: is
          is = has_joints(part) .and. is_pipe(part) .and. part%length > longest_bha_pipe
       end function is_long_pipe
+      elemental function is_long_pipe_to_surface(part) result(is)
+         type(component_type), intent(in) :: part
+         logical :: is
+         is = is_pipe(part) .and. (part%length > longest_bha_pipe .or. .not. part%length > 0.0_wp)
+      end function is_long_pipe_to_surface
    end subroutine note_order
 
    !> A string longer than the hole, whose last component has a length.

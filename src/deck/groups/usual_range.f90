@@ -6,7 +6,7 @@ module dg_usual_range
    use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: at_most, heaviest_mud, in_units, unit_angle, unit_density, unit_factor, unit_force, unit_gravity, &
                            unit_length, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, &
-                           unit_temperature, unit_wear
+                           unit_temperature, unit_wall, unit_wear
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -14,7 +14,7 @@ module dg_usual_range
              usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
-             usual_restoring, usual_running_force
+             usual_restoring, usual_running_force, usual_wall
 
    !> Usual range of a key.
    type :: usual_type
@@ -30,12 +30,12 @@ module dg_usual_range
                          usual_hours = 16, usual_warming_top = 17, usual_warming_bottom = 18, usual_ambient_top = 19, &
                          usual_ambient_bottom = 20, usual_measured = 21, usual_joint_spacing = 22, usual_joint_length = 23, &
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
-                         usual_running_force = 29
+                         usual_running_force = 29, usual_wall = 30
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(29) = [ &
+   type(usual_type), parameter :: usual(30) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -58,14 +58,15 @@ module dg_usual_range
       usual_type('above_ambient_top', unit_temperature, 0.0_wp, hottest, wells), &
       usual_type('above_ambient_bottom', unit_temperature, 0.0_wp, hottest, wells), &
       usual_type('measured_torque', unit_moment, 0.0_wp, 200.0e3_wp, 'strongest top drives 130 kN.m'), &
-      usual_type('joint_spacing', unit_length, 3.0_wp, 20.0_wp, 'drill rods of 10 ft to casing of range 3, 48 ft'), &
+      usual_type('joint_spacing', unit_length, 2.95_wp, 20.0_wp, 'drill rods of 10 ft to casing of range 3, 48 ft'), &
       usual_type('joint_length', unit_length, 0.0_wp, 3.0_wp, 'heavy weight pipe 1.2 m; 17 in of drill pipe are 0.43 m'), &
       usual_type('bend', unit_angle, 0.1_wp*degree, 6.0_wp*degree, 'motors 0.25 to 4 deg; 1.5 deg are 0.026 in radians'), &
       usual_type('lines', unit_none, 4.0_wp, 16.0_wp, 'small workover rigs 4; largest rigs 14 to 16'), &
       usual_type('sheave_efficiency', unit_none, 0.93_wp, 1.0_wp, 'roller bearings 0.96 to 0.99 a sheave'), &
-      usual_type('wear_factor', unit_wear, 0.1e-14_wp, 1.0e-11_wp, 'tests of 1e-10/psi: 0.1 to 1000'), &
+      usual_type('wear_factor', unit_wear, 1.0e-17_wp, 1.0e-11_wp, 'tests of 1e-10/psi: 0.01 to 1000'), &
       usual_type('restoring_force', unit_force, 0.0_wp, 50.0e3_wp, 'API 10D, 20 in: 1,707 lbf; stiff bows several times that'), &
-      usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf')]
+      usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf'), &
+      usual_type('wall_stiffness', unit_wall, 1.0e6_wp, 1.0e13_wp, 'soft mud 1 MPa; steel 200 GPa')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
