@@ -17,6 +17,8 @@ contains
       call suite%addTest(TestMethod('usual_ranges', test_ranges))
       call suite%addTest(TestMethod('temperatures_and_times', test_temperatures))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
+      call suite%addTest(TestMethod('stiffness_and_drag', test_stiffness_and_drag))
+      call suite%addTest(TestMethod('crossing_under_a_river', test_crossing))
       call suite%addTest(TestMethod('diameters', test_diameters))
       call suite%addTest(TestMethod('systems', test_systems))
       call suite%addTest(TestMethod('mud_weights', test_mud_weights))
@@ -100,6 +102,16 @@ contains
                   "'backream', rpm = 60, trip_speed = 0.3")
    end subroutine test_ranges
 
+   subroutine test_stiffness_and_drag()
+      character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', od = 200, spacing = 12, "// &
+               "restoring_force = 7, "// &
+         'running_force = '
+      call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 100 ', "'open': wall_stiffness = 100 kN/m2 is "// &
+                  'unusual. Usual is at least 1000 kN/m2. Is it in GPa? Then write 1e8', 'friction = 0.3, wall_stiffness = 1e8 ')
+      call follow('SI', '&rig', bows//'350 / &rig', 'running_force = 350 kN is unusual. Usual is at most 20 kN. Is it in N? '// &
+                  'Then write 0.35', bows//'0.35 / &rig')
+   end subroutine test_stiffness_and_drag
+
    subroutine test_temperatures()
       call follow('SI', 'tob = 8 ', 'tob = 8, above_ambient_bottom = 473 ', 'Is it a temperature? Then write 176', &
                   'tob = 8, above_ambient_bottom = 176 ')
@@ -109,12 +121,32 @@ contains
                   'tob = 8, rpm = 100, hours = 83.33 ')
    end subroutine test_temperatures
 
+   !> Of a case, of another program, of a sweep.
    subroutine test_hook_loads()
+      character(*), parameter :: sweep = "&sweep operations = 'trip_out', bit_depth_from = 3800, bit_depth_step = 400, "// &
+         "measured_depths = 3900, 4000, measured_operations = 'trip_out', "
       call follow('SI', "'trip_out',", "'trip_out', measured_hookload = 150,", 'Is it in t? Then write 1471', &
                   "'trip_out', measured_hookload = 1471,")
       call follow('field', "'trip_out',", "'trip_out', measured_hookload = 1100,", 'Is it in kN? Then write 247.3', &
                   "'trip_out', measured_hookload = 247.3,")
+      call follow('SI', "'trip_out',", "'trip_out', reference_hookload = 110,", "'up': reference_hookload = 110 kN is", &
+                  "'trip_out', reference_hookload = 1100,")
+      call follow('SI', '&fluid', sweep//'measured_hookloads = 150, 1450 / &fluid', &
+                  'group &sweep: measured_hookloads at 3900 m = 150 kN is 15 % of what string and block weigh in mud', &
+                  sweep//'measured_hookloads = 1471, 1450 / &fluid')
    end subroutine test_hook_loads
+
+   !> A pipe that is pulled through a crossing under a river: drag is all.
+   subroutine test_crossing()
+      type(run_type) :: run
+      run = run_deck_text("&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory md = 0, 60, 400, 700, 760, inc = 78, 78, 90, 98, 98, azi = 5*10, tie_on = 'straight' /"//newline// &
+         "&hole diameter = 914, friction = 0.3 /"//newline//"&fluid density = 1150 /"//newline// &
+         "&component name = 'pipe', kind = 'casing', od = 609.6, id = 581.2, joint_od = 620 /"//newline// &
+         "&load_case name = 'pull', operation = 'trip_out', bit_depth = 760, measured_hookload = 900 /"//newline, '--check')
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, newline//'note '), message=run%output)
+   end subroutine test_crossing
 
    !> Holes and pipe in inches or metres. One message for a hole that nothing passes.
    subroutine test_diameters()

@@ -94,6 +94,7 @@ module dg_deck_draft
       integer, allocatable :: operations(:)
       character(:), allocatable :: group       !< of the deck, by name
       real(wp), allocatable :: wob(:), tob(:)  !< by operation, or one for all [N, N.m]
+      type(load_case_type), allocatable :: measured(:)   !< with a measured hook load or torque
    end type string_use_type
 
    !> A deck while it is read: its parts, its groups for studies with groups of their own, and results that these share.

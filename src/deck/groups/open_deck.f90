@@ -100,7 +100,7 @@ contains
       call note_unusual(deck%draft, deck%uses, fitted, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
-      call note_rig(model, deck%draft%units, notes)
+      call note_rig(model, deck%uses, deck%draft%units, notes)
       job%notes = notes
    end subroutine close_deck
 

@@ -2,17 +2,19 @@
 !> or two are swapped.
 module dg_unusual_rig
    use dg_kinds, only: wp
+   use dg_deck_draft, only: string_use_type
    use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
    use dg_likely_unit, only: unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, &
                            operation_sliding_drilling, operation_trip_in, operation_trip_out, rotates
+   use dg_missing, only: optional_real
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: at_most, in_units, unit_diameter, unit_factor, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_sheave, usual_tob, usual_wob
+   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_measured, usual_sheave, usual_tob, usual_wob
    implicit none
    private
    public :: note_rig
@@ -23,6 +25,8 @@ module dg_unusual_rig
    !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
    !> klbf read as kN 0.22; kN read as klbf are 4.4.
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
+   !> Weight along the hole over the whole one, below which a hole is nearly level from end to end [-].
+   real(wp), parameter :: nearly_level = 0.1_wp
    !> Range of a hook load in the unit that is asked for, over the same, and of torque on bit over its usual most [-].
    real(wp), parameter :: least_likely = 0.6_wp, most_likely = 2.0_wp, least_tob = 0.03_wp
    !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]. Sharp PDC
@@ -34,6 +38,8 @@ module dg_unusual_rig
    !> Weight of string and block over the largest hook load of the rig, above which a wrong unit is likely [-]. Less is an
    !> impossible plan.
    real(wp), parameter :: most_overload = 2.0_wp
+   !> Longest tail of a string below its packer [m].
+   real(wp), parameter :: longest_tail = 300.0_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
    real(wp), parameter :: tonne = 1000.0_wp, near_tonne = 0.1_wp, percent = 0.01_wp
@@ -42,8 +48,9 @@ module dg_unusual_rig
 contains
 
    !> Add one note a matter, with the first load case that has it.
-   subroutine note_rig(model, units, notes)
+   subroutine note_rig(model, uses, units, notes)
       type(model_type), intent(in) :: model
+      type(string_use_type), intent(in) :: uses(:)      !< of strings, beside those of load cases
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: weights(size(model%cases)), each
@@ -62,12 +69,12 @@ contains
          end if
       end if
       if (top_md(model%trajectory) > 0.0_wp) return
-      weights = [(hanging_weight(model, model%cases(i)), i=1, size(model%cases))]
+      weights = [(hanging_weight(model, model%cases(i), .true.), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)
       call note_rig_limit(model, units, weights, notes)
       call note_weight_on_bit(model, units, notes)
       call note_torque_on_bit(model, units, notes)
-      call note_measured(model, units, weights, notes)
+      call note_hook_loads(model, uses, units, notes)
       call note_swapped(model, units, notes)
    end subroutine note_rig
 
@@ -76,14 +83,17 @@ contains
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i
+      integer :: i, upper, lower
       if (.not. model%boundary%packer_bore > 0.0_wp) return
       do i = 1, size(model%cases)
-         associate (hole => model%holes(hole_section_at(model%holes, model%cases(i)%bit_depth - same_depth)))
-            if (model%boundary%packer_bore <= hole%diameter) cycle
+         ! the receptacle may stand on a liner, with the tail of the string below it
+         upper = hole_section_at(model%holes, model%cases(i)%bit_depth - longest_tail)
+         lower = hole_section_at(model%holes, model%cases(i)%bit_depth - same_depth)
+         associate (widest => maxval(model%holes(upper:lower)%diameter))
+            if (model%boundary%packer_bore <= widest) cycle
             call append_text(notes, 'group &boundary: packer_bore = '// &
                in_units(units, unit_diameter, model%boundary%packer_bore, digits)//' is wider than the hole at the packer, '// &
-               in_units(units, unit_diameter, hole%diameter, digits)//' at '// &
+               in_units(units, unit_diameter, widest, digits)//' at '// &
                in_units(units, unit_length, model%cases(i)%bit_depth, depth_digits)//'. Give the diameter of the seal bore')
             return
          end associate
@@ -206,40 +216,76 @@ contains
       end do
    end subroutine note_torque_on_bit
 
-   !> A measured hook load that is far from what string and block weigh, or was measured without the block, it seems.
-   subroutine note_measured(model, units, weights, notes)
+   !> The first hook load, measured or of another program, that is far from what string and block weigh.
+   subroutine note_hook_loads(model, uses, units, notes)
       type(model_type), intent(in) :: model
+      type(string_use_type), intent(in) :: uses(:)
       type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: weights(:)      !< of strings, by load case [N]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: expected, share
-      logical :: bears_all       ! the hook bears the whole weight at least
-      integer :: i
+      integer :: i, k, before
+      before = size(notes)
       do i = 1, size(model%cases)
          associate (case => model%cases(i))
-            if (.not. case%measured_hookload%present) cycle
-            expected = weights(i) - case%wob
-            if (model%rig%given) expected = expected + model%rig%block_weight
-            if (.not. expected > 0.0_wp) cycle
-            share = case%measured_hookload%value/expected
-            if (case%measured_hookload%value <= model%rig%block_weight .and. case%operation == operation_trip_out .and. &
-                case%measured_hookload%value > least_measured*weights(i)) then
-               call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload is no more than block_weight of '// &
-                                '&rig; with &rig it is what the indicator shows, the block counted in')
-               return
-            end if
-            bears_all = block_way(case%operation) > 0 .or. (rotates(case%operation) .and. .not. moves_axially(case%operation))
-            if (.not. (share > most_measured .or. (share < least_measured .and. bears_all))) cycle
-            call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload = '// &
-               in_units(units, unit_force, case%measured_hookload%value, digits)//' is '// &
-               to_text(share/percent, few_digits)//' % of what '//either('string and block weigh', 'the string weighs', &
-               model%rig%given)//' in mud'//either(' less WOB', '', case%wob > 0.0_wp)//', '// &
-               in_units(units, unit_force, expected, digits)// &
-               questions(units, unit_force, case%measured_hookload%value, least_likely*expected, most_likely*expected))
-            return
+            call note_hook_load(model, case, 'load case '//quoted(case%name)//': measured_hookload', case%measured_hookload, &
+                                model%rig%given, units, notes)
+            if (size(notes) > before) return
+            call note_hook_load(model, case, 'load case '//quoted(case%name)//': reference_hookload', case%reference_hookload, &
+                                .false., units, notes)
+            if (size(notes) > before) return
          end associate
       end do
-   end subroutine note_measured
+      do i = 1, size(uses)
+         if (.not. allocated(uses(i)%measured)) cycle
+         do k = 1, size(uses(i)%measured)
+            associate (case => uses(i)%measured(k))
+               call note_hook_load(model, case, 'group &'//uses(i)%group//': measured_hookloads at '// &
+                                   in_units(units, unit_length, case%bit_depth, depth_digits), &
+                                   case%measured_hookload, model%rig%given, units, notes)
+               if (case%measured_torque%present) call note_range(units, 'group &'//uses(i)%group, usual_measured, &
+                                                                 case%measured_torque%value, notes)
+            end associate
+            if (size(notes) > before) return
+         end do
+      end do
+   end subroutine note_hook_loads
+
+   !> A hook load that is far from what string and block weigh, or was measured without the block, it seems. Drag may be as
+   !> much as the string weighs. Where the lower end lies nearly as high as the rig, drag is all.
+   subroutine note_hook_load(model, case, what, load, with_block, units, notes)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: case
+      character(*), intent(in) :: what        !< has the load
+      type(optional_real), intent(in) :: load !< [N]
+      logical, intent(in) :: with_block       !< the load counts the block in
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: weight, expected, share
+      logical :: bears_all       ! the hook bears the whole weight at least
+      if (.not. load%present) return
+      weight = hanging_weight(model, case, .true.)
+      expected = weight - case%wob
+      if (with_block) expected = expected + model%rig%block_weight
+      if (.not. expected > 0.0_wp) return
+      share = load%value/expected
+      if (with_block .and. load%value <= model%rig%block_weight .and. case%operation == operation_trip_out .and. &
+          load%value > least_measured*weight) then
+         call append_text(notes, what//' is no more than block_weight of &rig; with &rig it is what the indicator shows, the '// &
+                          'block counted in')
+         return
+      end if
+      bears_all = block_way(case%operation) > 0 .or. (rotates(case%operation) .and. .not. moves_axially(case%operation))
+      if (share > most_measured) then
+         associate (whole => hanging_weight(model, case, .false.))
+            if (weight < nearly_level*whole .or. load%value < expected + whole) return
+         end associate
+      else if (share >= least_measured .or. .not. bears_all) then
+         return
+      end if
+      call append_text(notes, what//' = '//in_units(units, unit_force, load%value, digits)//' is '// &
+         to_text(share/percent, few_digits)//' % of what '//either('string and block weigh', 'the string weighs', with_block)// &
+         ' in mud'//either(' less WOB', '', case%wob > 0.0_wp)//', '//in_units(units, unit_force, expected, digits)// &
+         questions(units, unit_force, load%value, least_likely*expected, most_likely*expected))
+   end subroutine note_hook_load
 
    !> A pick-up weight below the slack-off weight of the same string at the same depth.
    subroutine note_swapped(model, units, notes)
@@ -264,11 +310,12 @@ contains
       end do
    end subroutine note_swapped
 
-   !> Weight of a string in mud along the hole [N].
-   function hanging_weight(model, load_case) result(weight)
+   !> Weight of a string in mud [N].
+   function hanging_weight(model, load_case, along) result(weight)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
-      real(wp) :: weight
+      logical, intent(in) :: along            !< its part along the hole, that hangs on the hook
+      real(wp) :: weight, height
       type(stretch_type), allocatable :: stretches(:)
       integer :: i
       weight = 0.0_wp
@@ -276,8 +323,10 @@ contains
          allocate (stretches, source=stretches_of(model, string, load_case%bit_depth))
          do i = 1, size(stretches)
             associate (upper => stretches(i)%upper, lower => stretches(i)%lower)
-               weight = weight + (true_vertical_depth(model%trajectory, lower) - true_vertical_depth(model%trajectory, upper))* &
-                  weight_at(string%components(stretches(i)%component), model, load_case, 0.5_wp*(lower + upper))
+               height = lower - upper
+               if (along) height = true_vertical_depth(model%trajectory, lower) - true_vertical_depth(model%trajectory, upper)
+               weight = weight + height*weight_at(string%components(stretches(i)%component), model, load_case, &
+                                                  0.5_wp*(lower + upper))
             end associate
          end do
       end associate

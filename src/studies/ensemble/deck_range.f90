@@ -7,7 +7,7 @@ module dg_deck_range
    use dg_deck_draft, only: deck_type, draft_case_type, draft_type, note_use, string_use_type
    use dg_error, only: error_list_type
    use dg_job, only: model_name
-   use dg_load_case, only: moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
+   use dg_load_case, only: load_case_type, moves_axially, operation_from_name, operation_rotate_off_bottom, operation_trip_in, &
       operation_trip_out, rotates
    use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, regular_depths, sweep_type, with_depths
@@ -41,8 +41,32 @@ contains
       allocate (use%wob(0), use%tob(0))
       if (allocated(range%wob)) use%wob = range%wob
       if (allocated(range%tob)) use%tob = range%tob
+      use%measured = measured_cases(range)
       call note_use(deck, use)
    end subroutine note_range_use
+
+   !> Measurements of a range as load cases.
+   pure function measured_cases(range) result(cases)
+      type(sweep_type), intent(in) :: range
+      type(load_case_type), allocatable :: cases(:)
+      integer :: i, k
+      if (.not. allocated(range%measured)) then
+         allocate (cases(0))
+         return
+      end if
+      allocate (cases(size(range%measured)))
+      do i = 1, size(cases)
+         cases(i)%name = range%measured(i)%name
+         cases(i)%string = range%string
+         cases(i)%bit_depth = range%measured(i)%bit_depth
+         cases(i)%operation = range%measured(i)%operation
+         cases(i)%measured_hookload = range%measured(i)%hookload
+         cases(i)%measured_torque = range%measured(i)%torque
+         do k = 1, size(range%operations)
+            if (range%operations(k) == cases(i)%operation) cases(i)%wob = at_operation(range%wob, k)
+         end do
+      end do
+   end function measured_cases
 
    !> String, operations and depths of a group: a &sweep, or another that has its keys. Its depths are not allocated where there
    !> is a fault.
