@@ -91,7 +91,7 @@ contains
       else
          advice = suggestion(name, legal)
          if (size(legal) <= few_keys .or. nearest_name(name, legal) /= '') return
-         near = near_by_meaning(name, legal, meanings)
+         allocate (near, source=near_by_meaning(name, legal, meanings))
          advice = 'input/README.md lists all '//to_text(size(legal))
          if (size(near) > 0) advice = 'near by meaning: '//joined(legal(near), ', ')//'. '//advice
       end if
