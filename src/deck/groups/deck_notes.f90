@@ -17,7 +17,6 @@ module dg_deck_notes
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
    use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
-   use dg_units, only: unit_system_type
    implicit none
    private
    public :: note_oddities

@@ -74,7 +74,7 @@ contains
       end subroutine note
    end subroutine note_case
 
-   !> Adds a note on a fluid of one side that is too light for a liquid and has not the density of a gas, if another unit is likely.
+   !> Adds a note on a fluid of one side that is neither a liquid nor a gas, if another unit is likely.
    subroutine note_light(units, what, density, pressure, notes)
       type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: what         !< has the density
