@@ -147,7 +147,7 @@ contains
       call append_text(lines, "  running_force=0.5 friction_axial=0.2 /")
       call append_text(lines, "&boundary top_lateral='free' bit_lateral='Centred' /")
       call append_text(lines, "&load_case name='a' section='s' operation='backream' bit_depth=900 wob=-5 string='b'")
-      call append_text(lines, "  friction=0.3 friction_rotary=0 rpm=60 trip_speed=0.2 measured_torque=2 reference_hookload=3 /")
+      call append_text(lines, "  friction=0.3 friction_rotary=0 rpm=60 trip_speed=0.2 measured_torque=2 reference_hookload=15 /")
       call append_text(lines, "&solver element_length=5 gap_location='nodes' tolerance=1e-6 max_iterations=7 load_steps=3")
       call append_text(lines, "  gk_min=1e-5 gk_contact=2e6 eps_n0=1e-7 eps_nmax=0.1 r_n0=0.01 history=.true. relocation=0.1")
       call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' /")
