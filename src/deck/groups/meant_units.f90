@@ -15,6 +15,8 @@ module dg_meant_units
 
    !> Hole diameters in inches and in millimetres: 1.5 to 42 in, 50 to 1100 mm.
    real(wp), parameter :: inches(2) = [1.5_wp, 42.0_wp], millimetres(2) = [50.0_wp, 1100.0_wp]
+   !> Deeper than any hole of a laboratory, whose holes may have 10 mm and be filled with air [m].
+   real(wp), parameter :: deepest_model = 100.0_wp
    !> Mud weights in lbm/gal, sg and kg/m3. Oil has 0.78 sg.
    real(wp), parameter :: pounds(2) = [5.0_wp, 24.0_wp], gravities(2) = [0.7_wp, 2.8_wp], kilograms(2) = [700.0_wp, 2800.0_wp]
 
@@ -35,6 +37,7 @@ contains
       allocate (densities, source=numbers_of(groups, 'fluid', 'density'))
       densities = pack(densities, densities > 0.0_wp)
       if (min(size(diameters), size(densities)) == 0) return
+      if (.not. any(numbers_of(groups, 'hole', 'md_bottom') > deepest_model)) return
       millimetric = units%system == system_si
       system = 0
       if (millimetric .and. within(diameters, inches) .and. within(densities, pounds)) system = system_field
