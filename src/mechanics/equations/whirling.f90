@@ -53,11 +53,11 @@ module dg_whirling
 contains
 
    !> Share of friction around the string that acts sideways, by element [-]. It is below 1 where the soft string is compressed
-   !> near buckling. It is 0 under any compression where the string buckles as in a vertical hole: its side load there is too
-   !> small to raise its buckling load, so it holds no coil to a side. In an exactly vertical part it is 0 all along if any of
-   !> that part is compressed. If it is below 1 anywhere, torques at bit and top act semi-tangentially. For a string that slides
-   !> without turning, which has no such friction, it has no other effect. A torque about the string's own axis at a free bit
-   !> would drive the string around for ever. A shaft without friction keeps that torque: it buckles as Greenhill's (1883).
+   !> near buckling. It is 0 under any compression where the side load is too small to raise the buckling load. No coil is held to
+   !> a side there. In an exactly vertical part it is 0 all along if any of that part is compressed. If it is below 1
+   !> anywhere, torques at bit and top act semi-tangentially. For a string that slides without turning, which has no such
+   !> friction, it has no other effect. A torque about the string's own axis at a free bit would drive the string around for
+   !> ever. A shaft without friction keeps that torque: it buckles as Greenhill's (1883).
    pure subroutine find_sideways(model, case_index, mesh, compressed, sideways)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
