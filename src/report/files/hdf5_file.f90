@@ -3,7 +3,7 @@
 !> Errors are sticky: after the first one nothing more is done, and closing the file reports the first failure. A file is
 !> written under another name and takes its own when it is complete.
 module dg_hdf5_file
-   use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use hdf5, only: h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dcreate_f, &
                    h5dont_atexit_f, &
@@ -20,6 +20,7 @@ module dg_hdf5_file
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
    use dg_system_reason, only: reason_of_failed_write
+   use dg_text, only: c_text
    implicit none
    private
    public :: hdf5_file_type, create_hdf5, close_hdf5, make_group, write_data, write_bytes, write_attribute, write_ascii
@@ -217,13 +218,8 @@ contains
       character(*), intent(in) :: object, name, text
       character(kind=c_char), allocatable, target :: buffer(:)
       type(c_ptr), target :: pointer(1)
-      integer :: i
       if (file%failure /= '') return
-      allocate (buffer(len(text) + 1))
-      do i = 1, len(text)
-         buffer(i) = text(i:i)
-      end do
-      buffer(len(text) + 1) = c_null_char
+      allocate (buffer, source=c_text(text))
       pointer(1) = c_loc(buffer)
       call attribute_buffer(file, object, name, [integer(hsize_t) ::], file%text, file%text, c_loc(pointer))
    end subroutine attribute_text
@@ -234,12 +230,9 @@ contains
       character(*), intent(in) :: object, name, text
       character(kind=c_char), allocatable, target :: buffer(:)
       integer(hid_t) :: type
-      integer :: status, i
+      integer :: status
       if (file%failure /= '') return
-      allocate (buffer(len(text)))
-      do i = 1, len(text)
-         buffer(i) = text(i:i)
-      end do
+      allocate (buffer, source=c_text(text))       ! the null behind it is not written
       call h5tcopy_f(h5t_fortran_s1, type, status)
       call h5tset_size_f(type, int(len(text), size_t), status)
       call attribute_buffer(file, object, name, [integer(hsize_t) ::], type, type, c_loc(buffer))

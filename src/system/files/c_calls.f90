@@ -1,9 +1,9 @@
 !> Functions of the C library that several modules call.
 module dg_c_calls
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_ptr, c_size_t
    implicit none
    private
-   public :: c_dlsym, c_errno_location, c_fclose, c_fopen, c_getpid, c_kill, c_waitpid
+   public :: c_dlsym, c_errno_location, c_fclose, c_fopen, c_getpid, c_kill, c_waitpid, c_write
 
    interface
       !> Looks a name of the C library up; a null handle: wherever it is. A Fortran variable of that name would be another one.
@@ -56,5 +56,15 @@ module dg_c_calls
          integer(c_int), intent(inout) :: status
          integer(c_int) :: ended
       end function c_waitpid
+
+      ! ssize_t is long on Linux
+      function c_write(descriptor, text, length) result(written) bind(c, name='write')
+         import :: c_char, c_int, c_long, c_size_t
+         implicit none
+         integer(c_int), value :: descriptor
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_size_t), value :: length
+         integer(c_long) :: written
+      end function c_write
    end interface
 end module dg_c_calls

@@ -104,11 +104,9 @@ contains
       character(*), intent(in) :: path
       character(:), allocatable :: target
       character(kind=c_char) :: chars(longest_path)
-      integer :: i
-      target = ''
-      do i = 1, int(c_readlink(c_text(trim(path)), chars, int(longest_path, c_size_t)))
-         target = target//chars(i)
-      end do
+      integer :: length
+      length = max(0, int(c_readlink(c_text(trim(path)), chars, int(longest_path, c_size_t))))
+      target = transfer(chars(:length), repeat(' ', length))
    end function link_target
 
    !> True if both exist and are one file.

@@ -131,7 +131,7 @@ contains
       type(c_ptr) :: folder, next
       character(:), allocatable :: name
       integer(c_int) :: status
-      integer :: i
+      integer :: length
       allocate (names(0))
       folder = c_opendir(c_text(path))
       if (.not. c_associated(folder)) return
@@ -139,11 +139,8 @@ contains
          next = c_readdir(folder)
          if (.not. c_associated(next)) exit
          call c_f_pointer(next, entry)
-         name = ''
-         do i = 1, longest_name
-            if (entry%name(i) == c_null_char) exit
-            name = name//entry%name(i)
-         end do
+         length = findloc(entry%name, c_null_char, dim=1) - 1
+         name = transfer(entry%name(:length), repeat(' ', length))
          if (len(name) <= len(ending)) cycle
          if (name(len(name) - len(ending) + 1:) == ending) call append_text(names, name)
       end do

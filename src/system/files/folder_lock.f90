@@ -6,7 +6,7 @@
 !> other code may open it. The lines of the file name the holder of the folder.
 module dg_folder_lock
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_long, c_null_char, c_null_ptr, c_ptr, c_size_t
-   use dg_c_calls, only: c_fopen, c_fclose, c_errno_location, c_getpid
+   use dg_c_calls, only: c_fopen, c_fclose, c_errno_location, c_getpid, c_write
    use dg_error, only: error_type, raise, status_failure
    use dg_file_identity, only: identity_of, identity_of_link, identity_of_open, identity_type, is_same_file
    use dg_file_lines, only: read_lines
@@ -49,15 +49,6 @@ module dg_folder_lock
          type(c_ptr), value :: file
          integer(c_int) :: descriptor
       end function c_fileno
-
-      function c_write(descriptor, text, length) result(written) bind(c, name='write')
-         import :: c_char, c_int, c_long, c_size_t
-         implicit none
-         integer(c_int), value :: descriptor
-         character(kind=c_char), intent(in) :: text(*)
-         integer(c_size_t), value :: length
-         integer(c_long) :: written
-      end function c_write
 
       function c_ftruncate(descriptor, length) result(status) bind(c, name='ftruncate')
          import :: c_int, c_long
@@ -259,14 +250,12 @@ contains
    function host() result(name)
       character(:), allocatable :: name
       character(kind=c_char) :: chars(longest_host)
-      integer :: i
+      integer :: length
       name = ''
       chars = c_null_char
       if (c_gethostname(chars, int(longest_host - 1, c_size_t)) /= 0_c_int) return
-      do i = 1, longest_host
-         if (chars(i) == c_null_char) exit
-         name = name//chars(i)
-      end do
+      length = findloc(chars, c_null_char, dim=1) - 1
+      name = transfer(chars(:length), repeat(' ', length))
    end function host
 
    subroutine close_file(lock)

@@ -75,13 +75,9 @@ contains
       type(c_ptr), intent(in) :: words
       character(:), allocatable :: text
       character(kind=c_char), pointer :: letters(:)
-      integer :: i
       text = ''
       if (.not. c_associated(words)) return
       call c_f_pointer(words, letters, [c_strlen(words)])
-      text = repeat(' ', size(letters))
-      do i = 1, size(letters)
-         text(i:i) = letters(i)
-      end do
+      text = transfer(letters, repeat(' ', size(letters)))
    end function from_c_text
 end module dg_system_reason

@@ -4,10 +4,11 @@
 !> of the characters in one `most_text` are kept.
 module dg_xml
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, c_loc, &
-                                          c_long, c_null_char, c_null_ptr, c_ptr
+                                          c_long, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
+   use dg_c_calls, only: c_dlsym
    use dg_system_reason, only: from_c_text
-   use dg_text, only: text_type, to_text
+   use dg_text, only: c_text, text_type, to_text
    use dg_xml_tree, only: close_element, open_element, xml_tree_type
    implicit none
    private
@@ -100,13 +101,6 @@ module dg_xml
          integer(c_int), value :: mode
          type(c_ptr) :: handle
       end function c_dlopen
-      function c_dlsym_function(handle, name) result(address) bind(c, name='dlsym')
-         import :: c_char, c_funptr, c_ptr
-         implicit none
-         type(c_ptr), value :: handle
-         character(kind=c_char), intent(in) :: name(*)
-         type(c_funptr) :: address
-      end function c_dlsym_function
    end interface
 
 contains
@@ -131,19 +125,19 @@ contains
       allocate (tree%elements(first_room))
       tree%chosen = ' '//chosen//' '
       tree%kept = ' '//kept//' '
-      handle = c_dlopen(library//c_null_char, lazy)
+      handle = c_dlopen(c_text(library), lazy)
       if (.not. c_associated(handle)) then
          failure = 'is XML, and '//library//', which reads it, is not on this machine. Install it (package libexpat1), '// &
                    'or export the survey as CSV'
          return
       end if
-      call c_f_procpointer(address_of('XML_ParserCreate'), create)
-      call c_f_procpointer(address_of('XML_SetUserData'), set_data)
-      call c_f_procpointer(address_of('XML_SetElementHandler'), set_elements)
-      call c_f_procpointer(address_of('XML_SetCharacterDataHandler'), set_characters)
-      call c_f_procpointer(address_of('XML_SetStartDoctypeDeclHandler'), set_doctype)
-      call c_f_procpointer(address_of('XML_StopParser'), stop_parser)
-      call c_f_procpointer(address_of('XML_GetCurrentLineNumber'), line_number)
+      call c_f_procpointer(address_of(handle, 'XML_ParserCreate'), create)
+      call c_f_procpointer(address_of(handle, 'XML_SetUserData'), set_data)
+      call c_f_procpointer(address_of(handle, 'XML_SetElementHandler'), set_elements)
+      call c_f_procpointer(address_of(handle, 'XML_SetCharacterDataHandler'), set_characters)
+      call c_f_procpointer(address_of(handle, 'XML_SetStartDoctypeDeclHandler'), set_doctype)
+      call c_f_procpointer(address_of(handle, 'XML_StopParser'), stop_parser)
+      call c_f_procpointer(address_of(handle, 'XML_GetCurrentLineNumber'), line_number)
       context%stop => stop_parser
       context%line => line_number
       context%tree => tree
@@ -154,16 +148,15 @@ contains
       call set_characters(context%parser, c_funloc(characters_come))
       call set_doctype(context%parser, c_funloc(doctype_comes))
       call parse_file(handle, path, context, failure)
-
-   contains
-
-      !> A function of the library; it has every one of them since 2001.
-      function address_of(name) result(address)
-         character(*), intent(in) :: name
-         type(c_funptr) :: address
-         address = c_dlsym_function(handle, name//c_null_char)
-      end function address_of
    end subroutine read_tree
+
+   !> A function of the library; it has every one of them since 2001.
+   function address_of(handle, name) result(address)
+      type(c_ptr), intent(in) :: handle
+      character(*), intent(in) :: name
+      type(c_funptr) :: address
+      address = transfer(c_dlsym(handle, c_text(name)), address)
+   end function address_of
 
    !> Gives the file to the parser, piece by piece, and frees it.
    subroutine parse_file(handle, path, context, failure)
@@ -189,10 +182,10 @@ contains
       end if
       inquire (unit=unit, size=bytes)
       allocate (block)
-      call c_f_procpointer(c_dlsym_function(handle, 'XML_Parse'//c_null_char), parse)
-      call c_f_procpointer(c_dlsym_function(handle, 'XML_GetErrorCode'//c_null_char), error_code)
-      call c_f_procpointer(c_dlsym_function(handle, 'XML_ErrorString'//c_null_char), error_text)
-      call c_f_procpointer(c_dlsym_function(handle, 'XML_ParserFree'//c_null_char), free)
+      call c_f_procpointer(address_of(handle, 'XML_Parse'), parse)
+      call c_f_procpointer(address_of(handle, 'XML_GetErrorCode'), error_code)
+      call c_f_procpointer(address_of(handle, 'XML_ErrorString'), error_text)
+      call c_f_procpointer(address_of(handle, 'XML_ParserFree'), free)
       status = 1
       do while (bytes > 0 .and. status /= failed)
          length = int(min(bytes, int(block_length, int64)))
@@ -253,16 +246,12 @@ contains
       character(kind=c_char), intent(in) :: text(*)
       integer(c_int), value :: length
       type(context_type), pointer :: context
-      character(:), allocatable :: piece
-      integer :: i
+      integer :: taken
       call c_f_pointer(data, context)
       if (context%refused /= '' .or. context%tree%open == 0) return
       associate (kept => context%tree%elements(context%tree%open))
-         allocate (character(min(int(length), most_text - len(kept%text))) :: piece)
-         do i = 1, len(piece)
-            piece(i:i) = text(i)
-         end do
-         kept%text = kept%text//piece
+         taken = min(int(length), most_text - len(kept%text))
+         kept%text = kept%text//transfer(text(:taken), repeat(' ', taken))
       end associate
    end subroutine characters_come
 

@@ -228,14 +228,11 @@ contains
       character(:), allocatable :: path
       integer, parameter :: longest = 4096        ! PATH_MAX
       character(kind=c_char) :: buffer(longest)
-      integer :: k
+      integer :: length
       path = '.'
       buffer = c_null_char
       if (.not. c_associated(c_getcwd(buffer, int(longest, c_size_t)))) return
-      path = ''
-      do k = 1, longest
-         if (buffer(k) == c_null_char) return
-         path = path//buffer(k)
-      end do
+      length = findloc(buffer, c_null_char, dim=1) - 1
+      path = transfer(buffer(:length), repeat(' ', length))
    end function current_folder
 end module dg_child_process

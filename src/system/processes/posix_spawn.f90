@@ -14,6 +14,21 @@ module dg_posix_spawn
    integer(c_int), parameter :: rights = 438_c_int                           !< rw-rw-rw- less the umask
    integer(c_int), parameter :: append_to = 1_c_int + 64_c_int + 1024_c_int  !< O_WRONLY + O_CREAT + O_APPEND
 
+   abstract interface
+      function of_structure(structure) result(status) bind(c)
+         import :: c_int, c_int64_t
+         implicit none
+         integer(c_int64_t), intent(inout) :: structure(*)
+         integer(c_int) :: status
+      end function of_structure
+   end interface
+
+   ! Not of a form with `value`: gfortran 12 passes such arguments of functions declared so by reference at times.
+   procedure(of_structure), bind(c, name='posix_spawn_file_actions_init') :: c_actions_init
+   procedure(of_structure), bind(c, name='posix_spawn_file_actions_destroy') :: c_actions_destroy
+   procedure(of_structure), bind(c, name='posix_spawnattr_init') :: c_attributes_init
+   procedure(of_structure), bind(c, name='posix_spawnattr_destroy') :: c_attributes_destroy
+
    interface
       function c_posix_spawn(process, path, actions, attributes, arguments, environment) result(status) &
          bind(c, name='posix_spawn')
@@ -25,20 +40,6 @@ module dg_posix_spawn
          type(c_ptr), intent(in) :: arguments(*), environment(*)
          integer(c_int) :: status
       end function c_posix_spawn
-
-      function c_actions_init(actions) result(status) bind(c, name='posix_spawn_file_actions_init')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int) :: status
-      end function c_actions_init
-
-      function c_actions_destroy(actions) result(status) bind(c, name='posix_spawn_file_actions_destroy')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: actions(*)
-         integer(c_int) :: status
-      end function c_actions_destroy
 
       function c_actions_chdir(actions, path) result(status) bind(c, name='posix_spawn_file_actions_addchdir_np')
          import :: c_char, c_int, c_int64_t
@@ -66,20 +67,6 @@ module dg_posix_spawn
          integer(c_int), value :: from, to
          integer(c_int) :: status
       end function c_actions_dup2
-
-      function c_attributes_init(attributes) result(status) bind(c, name='posix_spawnattr_init')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: attributes(*)
-         integer(c_int) :: status
-      end function c_attributes_init
-
-      function c_attributes_destroy(attributes) result(status) bind(c, name='posix_spawnattr_destroy')
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int64_t), intent(inout) :: attributes(*)
-         integer(c_int) :: status
-      end function c_attributes_destroy
 
       ! takes a short, which C hands over in an int
       function c_attributes_set_flags(attributes, flags) result(status) bind(c, name='posix_spawnattr_setflags')

@@ -3,8 +3,9 @@
 !> It ends by _exit: libraries are not asked to tidy up. OpenBLAS would wait for its threads, and one that found no memory for its
 !> work space when it began never ends.
 module dg_process
-   use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_long, c_size_t
    use, intrinsic :: iso_fortran_env, only: error_unit
+   use dg_c_calls, only: c_write
    use dg_error, only: status_failure
    use dg_kinds, only: wp
    use dg_process_memory, only: address_room
@@ -36,16 +37,6 @@ module dg_process
          type(c_funptr), value :: handler
          integer(c_int) :: failed
       end function c_atexit
-
-      ! ssize_t is as large as size_t
-      function c_write(descriptor, text, length) result(written) bind(c, name='write')
-         import :: c_char, c_int, c_size_t
-         implicit none
-         integer(c_int), value :: descriptor
-         character(kind=c_char), intent(in) :: text(*)
-         integer(c_size_t), value :: length
-         integer(c_size_t) :: written
-      end function c_write
 
       !> Options of gfortran's run-time library (its manual, "Non-Fortran main program"). The first four are standards with
       !> warnings, allowed standards, pedantry, and tracebacks.
@@ -86,7 +77,7 @@ contains
 
    !> Runs when a library ends the program, before libraries tidy up.
    subroutine say_last_word() bind(c, name='dg_say_last_word')
-      integer(c_size_t) :: written
+      integer(c_long) :: written
       written = c_write(standard_error, last_word, len(last_word, c_size_t))
       if (written >= 0) call c_exit_now(int(status_failure, c_int))
    end subroutine say_last_word
