@@ -15,11 +15,12 @@ module dg_deck_echo
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
    use dg_rig, only: rig_type
-   use dg_text, only: either, text_type, to_text
+   use dg_text, only: either, joined, text_type, to_text
    use dg_tools_text, only: tools_text
    use dg_trajectory, only: position_at, top_md
-   use dg_unit_kind, only: unit_angle, unit_factor, unit_label, unit_length, unit_diameter, unit_mass, unit_density, unit_force, &
-      unit_moment, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, unit_wall, unit_wear
+   use dg_unit_kind, only: unit_angle, unit_density, unit_diameter, unit_factor, unit_force, unit_gravity, unit_label, &
+      unit_length, unit_mass, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, unit_temperature, &
+      unit_wall, unit_wear
    use dg_units, only: unit_system_type
    use dg_well_head, only: deepest_bit, find_clearances
    implicit none
@@ -38,28 +39,22 @@ contains
       type(text_type), intent(in) :: before(:), after(:)   !< summaries of studies, before and after the settings of the solver
       type(text_type), allocatable, intent(out) :: lines(:)
       type(line_list_type) :: list
-      character(:), allocatable :: models
       integer :: i
-      models = ''
-      do i = 1, size(job%models)
-         if (i > 1) models = models//', '
-         models = models//trim(model_name(job%models(i)))
-      end do
       if (job%title /= '') call add_line(list, 'title       '//job%title)
-      call add_line(list, 'models      '//models)
+      call add_line(list, 'models      '//joined(model_name(job%models), ', '))
       call add_line(list, 'units       '//trim(job%units%name))
       call add_line(list, 'results in  '//job%output_dir)
       if (job%rig_limit%present) call add_line(list, 'rig         '// &
-         quantity(job%rig_limit%value, job%units%force, unit_label(job%units, unit_force))//' of hook load')
+         shown(job%units, unit_force, job%rig_limit%value)//' of hook load')
       if (model%rig%given) call add_line(list, rig_line(job%units, model%rig))
       call add_hole(list, job%units, model)
       do i = 1, size(model%strings)
          call add_string(list, job, model, i)
       end do
-      call add_line(list, 'boundary    top '//lateral(model%boundary%top_centred)//', bit '// &
-         lateral(model%boundary%bit_centred)// &
-         optional(', packer bore ', model%boundary%packer_bore, job%units%diameter, unit_label(job%units, unit_diameter))// &
-         hold_text(model%boundary%packer_hold))
+      call add_line(list, 'boundary    top '//either('centred', 'free', model%boundary%top_centred)//', bit '// &
+         either('centred', 'free', model%boundary%bit_centred)// &
+         optional(job%units, ', packer bore ', unit_diameter, model%boundary%packer_bore)// &
+         either('', ', '//trim(packer_hold_name(model%boundary%packer_hold)), model%boundary%packer_hold == hold_free))
       call add_line(list, 'load cases  '//to_text(size(model%cases)))
       do i = 1, size(model%cases)
          call add_case(list, job%units, model, i)
@@ -79,9 +74,9 @@ contains
       type(unit_system_type), intent(in) :: units
       type(rig_type), intent(in) :: rig
       character(:), allocatable :: line
-      line = 'rig         block '//quantity(rig%block_weight, units%force, unit_label(units, unit_force))
+      line = 'rig         block '//shown(units, unit_force, rig%block_weight)
       if (rig%max_torque%present) &
-         line = line//', top drive '//quantity(rig%max_torque%value, units%moment, unit_label(units, unit_moment))
+         line = line//', top drive '//shown(units, unit_moment, rig%max_torque%value)
       if (.not. rig%sheave_efficiency < 1.0_wp) return
       line = line//', '//to_text(rig%lines)//' lines, sheaves of efficiency '//to_text(rig%sheave_efficiency, digits)// &
          ', dead-line sheave '//either('active', 'inactive', rig%active_deadline_sheave)
@@ -97,17 +92,18 @@ contains
       associate (path => model%trajectory)
          n = size(path%md)
          call position_at(path, path%md(n), position, tangent)
-         call add_line(lines, 'trajectory  '//to_text(n)//' stations to '//quantity(path%md(n), units%length, 'measured')// &
-            ', '//quantity(position(3), units%length, 'vertical')//', '//quantity(position(1), units%length, 'north')// &
-            ', '//quantity(position(2), units%length, 'east')//' ['//unit_label(units, unit_length)//'], inclination up to '// &
-            quantity(maxval(path%inclination), units%angle, 'deg'))
+         call add_line(lines, 'trajectory  '//to_text(n)//' stations to '//number(units, unit_length, path%md(n))//' measured, '// &
+            number(units, unit_length, position(3))//' vertical, '//number(units, unit_length, position(1))//' north, '// &
+            number(units, unit_length, position(2))//' east ['//unit_label(units, unit_length)//'], inclination up to '// &
+            shown(units, unit_angle, maxval(path%inclination)))
       end associate
       do i = 1, size(model%holes)
          associate (hole => model%holes(i))
-            call add_line(lines, 'hole        '//hole%name//': '//span(hole%md_top, hole%md_bottom, units)//', diameter '// &
-               quantity(hole%diameter, units%diameter, unit_label(units, unit_diameter))//', '//hole_friction_text(hole)// &
-               optional(', wall ', hole%wall_stiffness, units%wall_stiffness, unit_label(units, unit_wall))// &
-               optional(', mud sheath ', hole%mud_sheath, units%diameter, unit_label(units, unit_diameter))// &
+            call add_line(lines, 'hole        '//hole%name//': '//number(units, unit_length, hole%md_top)//' to '// &
+               shown(units, unit_length, hole%md_bottom)//', diameter '// &
+               shown(units, unit_diameter, hole%diameter)//', '//hole_friction_text(hole)// &
+               optional(units, ', wall ', unit_wall, hole%wall_stiffness)// &
+               optional(units, ', mud sheath ', unit_diameter, hole%mud_sheath)// &
                casing_text(units, hole))
          end associate
       end do
@@ -120,12 +116,9 @@ contains
       type(hole_section_type), intent(in) :: hole
       character(:), allocatable :: text
       text = ''
-      if (.not. is_missing(hole%casing_od)) text = ', casing '// &
-         quantity(hole%casing_od, units%diameter, unit_label(units, unit_diameter))
-      if (.not. is_missing(hole%casing_yield)) text = text//', yield '// &
-         quantity(hole%casing_yield, units%stress, unit_label(units, unit_stress))
-      if (.not. is_missing(hole%wear_factor)) text = text//', wear factor '// &
-         quantity(hole%wear_factor, unit_factor(units, unit_wear), unit_label(units, unit_wear))
+      if (.not. is_missing(hole%casing_od)) text = ', casing '//shown(units, unit_diameter, hole%casing_od)
+      if (.not. is_missing(hole%casing_yield)) text = text//', yield '//shown(units, unit_stress, hole%casing_yield)
+      if (.not. is_missing(hole%wear_factor)) text = text//', wear factor '//shown(units, unit_wear, hole%wear_factor)
    end function casing_text
 
    !> Friction of a hole section in words.
@@ -149,17 +142,16 @@ contains
             if (.not. fluid%outside) place = ' inside'
             if (.not. fluid%inside) place = ' outside'
             if (fluid%above_bit > 0.0_wp) then
-               place = place//', from '//quantity(fluid%above_bit, units%length, unit_label(units, unit_length))//' above the bit'
+               place = place//', from '//shown(units, unit_length, fluid%above_bit)//' above the bit'
             else if (fluid%md_top > 0.0_wp) then
-               place = place//', from '//quantity(fluid%md_top, units%length, unit_label(units, unit_length))
+               place = place//', from '//shown(units, unit_length, fluid%md_top)
             end if
             if (fluid%collar /= collar_none) place = place//', float collar '//trim(collar_name(fluid%collar))
-            place = place//optional(', annulus at surface ', fluid%surface_pressure, unit_factor(units, unit_pressure), &
-                                     unit_label(units, unit_pressure))
-            call add_line(lines, 'fluid       '//quantity(fluid%density, units%density, unit_label(units, unit_density))//place)
+            place = place//optional(units, ', annulus at surface ', unit_pressure, fluid%surface_pressure)
+            call add_line(lines, 'fluid       '//shown(units, unit_density, fluid%density)//place)
          end associate
       end do
-      lines%lines(lines%count)%text = lines%lines(lines%count)%text//', gravity '//quantity(model%gravity, 1.0_wp, 'm/s2')
+      lines%lines(lines%count)%text = lines%lines(lines%count)%text//', gravity '//shown(units, unit_gravity, model%gravity)
    end subroutine add_fluids
 
    !> A string with its components, from the bit upwards.
@@ -171,7 +163,7 @@ contains
       type(optional_real) :: clearances(size(model%strings(number)%components))
       real(wp) :: places(size(clearances))
       integer :: i
-      character(:), allocatable :: length, clearance
+      character(:), allocatable :: length
       associate (string => model%strings(number), units => job%units)
          if (deepest_bit(model, string) > top_md(model%trajectory)) &
             call find_clearances(model, string, deepest_bit(model, string), clearances, places)
@@ -179,19 +171,14 @@ contains
          do i = 1, size(string%components)
             associate (part => string%components(i))
                length = 'to surface'
-               if (part%length > 0.0_wp) length = quantity(part%length, units%length, unit_label(units, unit_length))
-               clearance = ''
-               if (clearances(i)%present) clearance = ', clearance '// &
-                  quantity(clearances(i)%value, units%diameter, unit_label(units, unit_diameter))
+               if (part%length > 0.0_wp) length = shown(units, unit_length, part%length)
                call add_line(lines, '  '//part%name//' ('//part%kind//'): '//length//', od '// &
-                  quantity(part%od, units%diameter, unit_label(units, unit_diameter))//', id '// &
-                  quantity(part%id, units%diameter, unit_label(units, unit_diameter))//', '// &
-                  quantity(part%mass, units%mass_per_length, unit_label(units, unit_mass))//', density '// &
-                  quantity(part%density, units%density, unit_label(units, unit_density))// &
-                  optional(', joints ', part%joint_od, units%diameter, unit_label(units, unit_diameter))// &
-                  clearance//opening_text(units, part)// &
-                  optional(', yield ', part%yield, units%stress, unit_label(units, unit_stress))// &
-                  optional(', make-up ', part%makeup_torque, units%moment, unit_label(units, unit_moment))// &
+                  shown(units, unit_diameter, part%od)//', id '//shown(units, unit_diameter, part%id)//', '// &
+                  shown(units, unit_mass, part%mass)//', density '//shown(units, unit_density, part%density)// &
+                  optional(units, ', joints ', unit_diameter, part%joint_od)// &
+                  given_text(units, ', clearance ', unit_diameter, clearances(i))//opening_text(units, part)// &
+                  optional(units, ', yield ', unit_stress, part%yield)// &
+                  optional(units, ', make-up ', unit_moment, part%makeup_torque)// &
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
                   tools_text(units, part))
@@ -208,8 +195,8 @@ contains
       type(component_type), intent(in) :: part
       character(:), allocatable :: text
       text = ''
-      if (opens(part)) text = ', opens to '//quantity(part%opened_od, units%diameter, unit_label(units, unit_diameter))// &
-                              ' below '//quantity(part%opened_below, units%length, unit_label(units, unit_length))
+      if (opens(part)) text = ', opens to '//shown(units, unit_diameter, part%opened_od)// &
+                              ' below '//shown(units, unit_length, part%opened_below)
    end function opening_text
 
    !> The centralizers of a component.
@@ -218,11 +205,10 @@ contains
       type(centralizer_type), intent(in) :: centralizer
       character(:), allocatable :: text
       text = either('bow springs', 'rigid centralizers', centralizer%bow)//', od '// &
-             quantity(centralizer%od, units%diameter, unit_label(units, unit_diameter))//', every '// &
-             quantity(centralizer%spacing, units%length, unit_label(units, unit_length))//' from '// &
-             quantity(centralizer%first, units%length, unit_label(units, unit_length))// &
-             optional(', restoring ', centralizer%restoring_force, units%force, unit_label(units, unit_force))// &
-             optional(', running ', centralizer%running_force, units%force, unit_label(units, unit_force))// &
+             shown(units, unit_diameter, centralizer%od)//', every '//shown(units, unit_length, centralizer%spacing)// &
+             ' from '//shown(units, unit_length, centralizer%first)// &
+             optional(units, ', restoring ', unit_force, centralizer%restoring_force)// &
+             optional(units, ', running ', unit_force, centralizer%running_force)// &
              friction_text(' axial ', centralizer%friction_axial, 1.0_wp)// &
              friction_text(' rotary ', centralizer%friction_rotary, 1.0_wp)
    end function centralizer_text
@@ -249,15 +235,15 @@ contains
       character(:), allocatable :: text
       text = ''
       if (part%yield > 0.0_wp) then
-         text = ', tension '//quantity(tensile_strength(part), units%force, unit_label(units, unit_force))//', torsion '// &
-            quantity(torsional_strength(part), units%moment, unit_label(units, unit_moment))//', burst '// &
-            quantity(burst_strength(part), unit_factor(units, unit_pressure), unit_label(units, unit_pressure))
-         if (collapses_as_steel(part)) text = text//', collapse '// &
-            quantity(collapse_strength(part, 0.0_wp), unit_factor(units, unit_pressure), unit_label(units, unit_pressure))
-         if (design%slip_length > 0.0_wp) text = text//', in slips '//quantity(tensile_strength(part)* &
-            slip_share(worn_od(part), design%slip_lateral, design%slip_length), units%force, unit_label(units, unit_force))
+         text = ', tension '//shown(units, unit_force, tensile_strength(part))//', torsion '// &
+            shown(units, unit_moment, torsional_strength(part))//', burst '// &
+            shown(units, unit_pressure, burst_strength(part))
+         if (collapses_as_steel(part)) &
+            text = text//', collapse '//shown(units, unit_pressure, collapse_strength(part, 0.0_wp))
+         if (design%slip_length > 0.0_wp) text = text//', in slips '//shown(units, unit_force, tensile_strength(part)* &
+            slip_share(worn_od(part), design%slip_lateral, design%slip_length))
       end if
-      text = text//optional(', connection ', part%joint_torsion, units%moment, unit_label(units, unit_moment))
+      text = text//optional(units, ', connection ', unit_moment, part%joint_torsion)
       if (text == '') return
       text = ':'//text(2:)
       if (is_worn(part)) text = ' with '//to_text(100.0_wp*part%wall_left, digits)//' % of the wall'//text
@@ -276,41 +262,27 @@ contains
          reference = ', length against '//model%cases(model%cases(number)%length_reference)%name
       associate (case => model%cases(number))
          call add_line(lines, '  '//case%name//': '//trim(operation_name(case%operation))//' at '// &
-            quantity(case%bit_depth, units%length, unit_label(units, unit_length))//', string '//case%string// &
-            optional(', wob ', case%wob, units%force, unit_label(units, unit_force))// &
-            optional(', tob ', case%tob, units%moment, unit_label(units, unit_moment))// &
-            optional(', toolface ', case%toolface, units%angle, unit_label(units, unit_angle))// &
-            given_text(', friction axial ', case%friction_axial, 1.0_wp, '')// &
-            given_text(', friction rotary ', case%friction_rotary, 1.0_wp, '')// &
-            optional(', pump pressure ', case%pump_pressure, unit_factor(units, unit_pressure), &
-                     unit_label(units, unit_pressure))// &
-            optional(', annulus pressure ', case%annulus_pressure, unit_factor(units, unit_pressure), &
-                     unit_label(units, unit_pressure))// &
-            given_text(', density inside ', case%inside_density, units%density, unit_label(units, unit_density))// &
-            optional(', warmer at top by ', case%temperature_change_top, unit_factor(units, unit_temperature), &
-                     unit_label(units, unit_temperature))// &
-            optional(', at bit by ', case%temperature_change_bottom, unit_factor(units, unit_temperature), &
-                     unit_label(units, unit_temperature))// &
-            optional(', above ambient at top by ', case%above_ambient_top, unit_factor(units, unit_temperature), &
-                     unit_label(units, unit_temperature))// &
-            optional(', above ambient at bit by ', case%above_ambient_bottom, unit_factor(units, unit_temperature), &
-                     unit_label(units, unit_temperature))// &
-            optional(', ', case%angular_speed, unit_factor(units, unit_rotation), unit_label(units, unit_rotation))// &
-            optional(' for ', case%hours, 1.0_wp, 'h')// &
-            optional(', ', case%trip_speed, unit_factor(units, unit_speed), unit_label(units, unit_speed))// &
-            given_text(', measured ', case%measured_hookload, units%force, unit_label(units, unit_force))// &
-            given_text(' and ', case%measured_torque, units%moment, unit_label(units, unit_moment))// &
-            given_text(', reference ', case%reference_hookload, units%force, unit_label(units, unit_force))//reference)
+            shown(units, unit_length, case%bit_depth)//', string '//case%string// &
+            optional(units, ', wob ', unit_force, case%wob)// &
+            optional(units, ', tob ', unit_moment, case%tob)// &
+            optional(units, ', toolface ', unit_angle, case%toolface)// &
+            given_text(units, ', friction axial ', unit_none, case%friction_axial)// &
+            given_text(units, ', friction rotary ', unit_none, case%friction_rotary)// &
+            optional(units, ', pump pressure ', unit_pressure, case%pump_pressure)// &
+            optional(units, ', annulus pressure ', unit_pressure, case%annulus_pressure)// &
+            given_text(units, ', density inside ', unit_density, case%inside_density)// &
+            optional(units, ', warmer at top by ', unit_temperature, case%temperature_change_top)// &
+            optional(units, ', at bit by ', unit_temperature, case%temperature_change_bottom)// &
+            optional(units, ', above ambient at top by ', unit_temperature, case%above_ambient_top)// &
+            optional(units, ', above ambient at bit by ', unit_temperature, case%above_ambient_bottom)// &
+            optional(units, ', ', unit_rotation, case%angular_speed)// &
+            either(' for '//to_text(case%hours, digits)//' h', '', case%hours > 0.0_wp)// &
+            optional(units, ', ', unit_speed, case%trip_speed)// &
+            given_text(units, ', measured ', unit_force, case%measured_hookload)// &
+            given_text(units, ' and ', unit_moment, case%measured_torque)// &
+            given_text(units, ', reference ', unit_force, case%reference_hookload)//reference)
       end associate
    end subroutine add_case
-
-   !> Hold of a string by a packer. Empty where the packer lets it move.
-   pure function hold_text(hold) result(text)
-      integer, intent(in) :: hold
-      character(:), allocatable :: text
-      text = ''
-      if (hold /= hold_free) text = ', '//trim(packer_hold_name(hold))
-   end function hold_text
 
    !> Settings of the solver.
    pure subroutine add_numerics(lines, units, numerics)
@@ -324,63 +296,54 @@ contains
       if (numerics%discrete_joints) joints = ', tool joints one by one'
       if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
       call add_line(lines, 'solver      elements to '// &
-         quantity(numerics%element_length, units%length, unit_label(units, unit_length))//', gaps at '//location//joints// &
+         shown(units, unit_length, numerics%element_length)//', gaps at '//location//joints// &
          ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
          ', load steps '//to_text(numerics%load_steps))
-      call add_line(lines, '            gk_min '//quantity(numerics%gk_min, units%wall_stiffness, '')//', gk_contact '// &
-         quantity(numerics%gk_contact, units%wall_stiffness, '')//', gk_max '// &
-         quantity(numerics%gk_max, units%wall_stiffness, unit_label(units, unit_wall))//', eps_n0 '// &
+      call add_line(lines, '            gk_min '//number(units, unit_wall, numerics%gk_min)//', gk_contact '// &
+         number(units, unit_wall, numerics%gk_contact)//', gk_max '//shown(units, unit_wall, numerics%gk_max)//', eps_n0 '// &
          to_text(numerics%eps_n0, digits)//', eps_nmax '//to_text(numerics%eps_nmax, digits)//', r_n0 '// &
-         quantity(numerics%r_n0, units%force, unit_label(units, unit_force)))
+         shown(units, unit_force, numerics%r_n0))
    end subroutine add_numerics
 
-   !> An SI value in the deck's unit with its label.
-   pure function quantity(value, unit, label) result(text)
-      real(wp), intent(in) :: value
-      real(wp), intent(in) :: unit       !< SI value of the deck's unit
-      character(*), intent(in) :: label
+   !> Value in a deck's unit, without its name. Round-off of metres and other units is 0.
+   pure function number(units, unit, value) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      real(wp), intent(in) :: value      !< [SI]
       character(:), allocatable :: text
-      real(wp), parameter :: round_off = 1.0e-9_wp ! round-off of metres and other units
-      real(wp) :: shown
-      shown = value
-      if (abs(value) < round_off*unit .and. label /= '') shown = 0.0_wp
-      text = trim(to_text(shown/unit, digits)//' '//label)
-   end function quantity
+      real(wp), parameter :: round_off = 1.0e-9_wp
+      text = '0'
+      if (unit == unit_none .or. abs(value) >= round_off*unit_factor(units, unit)) &
+         text = to_text(value/unit_factor(units, unit), digits)
+   end function number
 
-   !> `head` and a quantity, or nothing where it is zero.
-   pure function optional(head, value, unit, label) result(text)
-      character(*), intent(in) :: head
-      real(wp), intent(in) :: value, unit
-      character(*), intent(in) :: label
+   !> The same with the unit's name.
+   pure function shown(units, unit, value) result(text)
+      type(unit_system_type), intent(in) :: units
+      integer, intent(in) :: unit
+      real(wp), intent(in) :: value      !< [SI]
       character(:), allocatable :: text
-      text = ''
-      if (abs(value) > 0.0_wp) text = head//quantity(value, unit, label)
+      text = trim(number(units, unit, value)//' '//unit_label(units, unit))
+   end function shown
+
+   !> Value behind `head`; '' for zero.
+   pure function optional(units, head, unit, value) result(text)
+      type(unit_system_type), intent(in) :: units
+      character(*), intent(in) :: head
+      integer, intent(in) :: unit
+      real(wp), intent(in) :: value      !< [SI]
+      character(:), allocatable :: text
+      text = given_text(units, head, unit, optional_real(abs(value) > 0.0_wp, value))
    end function optional
 
-   !> `head` and a quantity, or nothing where it is not given.
-   pure function given_text(head, number, unit, label) result(text)
+   !> Value behind `head`; '' where it is absent.
+   pure function given_text(units, head, unit, value) result(text)
+      type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: head
-      type(optional_real), intent(in) :: number
-      real(wp), intent(in) :: unit
-      character(*), intent(in) :: label
+      integer, intent(in) :: unit
+      type(optional_real), intent(in) :: value     !< [SI]
       character(:), allocatable :: text
       text = ''
-      if (number%present) text = head//quantity(number%value, unit, label)
+      if (value%present) text = head//shown(units, unit, value%value)
    end function given_text
-
-   !> A range of depths.
-   pure function span(top, bottom, units) result(text)
-      real(wp), intent(in) :: top, bottom
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = quantity(top, units%length, '')//' to '//quantity(bottom, units%length, unit_label(units, unit_length))
-   end function span
-
-   !> A lateral support in words.
-   pure function lateral(centred) result(text)
-      logical, intent(in) :: centred
-      character(:), allocatable :: text
-      text = 'free'
-      if (centred) text = 'centred'
-   end function lateral
 end module dg_deck_echo
