@@ -14,12 +14,14 @@ module dg_ensemble_study
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_job, only: job_type
    use dg_model, only: model_type
+   use dg_model_text, only: sweep_lines
    use dg_printed_text, only: print_and_keep, print_line
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_readable, only: capital
    use dg_result_name, only: failed_file, points_file, record_file
    use dg_study, only: phase_points, run_type, study_type
-   use dg_sweep, only: sweep_type
+   use dg_sweep, only: point_count, sweep_type
+   use dg_sweep_points, only: point_text
    use dg_sweep_result, only: is_solved
    use dg_sweep_work, only: in_part
    use dg_text, only: append_text, quoted, text_list, text_or_nothing, text_type, to_text
@@ -42,13 +44,12 @@ module dg_ensemble_study
    type, abstract, extends(study_type) :: ensemble_study_type
       type(range_text_type) :: texts                      !< what it is called
       type(sweep_type), allocatable :: ranges(:)          !< ranges of depths, as many as the deck has groups
+      integer, allocatable :: samples(:)                  !< solutions of each point of a range; 1: nothing is drawn
       type(ensemble_type), allocatable :: ensembles(:)    !< as many
    contains
-      procedure(points_interface), deferred :: points_of
-      procedure(settings_interface), deferred :: settings
       procedure(solve_interface), deferred :: solve
       procedure(report_interface), deferred :: report
-      procedure(place_interface), deferred :: place
+      procedure :: settings
       procedure :: run => run_ensembles
       procedure :: name_records
       procedure :: add_need
@@ -57,25 +58,6 @@ module dg_ensemble_study
    end type ensemble_study_type
 
    abstract interface
-      !> Its points.
-      pure function points_interface(self, number) result(points)
-         import :: ensemble_study_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         integer, intent(in) :: number
-         integer :: points
-      end function points_interface
-
-      !> All that its results depend on.
-      function settings_interface(self, number, model) result(lines)
-         import :: ensemble_study_type, model_type, text_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         integer, intent(in) :: number
-         type(model_type), intent(in) :: model
-         type(text_type), allocatable :: lines(:)
-      end function settings_interface
-
       !> Solves the points that are left.
       subroutine solve_interface(self, number, run, watch)
          import :: ensemble_study_type, run_type, ensemble_watch_type
@@ -96,16 +78,6 @@ module dg_ensemble_study
          type(text_type), allocatable, intent(out) :: lines(:)
          type(error_type), allocatable, intent(out) :: error
       end subroutine report_interface
-
-      !> A point in words.
-      function place_interface(self, number, point, units) result(text)
-         import :: ensemble_study_type, unit_system_type
-         implicit none
-         class(ensemble_study_type), intent(in) :: self
-         integer, intent(in) :: number, point
-         type(unit_system_type), intent(in) :: units
-         character(:), allocatable :: text
-      end function place_interface
    end interface
 
    !> Memory of a point, with its line in a record [bytes].
@@ -114,11 +86,13 @@ module dg_ensemble_study
 contains
 
    !> Names what it is called and, once its ranges are read, its files. They run after all other studies.
-   subroutine name_ranges(self, texts)
+   subroutine name_ranges(self, texts, samples)
       class(ensemble_study_type), intent(inout) :: self
       type(range_text_type), intent(in) :: texts
+      integer, intent(in) :: samples(:)            !< of a point of each range
       integer :: i
       self%texts = texts
+      self%samples = samples
       self%asked = size(self%ranges) > 0
       self%phase = phase_points
       self%record_kind = texts%what
@@ -128,6 +102,23 @@ contains
          call append_text(self%files, points_file(texts%what, text_or_nothing(self%ranges(i)%name)))
       end do
    end subroutine name_ranges
+
+   !> Solutions of a range.
+   pure function piece_count(self, number) result(pieces)
+      class(ensemble_study_type), intent(in) :: self
+      integer, intent(in) :: number
+      integer :: pieces
+      pieces = point_count(self%ranges(number))*self%samples(number)
+   end function piece_count
+
+   !> All that the results of a range depend on.
+   function settings(self, number, model) result(lines)
+      class(ensemble_study_type), intent(in) :: self
+      integer, intent(in) :: number
+      type(model_type), intent(in) :: model
+      type(text_type), allocatable :: lines(:)
+      allocate (lines, source=sweep_lines(model, self%ranges(number)))
+   end function settings
 
    !> Find the results of earlier runs: records of interrupted ones, or all parts if they are to be joined, with their faults.
    !> An error (bad input) if a record does not fit the deck.
@@ -144,7 +135,7 @@ contains
             ensemble%number = i
             ensemble%name = self%ranges(i)%name
             allocate (ensemble%settings, source=self%settings(i, run%model))
-            allocate (ensemble%points(self%points_of(i)))
+            allocate (ensemble%points(piece_count(self, i)))
             if (run%job%merge > 0) then
                call take_parts(run%job, ensemble, run%part_faults)
             else
@@ -274,13 +265,12 @@ contains
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: text
       integer :: first
-      associate (points => self%ensembles(number)%points)
-         do first = 1, size(points)
-            if (points(first)%status == result_not_converged) exit
-         end do
+      associate (points => self%ensembles(number)%points, samples => self%samples(number))
+         first = findloc(points%status, result_not_converged, dim=1)
          text = ensemble_title(self%ensembles(number))//': '//to_text(count(points%status == result_not_converged))//' of '// &
                 to_text(count(is_solved(points)))//' '//self%texts%points//' did not converge'// &
-                self%texts%left_out//'; the first: '//self%place(number, first, units)
+                self%texts%left_out//'; the first: '//point_text(units, self%ranges(number), (first - 1)/samples + 1)
+         if (samples > 1) text = text//', sample '//to_text(modulo(first - 1, samples) + 1)
          if (allocated(points(first)%message)) text = text//': '//points(first)%message
       end associate
       call tell(text)
@@ -311,9 +301,9 @@ contains
          elements = 0.0_wp
          associate (range => self%ranges(i))
             if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
-            need%kept = need%kept + bytes_of_point*self%points_of(i)
-            call take_greater(need, elements, thread_count(job%threads, self%points_of(i)), &
-                              self%texts%what//' '//quoted(range%name)//', '//to_text(self%points_of(i))//' solutions', &
+            need%kept = need%kept + bytes_of_point*piece_count(self, i)
+            call take_greater(need, elements, thread_count(job%threads, piece_count(self, i)), &
+                              self%texts%what//' '//quoted(range%name)//', '//to_text(piece_count(self, i))//' solutions', &
                               self%texts%fewer//', '//finer_text(model, model%numerics%element_length))
          end associate
       end do

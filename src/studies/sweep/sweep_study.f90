@@ -9,8 +9,6 @@ module dg_sweep_study
    use dg_error, only: error_list_type, error_type
    use dg_job, only: job_type, model_name
    use dg_line_list, only: add_line, line_list_type
-   use dg_model, only: model_type
-   use dg_model_text, only: sweep_lines
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
    use dg_result_name, only: points_file
@@ -19,11 +17,10 @@ module dg_sweep_study
    use dg_sweep_file, only: sweep_row
    use dg_point_outcome, only: note_sweep
    use dg_sweep_picture, only: sweep_chart
-   use dg_sweep_points, only: add_indicator, add_limits, point_text, solve_points
+   use dg_sweep_points, only: add_indicator, add_limits, solve_points
    use dg_sweep_sentences, only: sweep_sentences
    use dg_sweep_table, only: sweep_table
    use dg_text, only: joined, text_type, to_text
-   use dg_units, only: unit_system_type
    use dg_load_case, only: operation_name
    use dg_kinds, only: wp
    use dg_csv_table, only: add_row, csv_table_type, write_table
@@ -36,11 +33,8 @@ module dg_sweep_study
       procedure :: read => read_sweeps
       procedure :: echo
       procedure :: add_pictures
-      procedure :: points_of
-      procedure :: settings
       procedure :: solve
       procedure :: report
-      procedure :: place
    end type sweep_study_type
 
    !> Significant digits of a depth.
@@ -61,7 +55,8 @@ contains
       type(error_list_type), intent(inout) :: faults
       integer :: i
       call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
-      call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', 'fewer frictions or a larger bit_depth_step'))
+      call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', &
+                                             'fewer frictions or a larger bit_depth_step'), spread(1, 1, size(self%ranges)))
       do i = 1, size(self%ranges)
          call note_range_use(deck, self%ranges(i), 'sweep')
       end do
@@ -97,23 +92,6 @@ contains
       end function shown
    end subroutine echo
 
-   !> Points of all models, operations, frictions and depths.
-   pure function points_of(self, number) result(points)
-      class(sweep_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      integer :: points
-      points = point_count(self%ranges(number))
-   end function points_of
-
-   !> All that its results depend on.
-   function settings(self, number, model) result(lines)
-      class(sweep_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      type(model_type), intent(in) :: model
-      type(text_type), allocatable :: lines(:)
-      allocate (lines, source=sweep_lines(model, self%ranges(number)))
-   end function settings
-
    !> Solves what is left.
    subroutine solve(self, number, run, watch)
       class(sweep_study_type), intent(inout) :: self
@@ -143,15 +121,6 @@ contains
          if (.not. allocated(error)) allocate (lines, source=sweep_table(run%job%units, sweep, points))
       end associate
    end subroutine report
-
-   !> A point in words.
-   function place(self, number, point, units) result(text)
-      class(sweep_study_type), intent(in) :: self
-      integer, intent(in) :: number, point
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = point_text(units, self%ranges(number), point)
-   end function place
 
    !> A broomstick for each sweep of several depths and model.
    subroutine add_pictures(self, run, list, error)

@@ -10,16 +10,15 @@ module dg_sample_points
    use dg_model, only: model_type
    use dg_sampled_model, only: draw_model
    use dg_sweep, only: point_at, point_case, point_count, point_type
-   use dg_sweep_points, only: point_text, solve_totals
+   use dg_sweep_points, only: solve_totals
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part
    use dg_text, only: to_text
    use dg_threads, only: thread_count
    use dg_uncertainty, only: piece_number, uncertainty_type
-   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: solve_samples, sample_text
+   public :: solve_samples
 
 contains
 
@@ -98,14 +97,4 @@ contains
       call solve_totals(model, uncertainty%range%models(point%model), found)
       if (found%status == result_converged .and. allocated(found%message)) deallocate (found%message)
    end subroutine solve_point
-
-   !> A piece in words: point and sample.
-   pure function sample_text(units, uncertainty, number) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(uncertainty_type), intent(in) :: uncertainty
-      integer, intent(in) :: number                !< of the piece
-      character(:), allocatable :: text
-      text = point_text(units, uncertainty%range, (number - 1)/uncertainty%samples + 1)// &
-             ', sample '//to_text(modulo(number - 1, uncertainty%samples) + 1)
-   end function sample_text
 end module dg_sample_points

@@ -9,11 +9,11 @@ module dg_uncertainty_study
    use dg_error, only: error_list_type, error_type, raise, status_not_converged
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: add_line, line_list_type
+   use dg_line_list, only: add_line, line_list_type, take_lines
    use dg_model, only: model_type
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
-   use dg_sample_points, only: sample_text, solve_samples
+   use dg_sample_points, only: solve_samples
    use dg_sample_statistics, only: find_point_statistics, point_statistics_type
    use dg_result_name, only: points_file
    use dg_study, only: run_type
@@ -25,7 +25,6 @@ module dg_uncertainty_study
    use dg_uncertainty_file, only: uncertainty_row
    use dg_uncertainty_picture, only: uncertainty_chart
    use dg_uncertainty_table, only: deviations_text, uncertainty_table
-   use dg_units, only: unit_system_type
    use dg_load_case, only: operation_name
    use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_model_text, only: append_numbers, append_sweep, yes_or_no
@@ -52,11 +51,9 @@ module dg_uncertainty_study
       procedure :: echo
       procedure :: prepare
       procedure :: add_pictures
-      procedure :: points_of
       procedure :: settings
       procedure :: solve
       procedure :: report
-      procedure :: place
    end type uncertainty_study_type
 
    !> Columns of the table beneath the picture.
@@ -88,7 +85,7 @@ contains
          call note_range_use(deck, self%ranges(i), 'uncertainty')
       end do
       call name_ranges(self, range_text_type('uncertainty', 'solutions', 'solutions', ' and are left out of the quantiles', &
-                                             'fewer samples'))
+                                             'fewer samples'), self%uncertainties%samples)
    end subroutine read_uncertainties
 
    !> A line a Monte Carlo.
@@ -140,21 +137,30 @@ contains
          ' was not run')
    end subroutine take_estimate
 
-   !> Points of the range, each with all samples.
-   pure function points_of(self, number) result(points)
-      class(uncertainty_study_type), intent(in) :: self
-      integer, intent(in) :: number
-      integer :: points
-      points = piece_count(self%uncertainties(number))
-   end function points_of
-
-   !> All that its results depend on.
+   !> What the results depend on. The gauges' deviations come in when all is solved and may change.
    function settings(self, number, model) result(lines)
       class(uncertainty_study_type), intent(in) :: self
       integer, intent(in) :: number
       type(model_type), intent(in) :: model
       type(text_type), allocatable :: lines(:)
-      allocate (lines, source=uncertainty_lines(model, self%uncertainties(number)))
+      type(line_list_type) :: list
+      integer :: i
+      associate (uncertainty => self%uncertainties(number))
+         call append_sweep(list, model, uncertainty%range)
+         call add_line(list, 'samples = '//to_text(uncertainty%samples))
+         call add_line(list, 'seed = '//to_text(uncertainty%seed))
+         if (allocated(uncertainty%friction_factor)) then
+            do i = 1, size(uncertainty%friction_factor, 1)
+               call append_numbers(list, 'friction of hole '//to_text(i), uncertainty%friction_factor(i, :i))
+            end do
+            call add_line(list, 'friction axial, rotary = '//yes_or_no(uncertainty%axial)//' '//yes_or_no(uncertainty%rotary))
+         end if
+         call add_line(list, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
+         call add_line(list, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
+         call add_line(list, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
+         call add_line(list, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
+      end associate
+      call take_lines(list, lines)
    end function settings
 
    !> Solves what is left.
@@ -192,15 +198,6 @@ contains
       end associate
    end subroutine report
 
-   !> A sample in words.
-   function place(self, number, point, units) result(text)
-      class(uncertainty_study_type), intent(in) :: self
-      integer, intent(in) :: number, point
-      type(unit_system_type), intent(in) :: units
-      character(:), allocatable :: text
-      text = sample_text(units, self%uncertainties(number), point)
-   end function place
-
    !> A broomstick of quantiles for each range of several depths and model; a tornado for each range and model.
    subroutine add_pictures(self, run, list, error)
       class(uncertainty_study_type), intent(in) :: self
@@ -235,29 +232,6 @@ contains
          end associate
       end do
    end subroutine add_pictures
-
-   !> Description of a Monte Carlo. The gauges' deviations come in when all is solved and may change.
-   function uncertainty_lines(model, uncertainty) result(texts)
-      type(model_type), intent(in) :: model
-      type(uncertainty_type), intent(in) :: uncertainty
-      type(text_type), allocatable :: texts(:)
-      type(line_list_type) :: lines
-      integer :: i
-      call append_sweep(lines, model, uncertainty%range)
-      call add_line(lines, 'samples = '//to_text(uncertainty%samples))
-      call add_line(lines, 'seed = '//to_text(uncertainty%seed))
-      if (allocated(uncertainty%friction_factor)) then
-         do i = 1, size(uncertainty%friction_factor, 1)
-            call append_numbers(lines, 'friction of hole '//to_text(i), uncertainty%friction_factor(i, :i))
-         end do
-         call add_line(lines, 'friction axial, rotary = '//yes_or_no(uncertainty%axial)//' '//yes_or_no(uncertainty%rotary))
-      end if
-      call add_line(lines, 'deviation of mud density = '//to_text(uncertainty%density_deviation))
-      call add_line(lines, 'deviation of inclination, rad = '//to_text(uncertainty%inclination_deviation))
-      call add_line(lines, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
-      call add_line(lines, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
-      allocate (texts, source=lines%lines(:lines%count))
-   end function uncertainty_lines
 
    !> Note the failed samples of a Monte Carlo: a row a point. Its table and its file count those that locked up.
    pure subroutine note_uncertainty(outcome, uncertainty, pieces)
