@@ -3,14 +3,12 @@ module dg_run_cases
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
-   use dg_casing_wear, only: wears_casing
    use dg_wear_files, only: write_casing_wear, write_fatigue
    use dg_solution_series, only: contact_series, history_series
    use dg_csv_table, only: write_series
    use dg_diagnostic, only: tell
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
-   use dg_fatigue, only: asks_for_fatigue
    use dg_find_verdict, only: find_verdict
    use dg_friction_estimate, only: find_upper_friction, upper_friction_type
    use dg_held_string, only: find_packer_loads
@@ -26,7 +24,8 @@ module dg_run_cases
    use dg_profile_file, only: profile_series
    use dg_progress, only: end_progress, progress_type, start_progress
    use dg_registry, only: run_phase, studies_type
-   use dg_result_name, only: case_file, contacts_file, fatigue_file, history_file, hole_file, profile_file, view_file, wear_file
+   use dg_result_name, only: case_file, case_files, contacts_file, fatigue_file, history_file, hole_file, profile_file, view_file, &
+      wanted_files, wear_file
    use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
@@ -227,37 +226,27 @@ contains
       type(along_string_type), intent(in) :: along
       integer, intent(inout) :: status
       type(error_type), allocatable :: error
-      associate (case => model%cases(result%case_index)%name, number => result%model)
-         if (job%profiles .and. has_numbers(result%status)) then
-            call write_series(profile_series(result%profile, along), in_folder(job, case_file(profile_file, case, number)), &
-                              job%units, error)
-            call note_failure(error, status)
-         end if
-         if (job%plots .and. has_numbers(result%status)) then
-            call write_string_view(in_folder(job, case_file(view_file, case, number)), job, result%profile, along, error)
-            call note_failure(error, status)
-            call write_hole_view(in_folder(job, case_file(hole_file, case, number)), job, result%profile, along, error)
-            call note_failure(error, status)
-         end if
-         if (job%profiles .and. allocated(result%contacts)) then
-            call write_series(contact_series(result%contacts), in_folder(job, case_file(contacts_file, case, number)), job%units, &
-                              error)
-            call note_failure(error, status)
-         end if
-         if (job%profiles .and. has_numbers(result%status) .and. wears_casing(model, model%cases(result%case_index))) then
-            call write_casing_wear(in_folder(job, case_file(wear_file, case, number)), job, model, result, error)
-            call note_failure(error, status)
-         end if
-         if (job%profiles .and. has_numbers(result%status) .and. asks_for_fatigue(model, model%cases(result%case_index))) then
-            call write_fatigue(in_folder(job, case_file(fatigue_file, case, number)), job, model, result, along, error)
-            call note_failure(error, status)
-         end if
-         if (model%numerics%history .and. allocated(result%history)) then
-            call write_series(history_series(result%history), in_folder(job, case_file(history_file, case, number)), job%units, &
-                              error)
-            call note_failure(error, status)
-         end if
-      end associate
+      character(:), allocatable :: path
+      logical :: wanted(case_files), there(case_files)
+      integer :: kind
+      wanted = wanted_files(job, model, model%cases(result%case_index))
+      there = has_numbers(result%status)
+      there(contacts_file) = allocated(result%contacts)
+      there(history_file) = allocated(result%history)
+      do kind = 1, case_files
+         if (.not. (wanted(kind) .and. there(kind))) cycle
+         path = in_folder(job, case_file(kind, model%cases(result%case_index)%name, result%model))
+         select case (kind)
+         case (profile_file); call write_series(profile_series(result%profile, along), path, job%units, error)
+         case (contacts_file); call write_series(contact_series(result%contacts), path, job%units, error)
+         case (wear_file); call write_casing_wear(path, job, model, result, error)
+         case (fatigue_file); call write_fatigue(path, job, model, result, along, error)
+         case (view_file); call write_string_view(path, job, result%profile, along, error)
+         case (hole_file); call write_hole_view(path, job, result%profile, along, error)
+         case default; call write_series(history_series(result%history), path, job%units, error)
+         end select
+         call note_failure(error, status)
+      end do
    end subroutine write_case_files
 
    !> Case and model for messages.

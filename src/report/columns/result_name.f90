@@ -3,27 +3,26 @@ module dg_result_name
    use dg_casing_wear, only: wears_casing
    use dg_fatigue, only: asks_for_fatigue
    use dg_job, only: job_type, model_name
+   use dg_load_case, only: load_case_type
    use dg_model, only: model_type
    use dg_text, only: text_type, to_text
    implicit none
    private
    public :: profile_file, view_file, hole_file, contacts_file, wear_file, fatigue_file, history_file
-   public :: case_file, points_file, record_file, failed_file
+   public :: case_files, wanted_files, case_file, points_file, record_file, failed_file
    public :: result_names, is_result_name, is_record_name, picture_folder
 
-   ! Files of one case.
-   integer, parameter :: profile_file = 1, view_file = 2, hole_file = 3, contacts_file = 4, wear_file = 5, history_file = 6, &
-                         fatigue_file = 7, case_files = 7
+   ! Files of one case: places of their beginnings and endings.
+   integer, parameter :: profile_file = 1, contacts_file = 2, wear_file = 3, fatigue_file = 4, view_file = 5, hole_file = 6, &
+                         history_file = 7, case_files = 7
 
    !> Folder of scripts and pictures, within the output folder.
    character(*), parameter :: picture_folder = 'pictures'
    character(*), parameter :: fixed_names(4) = [character(26) :: 'summary.csv', 'limits.csv', 'results.h5', 'report.html']
    !> Beginnings of names with something of the deck in them, and their endings. Builds before 0.2.0 wrote .vtkhdf.
-   character(*), parameter :: beginnings(8) = [character(12) :: 'profile_', 'contacts_', 'casing_wear_', 'fatigue_', 'history_', &
-      'view_', 'hole_', 'view_']
-   character(*), parameter :: endings(8) = [character(7) :: '.csv', '.csv', '.csv', '.csv', '.csv', '.hdf', '.hdf', '.vtkhdf']
-   !> Number of these that end in the name of a model.
-   integer, parameter :: with_model = 5
+   character(*), parameter :: beginnings(8) = [character(12) :: 'profile_', 'contacts_', 'casing_wear_', 'fatigue_', 'view_', &
+      'hole_', 'history_', 'view_']
+   character(*), parameter :: endings(8) = [character(7) :: '.csv', '.csv', '.csv', '.csv', '.hdf', '.hdf', '.csv', '.vtkhdf']
    !> Stands for something of the deck in the forms of names of studies.
    character, parameter :: anything = '*'
    !> Of pictures: scripts, pictures, those that are being drawn, gnuplot's complaints.
@@ -35,29 +34,26 @@ module dg_result_name
 
 contains
 
+   !> Files that a case is to have, once it is solved.
+   pure function wanted_files(job, model, load_case) result(wanted)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      logical :: wanted(case_files)
+      wanted = job%profiles
+      wanted(wear_file) = job%profiles .and. wears_casing(model, load_case)
+      wanted(fatigue_file) = job%profiles .and. asks_for_fatigue(model, load_case)
+      wanted([view_file, hole_file]) = job%plots
+      wanted(history_file) = model%numerics%history
+   end function wanted_files
+
    !> Name of a file of one case and model.
    pure function case_file(kind, case, number) result(name)
       integer, intent(in) :: kind               !< profile_file, ...
       character(*), intent(in) :: case
       integer, intent(in) :: number             !< of the model
       character(:), allocatable :: name
-      name = '_'//case//'_'//trim(model_name(number))
-      select case (kind)
-      case (profile_file)
-         name = 'profile'//name//'.csv'
-      case (view_file)
-         name = 'view'//name//'.hdf'
-      case (hole_file)
-         name = 'hole'//name//'.hdf'
-      case (contacts_file)
-         name = 'contacts'//name//'.csv'
-      case (wear_file)
-         name = 'casing_wear'//name//'.csv'
-      case (fatigue_file)
-         name = 'fatigue'//name//'.csv'
-      case default
-         name = 'history'//name//'.csv'
-      end select
+      name = trim(beginnings(kind))//case//'_'//trim(model_name(number))//trim(endings(kind))
    end function case_file
 
    !> Name of the file of points over bit depth.
@@ -113,20 +109,17 @@ contains
 
       !> Add the names of files of load cases.
       subroutine add_cases()
+         logical :: wanted(case_files)
+         integer :: kind
          call add('summary.csv', .true.)
          call add('limits.csv', .true.)
          call add('results.h5', job%hdf5)
          do j = 1, size(job%models)
             do i = 1, size(model%cases)
-               call add(case_file(profile_file, model%cases(i)%name, job%models(j)), job%profiles)
-               call add(case_file(contacts_file, model%cases(i)%name, job%models(j)), job%profiles)
-               call add(case_file(wear_file, model%cases(i)%name, job%models(j)), &
-                        job%profiles .and. wears_casing(model, model%cases(i)))
-               call add(case_file(fatigue_file, model%cases(i)%name, job%models(j)), &
-                        job%profiles .and. asks_for_fatigue(model, model%cases(i)))
-               call add(case_file(view_file, model%cases(i)%name, job%models(j)), job%plots)
-               call add(case_file(hole_file, model%cases(i)%name, job%models(j)), job%plots)
-               call add(case_file(history_file, model%cases(i)%name, job%models(j)), model%numerics%history)
+               wanted = wanted_files(job, model, model%cases(i))
+               do kind = 1, case_files
+                  call add(case_file(kind, model%cases(i)%name, job%models(j)), wanted(kind))
+               end do
             end do
          end do
       end subroutine add_cases
@@ -150,7 +143,7 @@ contains
       if (.not. is_plain(name)) return
       is = any(fixed_names == name)
       do i = 1, size(beginnings)
-         if (i > with_model) then
+         if (endings(i) /= '.csv') then           ! of any model
             is = is .or. has_form(name, trim(beginnings(i)), trim(endings(i)))
             cycle
          end if
