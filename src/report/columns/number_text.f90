@@ -158,19 +158,21 @@ contains
    end function csv_text
 
    !> Appends a text in lines of at most `width`, broken at blanks where there are any, later lines
-   !> indented by two.
-   pure subroutine append_wrapped(lines, head, text, width)
+   !> indented by two. No line for an empty text.
+   pure subroutine append_wrapped(lines, text, width)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      character(*), intent(in) :: head
       character(*), intent(in) :: text
-      integer, intent(in) :: width
+      integer, intent(in), optional :: width          !< absent: of the page
       character(*), parameter :: indent = '  '
       character(:), allocatable :: rest
-      integer :: cut
-      rest = head//text
-      do while (len_trim(rest) > width)
-         cut = index(rest(:width + 1), ' ', back=.true.)
-         if (cut <= len(indent) + 1) cut = width + 1
+      integer :: cut, most
+      if (text == '') return
+      most = page_width
+      if (present(width)) most = width
+      rest = text
+      do while (len_trim(rest) > most)
+         cut = index(rest(:most + 1), ' ', back=.true.)
+         if (cut <= len(indent) + 1) cut = most + 1
          call append_text(lines, trim(rest(:cut - 1)))
          rest = indent//trim(adjustl(rest(cut:)))
       end do

@@ -99,8 +99,7 @@ contains
       what = 'Hook load'
       if (any(.not. is_missing(results%weight_indicator))) what = 'Weight indicator, block included,'
       call append_error(lines, what//' against measurement', cases, results, load, other)
-      what = block_question(units, cases, results)
-      if (what /= '') call append_wrapped(lines, '', what, page_width)
+      call append_wrapped(lines, block_question(units, cases, results))
       load = results%hookload
       other = cases%reference_hookload
       call append_error(lines, 'Hook load against reference', cases, results, load, other)
@@ -240,8 +239,8 @@ contains
       type(text_type), allocatable :: label(:)
       real(wp), parameter :: tenth = 10.0_wp !< depths and angles are shown to one digit behind the point
       allocate (label(0))
-      if (section_of(load_case) /= '') call append_wrapped(label, '', section_of(load_case), width)
-      call append_wrapped(label, '', to_text(anint(tenth*load_case%bit_depth/units%length)/tenth)//' '// &
+      call append_wrapped(label, section_of(load_case), width)
+      call append_wrapped(label, to_text(anint(tenth*load_case%bit_depth/units%length)/tenth)//' '// &
                           trim(units%length_label)//', '// &
                           to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', width)
    end function section_label
@@ -287,6 +286,6 @@ contains
          line = line//'no case solved'
       end if
       if (count(errors%present) > n) line = line//', '//to_text(count(errors%present) - n)//' not solved left out'
-      call append_wrapped(lines, '', line, page_width)
+      call append_wrapped(lines, line)
    end subroutine append_error
 end module dg_table_1

@@ -4,8 +4,8 @@ module dg_verdict_table
    use dg_component, only: component_type
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
-   use dg_number_text, only: left_aligned, append_wrapped, page_width
-   use dg_text, only: append_text, either, text_type, to_text
+   use dg_number_text, only: left_aligned, append_wrapped
+   use dg_text, only: append_text, either, text_or_nothing, text_type, to_text
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          is_near_by_friction, is_uncertain, is_without_check, limit_title, nearness
@@ -31,12 +31,9 @@ contains
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(text_type), allocatable :: lines(:)
-      character(:), allocatable :: other
       integer :: i, k, width, shown
       allocate (lines(0))
-      if (allocated(job%title)) then
-         if (job%title /= '') call append_text(lines, job%title)
-      end if
+      if (text_or_nothing(job%title) /= '') call append_text(lines, job%title)
       width = 0
       do k = 1, size(results)
          width = max(width, min(len(model%cases(results(k)%case_index)%name), most_name) + 2)
@@ -44,26 +41,21 @@ contains
       shown = leading_model(job)
       call append_text(lines, '')
       call append_text(lines, verdict_heading(job))
-      other = summary_line(job, model, results, wholes)
-      if (other /= '') call append_wrapped(lines, '', other, page_width)
-      other = doubt_of_deck(job, model, results)
-      if (other /= '') call append_wrapped(lines, '', other, page_width)
+      call append_wrapped(lines, summary_line(job, model, results, wholes))
+      call append_wrapped(lines, doubt_of_deck(job, model, results))
       do k = 1, size(results)
          if (results(k)%model /= shown) cycle
          associate (load_case => model%cases(results(k)%case_index))
             call append_wrapped(lines, left_aligned(load_case%name, width)// &
-                                left_aligned(answer_word(wholes(k)%verdict%answer), answer_width), &
+                                left_aligned(answer_word(wholes(k)%verdict%answer), answer_width)// &
                                 task_text(job%units, load_case)//'. '// &
-                                verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.', page_width)
+                                verdict_sentences(job%units, load_case, wholes(k)%verdict)//'.')
          end associate
       end do
-      other = unchecked_line(job, model, results, wholes)
-      if (other /= '') call append_wrapped(lines, '', other, page_width)
-      other = interval_line(wholes)
-      if (other /= '') call append_wrapped(lines, '', other, page_width)
+      call append_wrapped(lines, unchecked_line(job, model, results, wholes))
+      call append_wrapped(lines, interval_line(wholes))
       do i = 1, size(job%models)
-         other = unlike_text(job, model, results, wholes, job%models(i))
-         if (other /= '') call append_wrapped(lines, '', other, page_width)
+         call append_wrapped(lines, unlike_text(job, model, results, wholes, job%models(i)))
       end do
    end function verdict_table
 

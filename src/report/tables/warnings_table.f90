@@ -5,7 +5,7 @@ module dg_warnings_table
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_number_text, only: append_wrapped, page_width
+   use dg_number_text, only: append_wrapped
    implicit none
    private
    public :: warnings_table, warning_sentences, warnings_heading, doubt_of_deck
@@ -29,7 +29,7 @@ contains
       call append_text(lines, '')
       call append_text(lines, warnings_heading(sentences))
       do i = 1, size(sentences)
-         call append_wrapped(lines, '', sentences(i)%text, page_width)
+         call append_wrapped(lines, sentences(i)%text)
       end do
    end function warnings_table
 

@@ -14,7 +14,7 @@ module dg_calibration_table
    use dg_load_case, only: operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
-   use dg_number_text, only: append_wrapped, page_width, fixed_text
+   use dg_number_text, only: append_wrapped, fixed_text
    use dg_prediction_table, only: append_predictions, quantity_words, interval_text
    use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
@@ -160,11 +160,11 @@ contains
       do k = 1, size(calibration%unknowns)
          if (verdict_of(result, k) == verdict_not_felt) call append_text(lines, 'Warning: the measurements do not depend on '// &
             'friction of '//unknown_text(units, model, calibration%unknowns(k))//'; it stays as the deck has it')
-         if (verdict_of(result, k) == verdict_at_bound) call append_wrapped(lines, '', 'Warning: '// &
+         if (verdict_of(result, k) == verdict_at_bound) call append_wrapped(lines, 'Warning: '// &
             unknown_text(units, model, calibration%unknowns(k))//': the measurements ask for friction '// &
             either('below', 'above', .not. result%fit%unknowns(k) > 0.0_wp)//' '// &
             to_text(result%fit%unknowns(k), factor_digits)//'; look for another cause: weight of the block, mud, '// &
-            'gauge, or one section that takes the friction of another (separate = ''none'' finds one factor for all)', page_width)
+            'gauge, or one section that takes the friction of another (separate = ''none'' finds one factor for all)')
          if (verdict_of(result, k) /= verdict_not_felt .and. calibration%unknowns(k)%is_offset) then
             if (abs(result%fit%unknowns(k) + model%rig%block_weight) < near_block*model%rig%block_weight) &
                call append_text(lines, 'Warning: the offset is about minus the block weight: are the measured hook loads '// &

@@ -5,7 +5,7 @@ module dg_sweep_sentences
    use dg_load_case, only: operation_label
    use dg_measured_table, only: factor_text
    use dg_missing, only: is_missing
-   use dg_number_text, only: append_wrapped, page_width
+   use dg_number_text, only: append_wrapped
    use dg_readable, only: squeezed
    use dg_sweep, only: point_at, point_number, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
@@ -114,11 +114,11 @@ contains
          end do
          left = left .and. .not. alike
          point = point_at(sweep, deepest)
-         call append_wrapped(lines, '', 'WARNING at '//to_text(count(alike))//either(' point', ' points', count(alike) == 1)// &
+         call append_wrapped(lines, 'WARNING at '//to_text(count(alike))//either(' point', ' points', count(alike) == 1)// &
                           ' of model '//trim(model_name(sweep%models(model)))//either(', ', ', the deepest ', count(alike) == 1)// &
                           'at '//depth_text(units, sweep, point%depth)//', '// &
                           trim(operation_label(sweep%operations(point%operation)))//', '// &
-                          friction_text(sweep, point%friction)//': '//points(deepest)%message, page_width)
+                          friction_text(sweep, point%friction)//': '//points(deepest)%message)
       end do
    contains
       pure function depth_of(number) result(depth)
