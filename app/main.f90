@@ -63,6 +63,7 @@ contains
       type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       type(error_type), allocatable :: error
+      character(:), allocatable :: refusal
       integer :: i
 
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
@@ -73,24 +74,22 @@ contains
          return
       end if
       if (arguments%output_dir /= '') job%output_dir = arguments%output_dir
-      if (job%output_dir == '') then
-         call tell(job%deck_path//': no folder of results is named. Give output_dir in &job, or --output DIR')
-         status = status_bad_input
-         return
-      end if
       job%quiet = arguments%quiet
       if (arguments%threads_given) job%threads = arguments%threads
       job%parts = arguments%parts
       job%merge = arguments%merge
       job%again = arguments%again
-      if (max(job%parts, job%merge) > 0 .and. .not. have_points(studies)) then
-         call tell(job%deck_path//' has no &sweep and no &uncertainty; nothing else can be divided into parts')
-         status = status_bad_input
-         return
+      refusal = ''
+      if (job%output_dir == '') then
+         refusal = ': no folder of results is named. Give output_dir in &job, or --output DIR'
+      else if (max(job%parts, job%merge) > 0 .and. .not. have_points(studies)) then
+         refusal = ' has no &sweep and no &uncertainty; nothing else can be divided into parts'
+      else if (job%again .and. .not. have_points(studies)) then
+         refusal = ' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by every run: leave '// &
+                   '--again out'
       end if
-      if (job%again .and. .not. have_points(studies)) then
-         call tell(job%deck_path//' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by '// &
-                   'every run: leave --again out')
+      if (refusal /= '') then
+         call tell(job%deck_path//refusal)
          status = status_bad_input
          return
       end if

@@ -111,10 +111,10 @@ contains
       status = run%status
       if (allocated(error)) return
       rows = 0
-      if (.not. is_divided(job)) rows = size(job%models)*size(given%cases)
+      if (max(job%parts, job%merge) == 0) rows = size(job%models)*size(given%cases)
       allocate (run%results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(run, studies, alongs, wholes)
-      if (.not. is_divided(job)) call run_phase(studies, phase_after, run, 'calibrations')
+      if (max(job%parts, job%merge) == 0) call run_phase(studies, phase_after, run, 'calibrations')
       call run_phase(studies, phase_points, run, '')
       if (.not. is_interrupted()) then
          do i = 1, size(studies%items)
@@ -139,19 +139,13 @@ contains
       status = run%status
    end subroutine run_in_folder
 
-   !> True where a run solves one part of its points, or joins parts. It does nothing else then.
-   pure function is_divided(job) result(is)
-      type(job_type), intent(in) :: job
-      logical :: is
-      is = job%parts > 0 .or. job%merge > 0
-   end function is_divided
-
    !> Run the studies that change the scene, then let every study refuse the run. A refused run leaves the results of an earlier
    !> run as they are, unless it has already written some. `error` is printed here.
    subroutine prepare_run(run, studies, error)
       type(run_type), intent(inout) :: run
       type(studies_type), intent(inout) :: studies
       type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: failure
       logical :: begun
       integer :: i
       begun = .false.
@@ -179,19 +173,12 @@ contains
       if (allocated(error)) then
          call tell(error%message)
          run%status = error%status
-         if (begun) call end_files_of(run%job)
+         if (begun) call end_files(run%job, failure)
+         if (allocated(failure)) call tell(failure%message)
          return
       end if
       if (.not. begun) call print_path(run%given)
    end subroutine prepare_run
-
-   !> Leaves the list of files as it should be, whatever else went wrong.
-   subroutine end_files_of(job)
-      type(job_type), intent(in) :: job
-      type(error_type), allocatable :: error
-      call end_files(job, error)
-      if (allocated(error)) call tell(error%message)
-   end subroutine end_files_of
 
    !> Tells of unfinished work of other sweeps, which stays in the folder.
    subroutine note_records(job)

@@ -27,7 +27,7 @@ contains
    !> time, history, states and places of the gaps.
    pure subroutine clear_numbers(result)
       type(case_result_type), intent(inout) :: result
-      call clear(result%profile)
+      result%profile = profile_type()
       result%hookload = 0.0_wp
       result%weight_indicator = missing
       result%friction = 0.0_wp
@@ -51,12 +51,6 @@ contains
       if (allocated(result%gaps)) result%gaps%force = missing
       if (allocated(result%contacts)) deallocate (result%contacts)
    end subroutine clear_numbers
-
-   !> Leaves no row: all arrays are deallocated on entry.
-   pure subroutine clear(profile)
-      type(profile_type), intent(out) :: profile
-      if (allocated(profile%md)) deallocate (profile%md)
-   end subroutine clear
 
    !> True if every number of a result is finite: no NaN, no infinity.
    pure function is_finite(result) result(is)

@@ -144,11 +144,6 @@ contains
       type(studies_type), intent(in) :: studies
       logical :: have
       integer :: i
-      have = .false.
-      do i = 1, size(studies%items)
-         associate (study => studies%items(i)%study)
-            have = have .or. (study%asked .and. study%phase == phase_points)
-         end associate
-      end do
+      have = any([(studies%items(i)%study%asked .and. studies%items(i)%study%phase == phase_points, i=1, size(studies%items))])
    end function have_points
 end module dg_registry

@@ -391,10 +391,6 @@ contains
    pure function c_text(text) result(chars)
       character(*), intent(in) :: text
       character(kind=c_char) :: chars(len(text) + 1)
-      integer :: i
-      do i = 1, len(text)
-         chars(i) = text(i:i)
-      end do
-      chars(len(text) + 1) = c_null_char
+      chars = transfer(text//c_null_char, chars)
    end function c_text
 end module dg_text

@@ -4,7 +4,7 @@ module dg_number_text
    use dg_missing, only: is_shown, optional_real
    use dg_printable, only: printable
    use dg_ten_digits, only: put_ten_digits
-   use dg_text, only: put_piece, append_text, text_type
+   use dg_text, only: append_text, put_piece, text_type, to_text
    implicit none
    private
    public :: fixed_cell, fixed_text, scientific_cell, count_cell, right_aligned, left_aligned
@@ -97,12 +97,10 @@ contains
       integer, intent(in) :: width
       logical, intent(in), optional :: applies
       character(width) :: cell
-      character(16) :: buffer
-      write (buffer, '(i0)') value
+      cell = right_aligned(to_text(value), width)
       if (present(applies)) then
-         if (.not. applies) buffer = absent
+         if (.not. applies) cell = right_aligned(absent, width)
       end if
-      cell = right_aligned(trim(buffer), width)
    end function count_cell
 
    !> Text at the right edge of a cell; cut at its left where it is too long.

@@ -185,7 +185,9 @@ contains
       text = ''
       if (size(holes) <= most_listed) then
          do i = 1, size(holes)
-            text = text//' '//pair_text(holes(i)%friction_axial, holes(i)%friction_rotary)
+            text = text//' '//to_text(holes(i)%friction_axial, few)
+            if (abs(holes(i)%friction_axial - holes(i)%friction_rotary) > 0.0_wp) &
+               text = text//' axial and '//to_text(holes(i)%friction_rotary, few)//' rotary'
             if (.not. is_missing(holes(i)%friction_running_in)) &
                text = text//', running in '//to_text(holes(i)%friction_running_in, few)//','
             if (holes(i)%name /= '') text = text//' in '//holes(i)%name
@@ -197,14 +199,6 @@ contains
             to_text(size(holes))//' hole sections'
       end if
    end function sections_text
-
-   !> Two factors as one number where they are equal.
-   pure function pair_text(axial, rotary) result(text)
-      real(wp), intent(in) :: axial, rotary     !< [-]
-      character(:), allocatable :: text
-      text = to_text(axial, few)
-      if (abs(axial - rotary) > 0.0_wp) text = text//' axial and '//to_text(rotary, few)//' rotary'
-   end function pair_text
 
    !> Weights of a string in the hole [N], without string above the first station. They are in air, in its fluids, and in its
    !> fluids of all below the lowest drill pipe.

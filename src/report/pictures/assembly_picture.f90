@@ -5,7 +5,7 @@ module dg_assembly_picture
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_key, add_label, add_panel, add_points, chart_type, new_chart, round_step
    use dg_readable, only: cut_text
-   use dg_quantity, only: quantity_moment, quantity_width
+   use dg_quantity, only: quantity_force, quantity_moment, quantity_width
    use dg_component, only: contact_diameter, has_blades, has_joints
    use dg_curve_look, only: colour_of, line_style
    use dg_drillstring, only: all_centralizer_ends, component_at, component_tops, drillstring_type, joint_ends
@@ -17,7 +17,7 @@ module dg_assembly_picture
    use dg_profile, only: profile_type
    use dg_text, only: either, to_text
    use dg_units, only: unit_system_type
-   use dg_unit_kind, only: unit_label
+   use dg_unit_kind, only: in_units, unit_label
    use dg_zero_crossing, only: add_zeros
    implicit none
    private
@@ -86,7 +86,7 @@ contains
       integer, parameter :: few = 3
       text = ''
       if (.not. is_missing(result%bit_side_force)) then
-         text = text//'; bit presses '//to_text(result%bit_side_force/units%force, few)//' '//trim(units%force_label)
+         text = text//'; bit presses '//in_units(units, quantity_force, result%bit_side_force, few)
          if (.not. is_missing(result%bit_side_clock)) text = text//' at '// &
             to_text(real(nint(result%bit_side_clock/units%angle), wp))//' deg'
       end if
@@ -103,6 +103,7 @@ contains
       type(view_type), intent(inout) :: view
       type(drillstring_type), intent(in) :: string
       type(case_result_type), intent(in) :: result
+      real(wp), parameter :: vertical = 1.0e-3_wp       ! a hole that has no high side [rad]
       character(*), parameter :: wall = "with lines lw 2.5 lc rgb '#8c6d46'"
       real(wp) :: x(many), axis(many)
       integer :: i
@@ -112,7 +113,8 @@ contains
       end do
       view%half = maxval(axis)
       associate (along => chart%units%length, across => chart%units%diameter)
-         call add_panel(chart, places(:, 1), '', side_label(result%inclination)//' ['//unit_label(chart%units, quantity_width)//']')
+         call add_panel(chart, places(:, 1), '', either('south to north', 'low to high side', result%inclination < vertical)// &
+                        ' ['//unit_label(chart%units, quantity_width)//']')
          call add_string(chart, view, string)
          call add_curve(chart, x/along, axis/across, wall, 'wall of the hole')
          call add_curve(chart, x/along, -axis/across, wall, '')
@@ -163,15 +165,6 @@ contains
          call add_piece(chart, view, joints(i:i + 1), string%components(k)%joint_od, blade_look)
       end do
    end subroutine add_string
-
-   !> Name of the axis across: a vertical hole has no high side.
-   pure function side_label(inclination) result(text)
-      real(wp), intent(in) :: inclination    !< at the bit [rad]
-      character(:), allocatable :: text
-      real(wp), parameter :: vertical = 1.0e-3_wp
-      text = 'low to high side'
-      if (inclination < vertical) text = 'south to north'
-   end function side_label
 
    !> A piece of the string between two distances above the bit, as an outline that follows its axis.
    subroutine add_piece(chart, view, ends, diameter, look)

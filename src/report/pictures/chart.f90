@@ -234,10 +234,8 @@ contains
       if (name /= '') then
          call add_key(chart, look, name)
          call add_points(chart, points, look, [size(chart%keys)])
-      else if (present(keys)) then
-         call add_points(chart, points, look, keys)
       else
-         call add_points(chart, points, look)
+         call add_points(chart, points, look, keys)
       end if
    end subroutine add_curve
 

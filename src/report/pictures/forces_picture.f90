@@ -6,7 +6,7 @@ module dg_forces_picture
    use dg_case_result, only: case_result_type
    use dg_chart, only: add_curve, add_depth_curve, add_depth_panel, add_key, add_points, beside, chart_type, fit_range, new_chart, &
                        set_depth
-   use dg_quantity, only: quantity_angle, quantity_force, quantity_moment
+   use dg_quantity, only: quantity_angle, quantity_force, quantity_length, quantity_moment
    use dg_curve_look, only: colour_black, colour_grey, colour_of, limit_dash, line_style, mark_style
    use dg_depth_curve, only: kept_points, least_around, lone_angles
    use dg_drillstring, only: pipe_joint
@@ -18,6 +18,7 @@ module dg_forces_picture
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type, side_above, state_free
    use dg_text, only: either, to_text
+   use dg_unit_kind, only: in_units
    implicit none
    private
    public :: forces_chart
@@ -162,8 +163,7 @@ contains
       real(wp) :: length
       integer :: k, i, n
       associate (units => chart%units)
-         call add_depth_panel(chart, place(3), 'side force on '//to_text(joint/units%length, 3)//' '// &
-                              trim(units%length_label), quantity_force)
+         call add_depth_panel(chart, place(3), 'side force on '//in_units(units, quantity_length, joint, 3), quantity_force)
          do k = 1, size(results)
             associate (profile => results(k)%profile)
                length = chart%depth%y%ends(1)*units%length - profile%md(1)

@@ -8,7 +8,7 @@ module dg_hookload_picture
    use dg_comparison, only: as_measured, percent_error
    use dg_curve_look, only: colour_black, colour_white, letter_width, mark_style
    use dg_job, only: job_type, model_name
-   use dg_load_case, only: load_case_type, rotates
+   use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing, optional_real
    use dg_model, only: model_type
    use dg_rig, only: indicated_load
@@ -143,15 +143,9 @@ contains
             hookload(number, k) = shown/job%units%force
             percent = percent_error(shown, model%cases(number)%measured_hookload)
             if (percent%present) error(number, k) = percent%value
-            if (has_torque(model%cases(number))) torque(number, k) = results(i)%torque/job%units%moment
+            if (rotates(model%cases(number)%operation) .or. abs(model%cases(number)%tob) > 0.0_wp) &
+               torque(number, k) = results(i)%torque/job%units%moment
          end associate
       end do
    end subroutine find_values
-
-   !> True if the torque of a case is more than round-off.
-   elemental function has_torque(load_case) result(has)
-      type(load_case_type), intent(in) :: load_case
-      logical :: has
-      has = rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp
-   end function has_torque
 end module dg_hookload_picture

@@ -13,6 +13,7 @@ module dg_path_picture
    use dg_profile, only: profile_type, state_elastic, state_rigid
    use dg_readable, only: cut_text
    use dg_text, only: to_text
+   use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -224,7 +225,7 @@ contains
       do i = 1, size(model%holes) - 1
          associate (md => model%holes(i)%md_bottom, units => chart%units)
             if (md >= load_case%bit_depth .or. md <= views%md(1)) cycle
-            call put_name(model%holes(i)%name//', '//to_text(md/units%length, 6)//' '//trim(units%length_label), &
+            call put_name(model%holes(i)%name//', '//in_units(units, unit_length, md, 6), &
                           place_at(views, section, md), 'right offset -1.2,-0.8')
          end associate
       end do
@@ -284,8 +285,7 @@ contains
       character(:), allocatable :: title
       integer, parameter :: few = 6
       title = load_case%name//': '//trim(operation_label(load_case%operation))//' at '// &
-         to_text(load_case%bit_depth/units%length, few)//' '//trim(units%length_label)
-      if (abs(load_case%wob) > 0.0_wp) title = title//', weight on bit '//to_text(load_case%wob/units%force, few)//' '// &
-         trim(units%force_label)
+         in_units(units, unit_length, load_case%bit_depth, few)
+      if (abs(load_case%wob) > 0.0_wp) title = title//', weight on bit '//in_units(units, unit_force, load_case%wob, few)
    end function case_title
 end module dg_path_picture

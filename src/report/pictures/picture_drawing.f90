@@ -10,7 +10,7 @@ module dg_picture_drawing
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_kinds, only: wp
    use dg_system_reason, only: reason_of_failed_write
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    implicit none
    private
    public :: draw_pictures, complaint_file, usual_patience
@@ -119,7 +119,8 @@ contains
          call raise(error, status_failure, gnuplot//' drew nothing for '//to_text(patience)//' s and was ended: '//done// &
                     '; does it draw '//names(bad)%text//'.gp there when you run it yourself?')
       else
-         call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not'//why(reason))
+         call raise(error, status_failure, 'gnuplot failed: '//done//', '//names(bad)%text//' is not'// &
+                    either('; '//complaint_file//' there tells why', ': '//reason, reason == ''))
       end if
    end subroutine draw_pictures
 
@@ -232,17 +233,6 @@ contains
       found = reason_of_failed_write(path)
       if (found /= '') reason = found
    end subroutine note_reason
-
-   !> The end of the message on pictures that are not drawn.
-   pure function why(reason) result(text)
-      character(*), intent(in) :: reason      !< see note_reason
-      character(:), allocatable :: text
-      if (reason == '') then
-         text = '; '//complaint_file//' there tells why'
-      else
-         text = ': '//reason
-      end if
-   end function why
 
    pure function picture_path(folder, name) result(path)
       character(*), intent(in) :: folder, name

@@ -68,6 +68,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), dimension(size(results)) :: numbers, nowhere
       type(text_type) :: names(size(results)), deciders(size(results))
+      real(wp) :: turns
       integer :: i
       do i = 1, size(results)
          names(i)%text = model%cases(results(i)%case_index)%name
@@ -83,7 +84,9 @@ contains
                           in_percent(wholes%bending_error), nowhere, .true.)
       numbers = in_percent(wholes%least_standoff)
       do i = 1, size(results)
-         numbers(i)%present = numbers(i)%present .and. has_centralizers(model, results(i)%case_index)
+         associate (string => model%strings(string_index(model%strings, model%cases(results(i)%case_index)%string)))
+            numbers(i)%present = numbers(i)%present .and. any(string%components%centralizer%present)
+         end associate
       end do
       ! in parentheses: a component of an array of records is handed on as a copy
       call append_extreme(lines, units, names, 'Least standoff, %', quantity_none, 1, numbers, &
@@ -114,8 +117,10 @@ contains
       end do
       do i = 1, size(results)
          if (wholes(i)%shape == buckling_none) cycle
+         turns = wholes(i)%coil_turns
          call append_text(lines, '  By mcge, buckled in '//names(i)%text//': '// &
-                          lengths_text(units, wholes(i)%snaking_length, wholes(i)%coiled_length)//turns_text(wholes(i)%coil_turns))
+                          lengths_text(units, wholes(i)%snaking_length, wholes(i)%coiled_length)// &
+                          either(' ('//to_text(turns, merge(2, 3, turns < many_turns))//' turns)', '', turns > 0.0_wp))
       end do
       do i = 1, size(results)
          if (.not. wholes(i)%sag_correction%present) cycle
@@ -171,14 +176,6 @@ contains
       character(:), allocatable :: text
       text = 'sinusoidal '//whole_depth(units, sinusoidal)//', helical '//whole_depth(units, helical)
    end function lengths_text
-
-   !> Turns of a helix; '' for none.
-   pure function turns_text(turns) result(text)
-      real(wp), intent(in) :: turns
-      character(:), allocatable :: text
-      text = ''
-      if (turns > 0.0_wp) text = ' ('//to_text(turns, merge(2, 3, turns < many_turns))//' turns)'
-   end function turns_text
 
    !> Pull that may be added at the top of each case, and its limit: the smaller of the rig's capacity and the pipe's.
    pure subroutine find_overpull(wholes, pulls, deciders)
@@ -328,14 +325,6 @@ contains
          end do
       end associate
    end subroutine append_jars
-
-   !> True for a case whose string has centralizers: its least standoff is printed.
-   pure function has_centralizers(model, case_index) result(has)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      logical :: has
-      has = any(model%strings(string_index(model%strings, model%cases(case_index)%string))%components%centralizer%present)
-   end function has_centralizers
 
    !> A number that counts beyond a least one.
    elemental function beyond(value, least) result(number)

@@ -9,7 +9,7 @@ module dg_result_table
    use dg_table_1, only: append_table_1
    use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: unit_label, unit_moment
+   use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -125,7 +125,7 @@ contains
       real(wp) :: least
       least = minval(results%element_lengths(1), mask=results%element_lengths(2) > 0.0_wp)
       line = 'elements of '//to_text(least/units%length, 3)//' to '// &
-         to_text(maxval(results%element_lengths(2))/units%length, 3)//' '//trim(units%length_label)
+         in_units(units, unit_length, maxval(results%element_lengths(2)), 3)
       number = 0
       do i = 1, scale_count
          if (sum(results%shortened(i)) == 0) cycle

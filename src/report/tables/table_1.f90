@@ -10,7 +10,7 @@ module dg_table_1
    use dg_missing, only: is_missing, optional_real
    use dg_number_text, only: append_wrapped, page_width, fixed_text
    use dg_summary_file, only: summary_row
-   use dg_text, only: append_text, either, text_type, to_text
+   use dg_text, only: append_text, either, text_or_nothing, text_type, to_text
    use dg_text_table, only: add_cell, append_table, end_row, text_table_type
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_yes, verdict_type
@@ -88,7 +88,7 @@ contains
          do row = first, max(last, first + size(label) - 1)
             call add_cell(table, 'Section and|well depth', layout%section, label_line(label, row - first + 1))
             if (row <= last) call add_case(table, units, cases(row), results(row), verdicts(row), layout)
-            call end_row(table, mark_of(layout, row <= last .and. marked(min(row, last))))
+            call end_row(table, either(repeat(' ', layout%before_mark)//row_mark, '', row <= last .and. marked(min(row, last))))
          end do
          first = last + 1
       end do
@@ -131,7 +131,7 @@ contains
          layout%operation = max(layout%operation, len_trim(operation_label(cases(i)%operation)) + gap)
          layout%name = max(layout%name, min(len(cases(i)%name), most_name) + gap)
       end do
-      over = width_of(layout) - page_width
+      over = layout%section + layout%operation + layout%name + sum(numbers%width, mask=layout%shown) - page_width
       if (marks) then
          over = over + len(row_mark)
          if (over >= 0) layout%before_mark = 0
@@ -142,12 +142,6 @@ contains
       layout%name = layout%name - (over - i)
       if (layout%name < least_name) layout%name = 0
    end function layout_of
-
-   pure function width_of(layout) result(width)
-      type(layout_type), intent(in) :: layout
-      integer :: width
-      width = layout%section + layout%operation + layout%name + sum(numbers%width, mask=layout%shown)
-   end function width_of
 
    !> Puts the cells of a case behind its section label.
    subroutine add_case(table, units, load_case, result, verdict, layout)
@@ -199,15 +193,6 @@ contains
       end select
    end function says
 
-   !> Text behind a row: the mark, or empty.
-   pure function mark_of(layout, marked) result(mark)
-      type(layout_type), intent(in) :: layout
-      logical, intent(in) :: marked
-      character(:), allocatable :: mark
-      mark = ''
-      if (marked) mark = repeat(' ', layout%before_mark)//row_mark
-   end function mark_of
-
    !> Index of the last of the cases that follow `first` with the same section label and bit depth.
    pure function end_of_section(cases, first) result(last)
       type(load_case_type), intent(in) :: cases(:)
@@ -217,18 +202,11 @@ contains
       real(wp), parameter :: same_depth = 0.005_wp
       last = first
       do while (last < size(cases))
-         if (section_of(cases(last + 1)) /= section_of(cases(first))) return
+         if (text_or_nothing(cases(last + 1)%section) /= text_or_nothing(cases(first)%section)) return
          if (abs(cases(last + 1)%bit_depth - cases(first)%bit_depth) > same_depth) return
          last = last + 1
       end do
    end function end_of_section
-
-   pure function section_of(load_case) result(section)
-      type(load_case_type), intent(in) :: load_case
-      character(:), allocatable :: section
-      section = ''
-      if (allocated(load_case%section)) section = load_case%section
-   end function section_of
 
    !> Section, depth and inclination, as lines that fit their column.
    pure function section_label(units, load_case, result, width) result(label)
@@ -239,7 +217,7 @@ contains
       type(text_type), allocatable :: label(:)
       real(wp), parameter :: tenth = 10.0_wp !< depths and angles are shown to one digit behind the point
       allocate (label(0))
-      call append_wrapped(label, section_of(load_case), width)
+      call append_wrapped(label, text_or_nothing(load_case%section), width)
       call append_wrapped(label, to_text(anint(tenth*load_case%bit_depth/units%length)/tenth)//' '// &
                           trim(units%length_label)//', '// &
                           to_text(anint(tenth*result%inclination/units%angle)/tenth)//' deg', width)

@@ -11,6 +11,7 @@ module dg_study_file
    use dg_study_comparison, only: error_bending, error_bending_rms, error_hookload, error_normal_force, error_torque, &
                                   study_record_type
    use dg_study_variant, only: variant_type
+   use dg_text, only: either
    implicit none
    private
    public :: study_row
@@ -47,7 +48,7 @@ contains
       call put_filled(row, 'linear_solver', quantity_text, 'its name', linear_solver)
       call put(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
       call put(row, 'reference', quantity_text, &
-               'yes: finest converged variant of the case, the reference for errors', yes(record%is_reference))
+               'yes: finest converged variant of the case, the reference for errors', either('yes', 'no', record%is_reference))
       call put(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
       call put(row, 'hookload_error', quantity_percent, 'difference from the reference', percent_of(record%errors(error_hookload)))
       call put(row, 'torque', quantity_moment, 'at the top', number(record%torque))
@@ -69,7 +70,7 @@ contains
       call put(row, 'cost', quantity_none, 'time divided by that of the reference', record%cost)
       call put(row, 'pareto', quantity_text, &
                'yes: no variant of this case is both more accurate (hook load and torque, the worse) and faster', &
-               yes(record%in_pareto_set))
+               either('yes', 'no', record%in_pareto_set))
       call put(row, 'hookload_order', quantity_none, &
                'order of convergence of hook load, from rows that differ in element length only; empty if there is none', &
                record%orders(error_hookload))
@@ -87,11 +88,4 @@ contains
          shown = merge(value, missing, has_numbers(record%status))
       end function number
    end function study_row
-
-   pure function yes(is) result(text)
-      logical, intent(in) :: is
-      character(:), allocatable :: text
-      text = 'no'
-      if (is) text = 'yes'
-   end function yes
 end module dg_study_file

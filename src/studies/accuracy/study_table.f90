@@ -214,7 +214,7 @@ contains
          do j = 1, i - 1
             if (same_but_mesh(variants(i), variants(j))) first = .false.
          end do
-         if (.not. first .or. all(is_missing(all_orders(records(i, :))))) cycle
+         if (.not. first .or. all([(is_missing(records(i, j)%orders), j=1, size(records, 2))])) cycle
          gaps = ''
          solver = ''
          if (variants(i)%model == model_mcge) then
@@ -236,16 +236,6 @@ contains
       call append_text(lines, 'Order of convergence with element length: median of the cases (least to greatest)')
       call append_table(lines, table)
    end subroutine append_orders
-
-   !> Orders of all quantities and cases of a variant.
-   pure function all_orders(records) result(orders)
-      type(study_record_type), intent(in) :: records(:)
-      real(wp) :: orders(error_count*size(records))
-      integer :: j
-      do j = 1, size(records)
-         orders(error_count*(j - 1) + 1:error_count*j) = records(j)%orders
-      end do
-   end function all_orders
 
    !> Median, least and greatest of the numbers that are not missing; '-' where there are none.
    pure function range_text(numbers) result(text)

@@ -18,7 +18,7 @@ module dg_calibration_table
    use dg_prediction_table, only: append_predictions, quantity_words, interval_text
    use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
-   use dg_unit_kind, only: in_units, unit_force
+   use dg_unit_kind, only: in_units, unit_force, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -310,8 +310,8 @@ contains
       if (unknown%is_offset) text = ', hook load offset, '//trim(units%force_label)
       if (unknown%hole > 0) text = text//', '//model%holes(unknown%hole)%name
       if (unknown%operation > 0) text = text//', '//trim(operation_label(unknown%operation))
-      if (unknown%bit_depth%present) text = text//', bit at '//to_text(unknown%bit_depth%value/units%length, depth_digits)// &
-                                            ' '//trim(units%length_label)
+      if (unknown%bit_depth%present) text = text//', bit at '// &
+         in_units(units, unit_length, unknown%bit_depth%value, depth_digits)
       if (text == '') text = ', all'
       text = text(len(', ') + 1:)
    end function unknown_text

@@ -36,7 +36,8 @@ contains
       integer :: n
       allocate (taken(0))
       allocate (mine, source=named(groups, 'calibrate'))
-      mine = pack(mine, [(is_calibration(groups(mine(n))), n=1, size(mine))])
+      mine = pack(mine, [(any(text_of(groups(mine(n)), 'parameter', trim(parameter_name(1))) == parameter_name), &
+                         n=1, size(mine))])
       allocate (calibrations(size(mine)))
       do n = 1, size(mine)
          associate (group => groups(mine(n)))
@@ -46,13 +47,6 @@ contains
          end associate
       end do
    end subroutine take_calibrations
-
-   !> True if the unknown of a &calibrate is friction.
-   pure function is_calibration(group) result(yes)
-      type(checked_group_type), intent(in) :: group
-      logical :: yes
-      yes = any(text_of(group, 'parameter', trim(parameter_name(1))) == parameter_name)
-   end function is_calibration
 
    subroutine take_one(draft, group, number, calibration, faults)
       type(draft_type), intent(in) :: draft
@@ -160,12 +154,8 @@ contains
       integer :: d, i, u
       if (too_many(size(calibration%cases), most_cases, 'load cases')) return
       if (too_many(size(calibration%cases)*size(calibration%holes), most_pairs, 'pairs of load case and hole section')) return
-      do i = 1, size(load_cases)
-         load_cases(i) = draft%cases(i)%load_case
-      end do
-      do i = 1, size(holes)
-         holes(i) = draft%holes(i)%section
-      end do
+      load_cases = draft%cases%load_case
+      holes = draft%holes%section
       call set_unknowns(calibration, load_cases, holes)
       if (too_many(size(calibration%unknowns), most_unknowns, 'unknowns')) return
       if (too_many(solutions_a_step(calibration)*size(calibration%models), most_solutions, 'solutions a step')) return

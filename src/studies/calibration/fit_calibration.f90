@@ -113,18 +113,13 @@ contains
       do kind = hookload_datum, torque_datum
          known = calibration%hookload_deviation
          if (kind /= hookload_datum) known = calibration%torque_deviation
-         where (ahead%data%kind == kind)
-            deviation = result%deviations(kind)
-            freedom = result%freedoms(kind)
-         end where
-         if (.not. known%present) cycle
+         if (.not. known%present) known%value = result%deviations(kind)
          where (ahead%data%kind == kind)
             deviation = known%value
-            freedom = real(as_normal, wp)
+            freedom = merge(real(as_normal, wp), result%freedoms(kind), known%present)
          end where
-      end do
-      do kind = hookload_datum, torque_datum
-         where (ahead%data%kind == kind .and. .not. is_missing(deviation)) &
+         if (is_missing(known%value)) cycle
+         where (ahead%data%kind == kind) &
             deviation = with_drift(deviation, result%drifts(kind), model%cases(ahead%cases(ahead%data%case))%bit_depth)
       end do
       call predict(function, result%fit, result%statistics, scale, deviation, freedom, result%prediction)

@@ -54,18 +54,11 @@ module dg_sweep
 
 contains
 
-   !> Curves of one model: an operation with a friction factor each.
-   pure function curve_count(sweep) result(count)
-      type(sweep_type), intent(in) :: sweep
-      integer :: count
-      count = size(sweep%operations)*size(sweep%frictions)
-   end function curve_count
-
    !> Number of points of a sweep: every model on every curve at every depth. deck/deck_sweep.f90 refuses more than a number holds.
    pure function point_count(sweep) result(count)
       type(sweep_type), intent(in) :: sweep
       integer :: count
-      count = size(sweep%models)*curve_count(sweep)*size(sweep%depths)
+      count = size(sweep%models)*size(sweep%operations)*size(sweep%frictions)*size(sweep%depths)
    end function point_count
 
    !> Number of a point from 1 on: curve after curve, model after model, depth counting fastest.

@@ -103,7 +103,8 @@ contains
       type(error_list_type), intent(inout) :: faults
       type(text_type), allocatable :: fields(:)
       character(:), allocatable :: text
-      logical :: fixed, started
+      real(wp) :: number
+      logical :: fixed, started, is_data
       integer :: k, line
       fixed = any(columns%last > 0)
       started = fixed
@@ -121,7 +122,8 @@ contains
             table%wide = size(fields)
             call find_columns(fields, columns, table, faults)
             if (.not. table%sound) exit
-            if (.not. is_data(columns, fields)) cycle
+            call read_real(fields(columns(1)%number)%text, number, is_data)
+            if (.not. is_data) cycle                ! headings
          else if (table%n == 0 .and. .not. fixed) then
             call split_fields(close_brackets(text), table%separator, fields)
             if (is_row_of_units(columns, fields)) then
@@ -264,15 +266,6 @@ contains
                  ', the group &legacy reads it in '//column%unit_name//'; set '//trim(column_name(k))// &
                  '_unit, or units, in the deck', faults)
    end subroutine check_unit
-
-   !> True if a first row is data already: columns given by number, no headings.
-   function is_data(columns, row) result(is)
-      type(column_type), intent(in) :: columns(:)
-      type(text_type), intent(in) :: row(:)
-      logical :: is
-      real(wp) :: number
-      call read_real(row(columns(1)%number)%text, number, is)
-   end function is_data
 
    !> True if a row below the headings gives the units of all columns that are read.
    function is_row_of_units(columns, row) result(is)

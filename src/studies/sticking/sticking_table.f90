@@ -81,6 +81,7 @@ contains
       type(model_type), intent(in) :: model
       type(sticking_type), intent(in) :: sticking
       type(sticking_result_type), intent(in) :: results(:)
+      character(*), parameter :: below_bit = 'below the bit: the whole string stretches less than measured'
       character(:), allocatable :: text
       integer :: i
       associate (first => model%cases(sticking%cases(1)), second => model%cases(sticking%cases(2)))
@@ -91,7 +92,7 @@ contains
          call append_text(lines, '  without friction, by sections:  '//point(results(1)%depth_without_friction))
          do i = 1, size(results)
             text = 'no solution'
-            if (results(i)%status == sticking_below_bit) text = below_bit()
+            if (results(i)%status == sticking_below_bit) text = below_bit
             if (.not. is_missing(results(i)%depth)) text = point(results(i)%depth)//', tension there '// &
                shown(results(i)%tension_above)//' '//trim(units%force_label)//' at the second pull'
             call append_text(lines, '  with friction, model '//left_aligned(trim(model_name(results(i)%model))//':', 10)//' '//text)
@@ -102,13 +103,8 @@ contains
          real(wp), intent(in) :: depth
          character(:), allocatable :: words
          words = to_text(anint(10.0_wp*depth/units%length)/10.0_wp, depth_digits)//' '//trim(units%length_label)
-         if (depth > model%cases(sticking%cases(2))%bit_depth) words = below_bit()
+         if (depth > model%cases(sticking%cases(2))%bit_depth) words = below_bit
       end function point
-
-      function below_bit() result(words)
-         character(:), allocatable :: words
-         words = 'below the bit: the whole string stretches less than measured'
-      end function below_bit
 
       function shown(value) result(words)
          real(wp), intent(in) :: value

@@ -7,9 +7,10 @@ module dg_sweep_sentences
    use dg_missing, only: is_missing
    use dg_number_text, only: append_wrapped
    use dg_readable, only: squeezed
-   use dg_sweep, only: point_at, point_number, point_type, sweep_type
+   use dg_sweep, only: model_of, point_at, point_count, point_number, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, either, text_type, to_text
+   use dg_unit_kind, only: in_units, unit_length
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_no, answer_yes, limit_title
    implicit none
@@ -96,20 +97,20 @@ contains
       logical :: left(size(points)), alike(size(points))
       type(point_type) :: point
       character(:), allocatable :: kind
+      real(wp) :: depth
       integer :: i, deepest
       left = is_warned(points) .and. points_of_model(sweep, model)
       do while (any(left))
          kind = squeezed(points(findloc(left, .true., dim=1))%message, digits_and_point)
          alike = .false.
-         deepest = 0
+         depth = 0.0_wp
          do i = 1, size(points)
             if (.not. left(i)) cycle
             alike(i) = squeezed(points(i)%message, digits_and_point) == kind
             if (.not. alike(i)) cycle
             point = point_at(sweep, i)
-            if (deepest > 0) then
-               if (sweep%depths(point%depth) < depth_of(deepest)) cycle
-            end if
+            if (sweep%depths(point%depth) < depth) cycle
+            depth = sweep%depths(point%depth)
             deepest = i
          end do
          left = left .and. .not. alike
@@ -120,14 +121,6 @@ contains
                           trim(operation_label(sweep%operations(point%operation)))//', '// &
                           friction_text(sweep, point%friction)//': '//points(deepest)%message)
       end do
-   contains
-      pure function depth_of(number) result(depth)
-         integer, intent(in) :: number
-         real(wp) :: depth
-         type(point_type) :: there
-         there = point_at(sweep, number)
-         depth = sweep%depths(there%depth)
-      end function depth_of
    end subroutine append_warned
 
    !> True for a point that can be done, and has a warning.
@@ -142,13 +135,9 @@ contains
    pure function points_of_model(sweep, model) result(are)
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: model
-      logical :: are(size(sweep%models)*size(sweep%operations)*size(sweep%frictions)*size(sweep%depths))
-      type(point_type) :: point
+      logical :: are(point_count(sweep))
       integer :: i
-      do i = 1, size(are)
-         point = point_at(sweep, i)
-         are(i) = point%model == model
-      end do
+      are = [(model_of(sweep, i) == model, i=1, size(are))]
    end function points_of_model
 
    pure function depth_text(units, sweep, number) result(text)
@@ -156,7 +145,7 @@ contains
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: number       !< of a depth
       character(:), allocatable :: text
-      text = to_text(sweep%depths(number)/units%length, depth_digits)//' '//trim(units%length_label)
+      text = in_units(units, unit_length, sweep%depths(number), depth_digits)
    end function depth_text
 
    pure function friction_text(sweep, number) result(text)

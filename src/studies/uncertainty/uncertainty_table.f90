@@ -112,7 +112,7 @@ contains
          measured = measured_at(uncertainty%range, point)
          associate (found => statistics(point_number(uncertainty%range, point)))
             call add_cell(table, 'Bit depth', depth_width, uncertainty%range%depths(point%depth), units%length, 1)
-            call add_quantiles(table, loads_of(found), units%force, 1)
+            call add_quantiles(table, merge(found%weight_indicator, found%hookload, indicated), units%force, 1)
             call add_cell(table, 'Measured', cell_width, measured%hookload, units%force, 1)
             call add_quantiles(table, found%torque, units%moment, 2)
             call add_cell(table, 'Samples', cell_width, found%solved)
@@ -139,13 +139,6 @@ contains
             call append_text(lines, shares_text('torque', uncertainty, deepest%torque_shares))
       end associate
    contains
-      pure function loads_of(found) result(loads)
-         type(point_statistics_type), intent(in) :: found
-         type(distribution_type) :: loads
-         loads = found%hookload
-         if (indicated) loads = found%weight_indicator
-      end function loads_of
-
       !> Number of samples at the depth that has most of them.
       pure function most(counts) result(text)
          integer, intent(in) :: counts(:)
