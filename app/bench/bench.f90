@@ -59,29 +59,25 @@ program bench
    else if (arguments(1) == 'once') then
       call print_costs(1, lengths(:quick))
    else if (arguments(1) == 'ablation') then
-      if (size(arguments) > 1) then
-         call print_ablation(arguments(2:))
-      else
-         call print_ablation(decks)
-      end if
+      call print_ablation(chosen(2))
    else if (arguments(1) == 'against' .and. size(arguments) > 1) then
-      if (size(arguments) > 2) then
-         call print_against(trim(arguments(2)), arguments(3:))
-      else
-         call print_against(trim(arguments(2)), decks)
-      end if
+      call print_against(trim(arguments(2)), chosen(3))
    else if (arguments(1) == 'trade') then
-      if (size(arguments) > 1) then
-         call print_trade(arguments(2:))
-      else
-         call print_trade(decks)
-      end if
+      call print_trade(chosen(2))
    else
       write (error_unit, '(a)') 'bench: unknown argument '//trim(arguments(1))//'. Give ablation, against PROGRAM, once or trade'
       error stop 2
    end if
 
 contains
+
+   !> Decks named from argument `first` on, else all wells.
+   function chosen(first) result(paths)
+      integer, intent(in) :: first
+      character(len(arguments)), allocatable :: paths(:)
+      paths = decks
+      if (size(arguments) >= first) paths = arguments(first:)
+   end function chosen
 
    !> Print the cost of solutions.
    subroutine print_costs(runs, lengths)

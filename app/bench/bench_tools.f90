@@ -1,6 +1,7 @@
 !> Clock, median and the name of the machine.
 module dg_bench_tools
    use dg_kinds, only: wp
+   use dg_merge_sort, only: sorted_places
    implicit none
    private
    public :: machine_name, median, now
@@ -17,18 +18,10 @@ contains
    pure function median(values) result(middle)
       real(wp), intent(in) :: values(:)
       real(wp) :: middle
-      real(wp) :: sorted(size(values)), value
-      integer :: i, j, n
+      real(wp) :: sorted(size(values))
+      integer :: n
       n = size(values)
-      sorted = values
-      do i = 2, n
-         value = sorted(i)
-         do j = i - 1, 1, -1
-            if (sorted(j) <= value) exit
-            sorted(j + 1) = sorted(j)
-         end do
-         sorted(j + 1) = value
-      end do
+      sorted = values(sorted_places(values))
       middle = 0.5_wp*(sorted((n + 1)/2) + sorted(n/2 + 1))
    end function median
 
