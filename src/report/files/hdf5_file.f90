@@ -143,42 +143,34 @@ contains
    subroutine write_vectors(file, path, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
-      real(wp), intent(in) :: values(:, :)
-      real(wp), allocatable, target :: buffer(:, :)
-      allocate (buffer, source=values)
+      real(wp), intent(in), contiguous, target :: values(:, :)
       call write_buffer(file, path, shape(values, kind=hsize_t), h5t_ieee_f64le, h5kind_to_type(wp, h5_real_kind), &
-                        c_loc(buffer))
+                        c_loc(values))
    end subroutine write_vectors
 
    subroutine write_integers(file, path, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
-      integer, intent(in) :: values(:)
-      integer, allocatable, target :: buffer(:)
-      allocate (buffer, source=values)
+      integer, intent(in), contiguous, target :: values(:)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_i32le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(values))
    end subroutine write_integers
 
    subroutine write_long_integers(file, path, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
-      integer(int64), intent(in) :: values(:)
-      integer(int64), allocatable, target :: buffer(:)
-      allocate (buffer, source=values)
+      integer(int64), intent(in), contiguous, target :: values(:)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_i64le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(values))
    end subroutine write_long_integers
 
    !> Numbers from 0 to 255 as a dataset of bytes.
    subroutine write_bytes(file, path, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: path
-      integer, intent(in) :: values(:)
-      integer, allocatable, target :: buffer(:)
-      allocate (buffer, source=values)
+      integer, intent(in), contiguous, target :: values(:)
       call write_buffer(file, path, [size(values, kind=hsize_t)], h5t_std_u8le, &
-                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
+                        h5kind_to_type(kind(values), h5_integer_kind), c_loc(values))
    end subroutine write_bytes
 
    !> A dataset from memory; chunked and compressed where it is large.
@@ -252,11 +244,9 @@ contains
    subroutine attribute_reals(file, object, name, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: object, name
-      real(wp), intent(in) :: values(:)
-      real(wp), allocatable, target :: buffer(:)
-      allocate (buffer, source=values)
+      real(wp), intent(in), contiguous, target :: values(:)
       call attribute_buffer(file, object, name, [size(values, kind=hsize_t)], h5t_ieee_f64le, &
-                            h5kind_to_type(wp, h5_real_kind), c_loc(buffer))
+                            h5kind_to_type(wp, h5_real_kind), c_loc(values))
    end subroutine attribute_reals
 
    subroutine attribute_integer(file, object, name, value)
@@ -272,11 +262,9 @@ contains
    subroutine attribute_integers(file, object, name, values)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: object, name
-      integer, intent(in) :: values(:)
-      integer, allocatable, target :: buffer(:)
-      allocate (buffer, source=values)
+      integer, intent(in), contiguous, target :: values(:)
       call attribute_buffer(file, object, name, [size(values, kind=hsize_t)], h5t_std_i64le, &
-                            h5kind_to_type(kind(values), h5_integer_kind), c_loc(buffer))
+                            h5kind_to_type(kind(values), h5_integer_kind), c_loc(values))
    end subroutine attribute_integers
 
    !> An attribute from memory; a scalar where `dims` is empty.
