@@ -70,10 +70,8 @@ contains
       type(row_type), intent(in) :: row
       character(*), intent(in) :: name
       integer :: place
-      do place = 1, row%count
-         if (row%fields(place)%column%name == name) return
-      end do
-      call unknown_column(name)
+      place = findloc(row%fields(:row%count)%column%name == name, .true., dim=1)
+      if (place == 0) call unknown_column(name)
    end function place_of
 
    !> A row of the columns of those names. The program ends if one is unknown.

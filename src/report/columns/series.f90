@@ -37,10 +37,8 @@ contains
       character(*), intent(in) :: name
       type(series_type) :: series
       integer :: i
-      do i = 1, list%count
-         if (list%items(i)%column%name == name) exit
-      end do
-      if (i > list%count) call unknown_column(name)
+      i = findloc(list%items(:list%count)%column%name == name, .true., dim=1)
+      if (i == 0) call unknown_column(name)
       series = list%items(i)
    end function series_of
 

@@ -11,7 +11,7 @@ module dg_deck_echo
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: hold_free, model_type, packer_hold_name
-   use dg_numerics, only: numerics_type, gap_at_nodes
+   use dg_numerics, only: gap_location_name, numerics_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
    use dg_rig, only: rig_type
@@ -289,14 +289,13 @@ contains
       type(line_list_type), intent(inout) :: lines
       type(unit_system_type), intent(in) :: units
       type(numerics_type), intent(in) :: numerics
-      character(:), allocatable :: location, joints
-      location = 'extremum'
-      if (numerics%gap_location == gap_at_nodes) location = 'nodes'
+      character(:), allocatable :: joints
       joints = ''
       if (numerics%discrete_joints) joints = ', tool joints one by one'
       if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
       call add_line(lines, 'solver      elements to '// &
-         shown(units, unit_length, numerics%element_length)//', gaps at '//location//joints// &
+         shown(units, unit_length, numerics%element_length)//', gaps at '// &
+         trim(gap_location_name(numerics%gap_location))//joints// &
          ', tolerance '//to_text(numerics%tolerance, digits)//', iterations to '//to_text(numerics%max_iterations)// &
          ', load steps '//to_text(numerics%load_steps))
       call add_line(lines, '            gk_min '//number(units, unit_wall, numerics%gk_min)//', gk_contact '// &

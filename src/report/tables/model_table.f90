@@ -41,9 +41,9 @@ contains
       call append_text(lines, '')
       call append_text(lines, 'Models side by side; differences against '//trim(model_name(job%models(1))))
       do j = 1, size(model%cases)
-         first = row_of(results, job%models(1), j)
+         first = findloc(results%model == job%models(1) .and. results%case_index == j, .true., dim=1)
          do i = 1, size(job%models)
-            row = row_of(results, job%models(i), j)
+            row = findloc(results%model == job%models(i) .and. results%case_index == j, .true., dim=1)
             if (row == 0 .or. first == 0) cycle
             call add_row(table, job%units, model, results(row), results(first), i == 1)
             call end_row(table, merge(' '//row_mark, '  ', marked(row)))
@@ -94,15 +94,4 @@ contains
       call add_cell(table, '|%', share_width, turn_share, one, 3)
       call add_cell(table, 'Seconds', seconds_width, result%seconds, one, 4)
    end subroutine add_row
-
-   !> Row of a model and case among the results, 0 where there is none.
-   pure function row_of(results, number, case_index) result(row)
-      type(case_result_type), intent(in) :: results(:)
-      integer, intent(in) :: number, case_index
-      integer :: row
-      do row = 1, size(results)
-         if (results(row)%model == number .and. results(row)%case_index == case_index) return
-      end do
-      row = 0
-   end function row_of
 end module dg_model_table

@@ -59,12 +59,9 @@ contains
       before = faults%count
       allocate (texts(0))   ! the compiler's flow analysis takes it for undefined otherwise
       calibration%name = text_of(group, 'name', to_text(number))
-      do i = 1, size(parameter_name)
-         if (text_of(group, 'parameter', '') == parameter_name(i)) calibration%parameter = i
-      end do
-      do i = 1, size(offset_name)
-         if (text_of(group, 'offset', '') == offset_name(i)) calibration%offset = i
-      end do
+      ! the first of the names where none is given, or an unknown one
+      calibration%parameter = max(1, findloc(parameter_name == text_of(group, 'parameter', ''), .true., dim=1))
+      calibration%offset = max(1, findloc(offset_name == text_of(group, 'offset', ''), .true., dim=1))
       if (is_given(group, 'separate')) then
          texts = texts_of(group, 'separate')
          calibration%by_hole = .false.

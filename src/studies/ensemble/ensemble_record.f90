@@ -27,7 +27,6 @@ module dg_ensemble_record
    type :: ensemble_type
       character(:), allocatable :: what         !< sweep or uncertainty
       character(:), allocatable :: name         !< of it
-      integer :: number = 0                     !< among those of its kind in the job
       type(sweep_result_type), allocatable :: points(:)   !< of a Monte Carlo one a point and sample
       type(text_type), allocatable :: settings(:)         !< what the results depend on
       ! its record

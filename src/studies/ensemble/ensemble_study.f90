@@ -132,7 +132,6 @@ contains
       do i = 1, size(self%ensembles)
          associate (ensemble => self%ensembles(i))
             ensemble%what = self%texts%what
-            ensemble%number = i
             ensemble%name = self%ranges(i)%name
             allocate (ensemble%settings, source=self%settings(i, run%model))
             allocate (ensemble%points(piece_count(self, i)))

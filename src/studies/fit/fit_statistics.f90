@@ -20,7 +20,6 @@ module dg_fit_statistics
       real(wp), allocatable :: deviation(:)         !< standard deviation of each unknown; missing where it cannot be told
       real(wp), allocatable :: half_width(:)        !< of its 95 % confidence interval; missing where it cannot be told
       real(wp), allocatable :: correlation(:, :)    !< of unknowns with each other [-]; 0 with those not found
-      real(wp), allocatable :: singular_values(:)   !< of the Jacobian with columns of length 1, falling
       type(mixture_type), allocatable :: mixtures(:)
    end type statistics_type
 
@@ -59,7 +58,7 @@ contains
       if (statistics%freedom > 0) statistics%scatter = norm2(residual)/sqrt(real(statistics%freedom, wp))
       allocate (statistics%deviation(size(found)), statistics%half_width(size(found)), source=missing)
       allocate (statistics%correlation(size(found), size(found)), source=0.0_wp)
-      allocate (statistics%mixtures(0), statistics%singular_values(n))
+      allocate (statistics%mixtures(0))
       if (n == 0 .or. n > size(residual)) return
       call decompose(jacobian(:, columns), columns, statistics)
       pooled = all(kinds == 1)
@@ -140,7 +139,6 @@ contains
       end do
       allocate (work(3*m + 6*n))
       call dgesvd('N', 'S', m, n, scaled, m, values, none, 1, right, n, work, size(work), info)
-      statistics%singular_values = values
       if (info /= 0) return
       weak = count(values < separable*values(1))
       deallocate (statistics%mixtures)

@@ -107,7 +107,7 @@ contains
       call function%evaluate(trial, values, solved)
       fit%values = values(:, 1)
       if (.not. all(solved)) then
-         fit%lost = first_false(solved(:, 1))
+         fit%lost = findloc(solved(:, 1), .false., dim=1)
          return
       end if
       residual = (values(:, 1) - measured)/deviation
@@ -177,7 +177,7 @@ contains
          call function%evaluate(points, values, solved)
          known = all(solved, dim=1) .and. abs(width) > rest_share*scale
          do k = 1, size(scale)
-            if (.not. all(solved(:, k))) lost(k) = first_false(solved(:, k))
+            if (.not. all(solved(:, k))) lost(k) = findloc(solved(:, k), .false., dim=1)
          end do
          if (all(known)) exit
          if (side == 1) where (.not. known) width = merge(-below, above, width > 0.0_wp)
@@ -224,13 +224,4 @@ contains
       call dgels('N', m, n, 1, matrix, m, right, m, work, size(work), info)
       if (info == 0) step(columns) = right(:n, 1)
    end subroutine damped_step
-
-   pure function first_false(flags) result(place)
-      logical, intent(in) :: flags(:)
-      integer :: place
-      do place = 1, size(flags)
-         if (.not. flags(place)) return
-      end do
-      place = 0
-   end function first_false
 end module dg_least_squares

@@ -85,9 +85,6 @@ contains
       type(interval_type), intent(in) :: intervals(:)
       real(wp), intent(in) :: md   !< [m]
       integer :: number
-      do number = size(intervals), 2, -1
-         if (intervals(number)%md_top <= md) return
-      end do
-      number = 1
+      number = max(1, count(intervals%md_top <= md))
    end function interval_at
 end module dg_hole_interval
