@@ -236,9 +236,10 @@ contains
          "&load_case name = 'u', operation = 'up', bit_depth = 9000 /"//newline
       call follow("diameter = 8.5", "diameter = 8-1/2", "; write 8.5", "8-1/2", "8.5", deck)
       call follow("yield = 135", "yield = 135 ksi", "; write the number alone", " ksi", "", deck)
-      call follow("yield = 135", "yield = 135000", "135000 psi is written 135", "135000", "135", deck)
-      call follow("density = 10", "density = 75", "a mud of 75 pcf (lbm/ft3) is written 10.03", "= 75", "= 10.03", deck)
-      call follow("wob = 20.0", "wob = 20.0, pump_pressure = 3000", "3000 kPa is written 3, 3000 psi 20.68", "3000", "20.68")
+      call follow("yield = 135", "yield = 135000", "Is it in psi? Then write 135", "135000", "135", deck)
+      call follow("density = 10", "density = 75", "Is it in pcf (lbm/ft3)? Then write 10.03", "= 75", "= 10.03", deck)
+      call follow("wob = 20.0", "wob = 20.0, pump_pressure = 3000", &
+                  "Is it in psi? Then write 20.68. Is it in kPa? Then write 3", "3000", "20.68")
       call follow("bit_depth = 9000", "bit_depth = 9,000", "decimals have a point: 9.000. Thousands have no mark: 9000", "9,000", &
                   "9000", deck)
       call follow("md = 0, 9000", "md = 0, 2743.2", "Is md of the survey in m? 2743.2 m are 9000 ft", "2743.2", "9000", deck)

@@ -86,10 +86,10 @@ contains
       call refuse(good_deck(), 'diameter = 220.0', 'id = 220.0', "unknown key 'id'; did you mean 'diameter'?")
       call refuse(good_deck(), 'density', 'mud_weight', "unknown key 'mud_weight'; did you mean 'density'?")
       call refuse(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, overpull = 50', &
-                  "unknown key 'overpull'; near by meaning: wob. input/README.md lists all 25")
+                  "unknown key 'overpull'; keys of similar meaning: wob. input/README.md lists all 25")
       call refuse(good_deck(), 'joint_od', 'buckling', "unknown key 'buckling'; input/README.md lists all 54")
-      call refuse(good_deck(), 'friction = 0.3', 'friction_factor_open = 0.3', "unknown key 'friction_factor_open'; near by "// &
-                  'meaning: friction, friction_axial, ')
+      call refuse(good_deck(), 'friction = 0.3', 'friction_factor_open = 0.3', "unknown key 'friction_factor_open'; keys of "// &
+                  'similar meaning: friction, friction_axial, ')
       call refuse(good_deck(), '&component', '&bha', "unknown group &bha; did you mean 'component'?")
       call refuse(good_deck(), '&component', '&string', "unknown group &string; did you mean 'component'?")
       call refuse(good_deck(), '&load_case', '&bitrun', "unknown group &bitrun; did you mean 'load_case'?")
@@ -102,7 +102,7 @@ contains
 
    subroutine test_values()
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 215.9', &
-                  'diameter = 215.9 is out of range; needs a number, 0.03937 to 196.85 in; 215.9 mm is written 8.5')
+                  'diameter = 215.9 is out of range; needs a number, 0.03937 to 196.85 in. Is it in mm? Then write 8.5')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8-1/2', &
                   'diameter = 8-1/2 is not a number; needs a number, 0.03937 to '// &
                   '196.85 in; write 8.5')
@@ -112,12 +112,14 @@ contains
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8.5"', 'a number has no mark of inches behind it')
       call refuse(field_deck, 'diameter = 8.5', 'diameter = 8.5in', '; write the number alone; its unit is in')
       call refuse(field_deck, 'yield = 135', 'yield = 135 ksi', '; write the number alone; its unit is ksi')
-      call refuse(field_deck, 'yield = 135', 'yield = 135000', '; 135000 psi is written 135')
-      call refuse(field_deck, 'density = 10', 'density = 75', 'a mud of 75 pcf (lbm/ft3) is written 10.03')
-      call refuse(field_deck, 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 10.52')
+      call refuse(field_deck, 'yield = 135', 'yield = 135000', '. Is it in psi? Then write 135')
+      call refuse(field_deck, 'density = 10', 'density = 75', &
+                  'Look at the density of the mud. Is it in pcf (lbm/ft3)? Then write 10.03')
+      call refuse(field_deck, 'density = 10', 'density = 1260', '. Is it in kg/m3? Then write 10.52')
       call pass(field_deck, 'density = 10', 'density = 10.52')
-      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 1260', '; 1260 kg/m3 is written 1.26')
-      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 10.4', 'of 10.4 lbm/gal is written 1.246')
+      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 1260', '. Is it in kg/m3? Then write 1.26')
+      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 10.4', &
+                  'Look at the density of the mud. Is it in lbm/gal? Then write 1.246')
    end subroutine test_values
 
    !> A string of tools alone needs pipe; no tool is made longer.

@@ -2,11 +2,12 @@ module dg_test_units
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_constants, only: degree
    use dg_kinds, only: wp
+   use dg_likely_unit, only: unit_questions
    use dg_quantity, only: quantity_angle, quantity_curvature, quantity_density, quantity_force, quantity_length, &
       quantity_line_load, quantity_mass, quantity_modulus, quantity_moment, quantity_none, quantity_percent, quantity_pressure, &
       quantity_speed, quantity_stress, quantity_text, quantity_time, quantity_turns, quantity_wall, quantity_width, rows, &
       system_base, system_count
-   use dg_unit_kind, only: smaller_unit, unit_factor, unit_label
+   use dg_unit_kind, only: unit_factor, unit_label
    use dg_units, only: base_units, deck_system, field_units, si_units, unit_in, unit_system, unit_system_type
    implicit none
    private
@@ -26,7 +27,7 @@ contains
       call suite%addTest(TestMethod('metric', test_metric))
       call suite%addTest(TestMethod('each_quantity_in_each_system', test_table))
       call suite%addTest(TestMethod('components_are_those_of_the_table', test_components))
-      call suite%addTest(TestMethod('smaller_units', test_smaller))
+      call suite%addTest(TestMethod('likely_units', test_likely))
    end function units_suite
 
    subroutine test_si_is_the_default()
@@ -160,29 +161,28 @@ contains
       end subroutine check
    end subroutine test_components
 
-   !> Units that people write in place of those of a deck.
-   subroutine test_smaller()
-      character(20) :: name
-      real(wp) :: count
-      call smaller_unit(unit_system('metric'), quantity_density, 90.0_wp, name, count)
-      call assertEqual('kg/m3', trim(name))
-      call assertEqual(1000.0_wp, count)
-      call smaller_unit(unit_system('metric'), quantity_stress, 90.0_wp, name, count)
-      call assertEqual('kPa', trim(name))
-      call assertEqual(100.0_wp, count)
-      call smaller_unit(field_units(), quantity_stress, 135000.0_wp, name, count, 150.0e6_wp)
-      call assertEqual('psi', trim(name))
-      call smaller_unit(field_units(), quantity_stress, 931.0_wp, name, count, 150.0e6_wp)
-      call assertEqual('MPa', trim(name), message='softer than any steel in psi')
-      call assertRelativelyEqual(6.89476_wp, count, 1.0e-5_wp)
-      call smaller_unit(field_units(), quantity_density, 90.0_wp, name, count)
-      call assertRelativelyEqual(7.48052_wp, count, 1.0e-6_wp, message='gallons in a cubic foot')
-      call smaller_unit(field_units(), quantity_density, 1260.0_wp, name, count)
-      call assertEqual('kg/m3', trim(name), message='heavier than any mud in pcf')
-      call assertRelativelyEqual(119.826_wp, count, 1.0e-5_wp)
-      call smaller_unit(field_units(), quantity_density, 12600.0_wp, name, count)
-      call assertEqual('', trim(name), message='heavier than any mud')
-      call smaller_unit(si_units(), quantity_length, 90.0_wp, name, count)
-      call assertEqual('', trim(name))
-   end subroutine test_smaller
+   !> Units that people write in place of those of a deck, with the right number.
+   subroutine test_likely()
+      real(wp), parameter :: steel(2) = [230.0e6_wp, 1250.0e6_wp], mud(2) = [780.0_wp, 2700.0_wp]
+      call assertEqual('. Is it in kg/m3? Then write 1.26', asked(unit_system('metric'), quantity_density, 1260.0_wp, mud))
+      call assertEqual('. Is it in MPa? Then write 9310. Is it in psi? Then write 64.19', &
+                       asked(unit_system('metric'), quantity_stress, 931.0_wp, [1.0e6_wp, 1250.0e6_wp]))
+      call assertEqual('. Is it in psi? Then write 135', asked(field_units(), quantity_stress, 135000.0_wp, steel))
+      call assertEqual('. Is it in MPa? Then write 135', asked(field_units(), quantity_stress, 931.0_wp, steel), &
+                       message='softer than any steel in psi')
+      call assertEqual('. Is it in pcf (lbm/ft3)? Then write 12.03', asked(field_units(), quantity_density, 90.0_wp, mud), &
+                       message='gallons in a cubic foot')
+      call assertEqual('. Is it in kg/m3? Then write 10.52', asked(field_units(), quantity_density, 1260.0_wp, mud), &
+                       message='heavier than any mud in pcf')
+      call assertEqual('', asked(field_units(), quantity_density, 12600.0_wp, mud), message='heavier than any mud')
+      call assertEqual('', asked(si_units(), quantity_text, 90.0_wp, mud), message='no unit')
+   contains
+      function asked(units, quantity, number, range) result(text)
+         type(unit_system_type), intent(in) :: units
+         integer, intent(in) :: quantity
+         real(wp), intent(in) :: number, range(2)
+         character(:), allocatable :: text
+         text = unit_questions(units, quantity, number, range(1), range(2), 4)
+      end function asked
+   end subroutine test_likely
 end module dg_test_units

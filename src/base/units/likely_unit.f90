@@ -52,6 +52,7 @@ module dg_likely_unit
       other_unit_type(quantity_length, 'inches', inch, T, T, T), &
       other_unit_type(quantity_length, 'cm', 1.0e-2_wp, T, F, T), &
       other_unit_type(quantity_width, 'inches', inch, T, F, F), &
+      other_unit_type(quantity_width, 'cm', 1.0e-2_wp, T, F, F), &
       other_unit_type(quantity_width, 'm', 1.0_wp, T, T, T), &
       other_unit_type(quantity_width, 'mm', 1.0e-3_wp, F, T, T), &
       other_unit_type(quantity_angle, 'rad', 1.0_wp, T, T, T), &

@@ -58,15 +58,12 @@ module dg_quantity
       real(wp) :: factor = 1.0_wp        !< SI value of one
       character(14) :: alike = ''        !< a smaller unit that people write in its place; '': none
       real(wp) :: alike_count = 1.0_wp   !< so many of them are one
-      character(14) :: other = ''        !< another one, where the first would be more than the greatest of the quantity
-      real(wp) :: other_count = 1.0_wp
    end type unit_type
 
    !> A quantity in each system: SI, field, metric, base.
    type :: row_type
       integer :: quantity
       type(unit_type) :: units(system_count)
-      real(wp) :: greatest = huge(1.0_wp)   !< that a number in a smaller unit may be meant for [SI]
    end type row_type
 
    !> Heaviest kill mud, 22.5 lbm/gal [kg/m3].
@@ -106,8 +103,8 @@ module dg_quantity
       row_type(quantity_angle, [in_degrees, in_degrees, in_degrees, radian]), &
       row_type(quantity_mass, [kg_m, unit_type('lbm/ft', 'lbm_ft', pound/foot), kg_m, kg_m]), &
       row_type(quantity_density, [kg_m3, &
-         unit_type('lbm/gal', 'lbm_gal', pound/gallon, 'pcf (lbm/ft3)', gallons_in_cubic_foot, 'kg/m3', pound/gallon), &
-         unit_type('sg', 'sg', kilo, 'lbm/gal', kilo*gallon/pound, 'kg/m3', kilo), kg_m3], heaviest_mud), &
+         unit_type('lbm/gal', 'lbm_gal', pound/gallon, 'pcf (lbm/ft3)', gallons_in_cubic_foot), &
+         unit_type('sg', 'sg', kilo, 'lbm/gal', kilo*gallon/pound), kg_m3]), &
       row_type(quantity_force, [unit_type('kN', 'kN', kilo, 'N', kilo), unit_type('klbf', 'klbf', kilo*pound_force, 'lbf', kilo), &
                                 unit_type('kdaN', 'kdaN', ten_kilonewton, 'daN', kilo), unit_type('N', 'N', one)]), &
       row_type(quantity_moment, [kilonewton_metre, unit_type('kft.lbf', 'kftlbf', kilo*foot*pound_force, 'ft.lbf', kilo), &
@@ -115,7 +112,7 @@ module dg_quantity
       row_type(quantity_line_load, [unit_type('kN/m', 'kN_m', kilo), unit_type('klbf/ft', 'klbf_ft', kilo*pound_force/foot), &
                                     unit_type('kdaN/m', 'kdaN_m', ten_kilonewton), unit_type('N/m', 'N_m', one)]), &
       row_type(quantity_modulus, [gigapascal, unit_type('1e6 psi', '1e6_psi', mega*psi), gigapascal, pascal]), &
-      row_type(quantity_stress, [megapascal, unit_type('ksi', 'ksi', kilo*psi, 'psi', kilo, 'MPa', kilo*psi/mega), in_bar, &
+      row_type(quantity_stress, [megapascal, unit_type('ksi', 'ksi', kilo*psi, 'psi', kilo), in_bar, &
                                  pascal]), &
       row_type(quantity_pressure, [megapascal, unit_type('psi', 'psi', psi), in_bar, pascal]), &
       row_type(quantity_wall, [unit_type('kN/m2', 'kN_m2', kilo), unit_type('klbf/ft2', 'klbf_ft2', kilo*pound_force/foot**2), &

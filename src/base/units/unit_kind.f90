@@ -7,13 +7,13 @@ module dg_unit_kind
       unit_pressure => quantity_pressure, unit_wall => quantity_wall, unit_rotation => quantity_rotation, &
       unit_speed => quantity_speed, unit_gravity => quantity_gravity, unit_curvature => quantity_curvature, &
       unit_temperature => quantity_temperature, unit_expansion => quantity_expansion, unit_wear => quantity_wear, &
-      unit_loss => quantity_loss, heaviest_mud, lightest_oil, rows, unit_type
+      unit_loss => quantity_loss, heaviest_mud, lightest_oil
    use dg_rounding, only: rounded_down
    use dg_text, only: to_text
-   use dg_units, only: unit_in, unit_system_type
+   use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_factor, unit_label, in_units, at_most, smaller_unit, heaviest_mud, lightest_oil
+   public :: unit_factor, unit_label, in_units, at_most, heaviest_mud, lightest_oil
    public :: unit_none, unit_length, unit_diameter, unit_angle, unit_mass, unit_density, unit_force, unit_moment, &
       unit_modulus, unit_stress, unit_pressure, unit_wall, unit_rotation, unit_speed, unit_gravity, unit_curvature, &
       unit_temperature, unit_expansion, unit_wear, unit_loss
@@ -35,32 +35,6 @@ contains
       character(len_trim(units%label_of(quantity))) :: label
       label = units%label_of(quantity)
    end function unit_label
-
-   !> A smaller unit that is used for a quantity: the first in which the number is between `least` and the greatest of the
-   !> quantity. It has trailing blanks. '': not known.
-   pure subroutine smaller_unit(units, quantity, number, name, count, least)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      real(wp), intent(in) :: number        !< as written
-      character(*), intent(out) :: name
-      real(wp), intent(out) :: count        !< of them in one of the quantity's own
-      real(wp), intent(in), optional :: least   !< [SI]; absent: any
-      type(unit_type) :: unit
-      unit = unit_in(units, quantity)
-      name = unit%alike
-      count = unit%alike_count
-      if (is_possible()) return
-      name = unit%other
-      count = unit%other_count
-      if (.not. is_possible()) name = ''
-   contains
-      !> True if the number may be meant in this unit.
-      pure function is_possible() result(is)
-         logical :: is
-         is = number*unit%factor/count <= rows(quantity)%greatest
-         if (present(least)) is = is .and. number*unit%factor/count >= least
-      end function is_possible
-   end subroutine smaller_unit
 
    !> A value rounded down to so many digits in its unit where it is above 0: of a load or depth that is still possible.
    pure function at_most(units, quantity, value, digits) result(least)

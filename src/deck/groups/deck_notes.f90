@@ -205,9 +205,7 @@ contains
             if (part%id > 0.0_wp) then
                call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
                   'density has '//to_text(tube/units%mass_per_length, few_digits)// &
-                  '; mind the units, and the density of what is not steel'// &
-                  unit_questions(units, unit_mass, part%mass/units%mass_per_length, &
-                                 merge(least_pipe_mass, least_mass, has_joints(part))*tube, most_mass*tube, few_digits))
+                  '; mind the units, and the density of what is not steel'//mass_question())
             else
                call note('it has no id. Stiffness and strength are those of a solid bar, which has '// &
                   in_units(units, unit_mass, tube, few_digits)//', not mass = '// &
@@ -222,6 +220,13 @@ contains
             'give joint_torsion')
       end associate
    contains
+      !> Question for the unit of the mass of pipe with joints. Screens and insulated or coated tubing are heavier than tubes.
+      function mass_question() result(text)
+         character(:), allocatable :: text
+         text = ''
+         if (has_joints(item%component)) text = unit_questions(draft%units, unit_mass, &
+            item%component%mass/draft%units%mass_per_length, least_pipe_mass*tube, most_mass*tube, few_digits)
+      end function mass_question
       subroutine note(text)
          character(*), intent(in) :: text
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)//': '//text)

@@ -13,8 +13,8 @@ module dg_meant_units
    private
    public :: check_units
 
-   !> Hole diameters in inches and in millimetres: 1.5 to 42 in, 50 to 1100 mm.
-   real(wp), parameter :: inches(2) = [1.5_wp, 42.0_wp], millimetres(2) = [50.0_wp, 1100.0_wp]
+   !> Hole diameters in inches and in millimetres. Slim holes of 37 mm and more are cored in air, tubing of 41 mm holds gas.
+   real(wp), parameter :: inches(2) = [3.0_wp, 36.5_wp], millimetres(2) = [50.0_wp, 1300.0_wp]
    !> Deeper than any hole of a laboratory, whose holes may have 10 mm and be filled with air [m].
    real(wp), parameter :: deepest_model = 100.0_wp
    !> Mud weights in lbm/gal, sg and kg/m3. Oil has 0.78 sg.

@@ -5,6 +5,7 @@ module dg_unusual_case
    use dg_likely_unit, only: unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
                            operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_quantity, only: system_si
    use dg_text, only: append_text, text_type
    use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_density, unit_force, unit_moment
    use dg_units, only: unit_system_type
@@ -18,9 +19,8 @@ module dg_unusual_case
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
    real(wp), parameter :: densest_gas = 1.3e-5_wp, thinnest_gas = 4.0e-6_wp, thinnest_air = 1.15e-5_wp, atmosphere = 1.0e5_wp
-   real(wp), parameter :: hydrogen(2) = [5.0e-7_wp, 1.0e-6_wp]
-   !> Largest number that may be meant in sg or lbm/gal: more is a gas whose pressure is not given.
-   real(wp), parameter :: largest_number = 25.0_wp
+   !> Numbers that may be meant in sg: less is a light or hot gas, more a gas under pressure.
+   real(wp), parameter :: lightest_number = 1.0_wp, largest_number = 2.7_wp
    integer, parameter :: digits = 4
 
 contains
@@ -60,7 +60,8 @@ contains
       end if
       if (load_case%inside_density%present) then
          call note(usual_density, load_case%inside_density%value)
-         call note_light(units, what//': inside_density', load_case%inside_density%value, load_case%pump_pressure, notes)
+         call note_light(units, what//': inside_density', load_case%inside_density%value, &
+                         max(load_case%pump_pressure, load_case%annulus_pressure), notes)
       end if
       call note(usual_warming_top, load_case%temperature_change_top)
       call note(usual_warming_bottom, load_case%temperature_change_bottom)
@@ -74,24 +75,18 @@ contains
       end subroutine note
    end subroutine note_case
 
-   !> Adds a note on a fluid of one side that is neither a liquid nor a gas, if another unit is likely.
+   !> Adds a note on a fluid of one side in kg/m3 that is neither a liquid nor air, if it may be in sg.
    subroutine note_light(units, what, density, pressure, notes)
       type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: what         !< has the density
-      real(wp), intent(in) :: density, pressure     !< [kg/m3], of the pump [Pa]
+      real(wp), intent(in) :: density, pressure     !< [kg/m3], of pump, annulus or surface [Pa]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: question
-      real(wp) :: least
-      if (density >= lightest_oil .or. density/units%density > largest_number) return
-      least = thinnest_gas
-      if (.not. pressure > 0.0_wp) least = thinnest_air
+      if (units%system /= system_si .or. density < lightest_number .or. density > largest_number) return
       associate (ratio => density/(pressure + atmosphere))
-         if (ratio >= least .and. ratio <= densest_gas) return
-         if (ratio >= hydrogen(1) .and. ratio <= hydrogen(2)) return
+         if (ratio >= merge(thinnest_gas, thinnest_air, pressure > 0.0_wp) .and. ratio <= densest_gas) return
       end associate
-      question = unit_questions(units, unit_density, density/units%density, lightest_oil, heaviest_mud, digits)
-      if (question /= '') call append_text(notes, what//' = '//in_units(units, unit_density, density, digits)// &
-                                           ' is neither that of a liquid nor of a gas at its pressure'//question)
+      call append_text(notes, what//' = '//in_units(units, unit_density, density, digits)//' is neither a liquid nor air'// &
+                       unit_questions(units, unit_density, density, lightest_oil, heaviest_mud, digits))
    end subroutine note_light
 
    !> Adds notes on the loads of a study.

@@ -60,7 +60,7 @@ contains
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
             if (fluid%density > 0.0_wp .and. .not. (fluid%inside .and. fluid%outside)) &
                call note_light(draft%units, 'group &fluid in line '//to_text(draft%fluids(i)%line)//': density', fluid%density, &
-                               largest_pump(draft), notes)
+                               largest_pressure(draft), notes)
             if (fluid%above_bit > 0.0_wp .and. fluid%above_bit >= deepest_bit(draft, uses)) &
                call append_text(notes, 'group &fluid: above_bit = '//in_units(draft%units, unit_length, fluid%above_bit, &
                depth_digits)//' is longer than any string in the hole, so that this fluid fills all of it'// &
@@ -100,13 +100,15 @@ contains
       end do
    end subroutine note_unusual
 
-   !> Largest pump pressure of all cases [Pa].
-   pure function largest_pump(draft) result(pressure)
+   !> Largest pressure of pump, annulus and surface [Pa].
+   pure function largest_pressure(draft) result(pressure)
       type(draft_type), intent(in) :: draft
       real(wp) :: pressure
       pressure = 0.0_wp
-      if (size(draft%cases) > 0) pressure = maxval(draft%cases%load_case%pump_pressure)
-   end function largest_pump
+      if (size(draft%cases) > 0) pressure = max(maxval(draft%cases%load_case%pump_pressure), &
+                                                maxval(draft%cases%load_case%annulus_pressure))
+      if (size(draft%fluids) > 0) pressure = max(pressure, maxval(draft%fluids%fluid%surface_pressure))
+   end function largest_pressure
 
    !> True if all hole diameters in millimetres are too small for a well, and the hole is deeper than a laboratory model.
    pure function holes_in_inches(draft) result(inches)

@@ -66,10 +66,12 @@ module dg_usual_range
       usual_type('wear_factor', unit_wear, 1.0e-17_wp, 1.0e-11_wp, 'tests of 1e-10/psi: 0.01 to 1000'), &
       usual_type('restoring_force', unit_force, 0.0_wp, 50.0e3_wp, 'API 10D, 20 in: 1,707 lbf; stiff bows several times that'), &
       usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf'), &
-      usual_type('wall_stiffness', unit_wall, 1.0e6_wp, 1.0e13_wp, 'soft mud 1 MPa; steel 200 GPa')]
+      usual_type('wall_stiffness', unit_wall, 5.0e4_wp, 1.0e13_wp, 'soft clay 0.1 MPa; steel 200 GPa')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
+   !> Softest rock, 1 GPa [Pa].
+   real(wp), parameter :: least_rock = 1.0e9_wp
    !> Temperature of the air, 24 degC [K], and minutes of an hour.
    real(wp), parameter :: ambient = 297.0_wp, minutes = 60.0_wp
 
@@ -120,6 +122,7 @@ contains
          case default
             least = max(row%low, least_meant*row%high)
             if (row%unit == unit_stress) least = least_steel*row%high
+            if (row%unit == unit_wall) least = least_rock
             most = row%high
             if (value < 0.0_wp) then      ! an overpull
                least = row%low

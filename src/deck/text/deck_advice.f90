@@ -3,13 +3,13 @@
 !> units. None of these is read.
 module dg_deck_advice
    use dg_kinds, only: wp
-   use dg_constants, only: psi
    use dg_deck_number, only: read_fraction, read_real
-   use dg_deck_schema, only: hold_in_range, key_rule_type, kind_real, kind_text
+   use dg_deck_schema, only: key_rule_type, kind_real, kind_text, legal_range
    use dg_likely_unit, only: unit_questions
    use dg_load_case, only: alike, operation_aliases, operation_count, operation_from_name, operation_name
    use dg_text, only: nearest_name, suggestion, edit_distance, joined, lower_case, to_text
-   use dg_unit_kind, only: smaller_unit, unit_density, unit_diameter, unit_factor, unit_label, unit_none, unit_pressure
+   use dg_unit_kind, only: heaviest_mud, lightest_oil, unit_density, unit_diameter, unit_label, unit_none, &
+                           unit_pressure
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -70,10 +70,12 @@ module dg_deck_advice
    character(*), parameter :: both_ways(4) = [character(12) :: 'trip', 'tripping', 'reciprocate', 'washing']
 
    !> Significant digits of a number that is advised.
-   integer, parameter :: digits_told = 7, density_digits = 4
+   integer, parameter :: digits_told = 7, advised_digits = 4
+   !> Largest pressure of pumps, 15,000 psi [Pa].
+   real(wp), parameter :: most_pressure = 105.0e6_wp
    !> Diameters that may be meant in another unit [m].
    real(wp), parameter :: narrowest_pipe = 0.01_wp, widest_hole = 1.2_wp
-   integer, parameter :: longest_name = 20, letters_of_thousand = 3
+   integer, parameter :: letters_of_thousand = 3
    character(*), parameter :: digits = '0123456789'
 
 contains
@@ -93,7 +95,7 @@ contains
          if (size(legal) <= few_keys .or. nearest_name(name, legal) /= '') return
          allocate (near, source=near_by_meaning(name, legal, meanings))
          advice = 'input/README.md lists all '//to_text(size(legal))
-         if (size(near) > 0) advice = 'near by meaning: '//joined(legal(near), ', ')//'. '//advice
+         if (size(near) > 0) advice = 'keys of similar meaning: '//joined(legal(near), ', ')//'. '//advice
       end if
    end function key_advice
 
@@ -102,16 +104,13 @@ contains
       character(*), intent(in) :: name
       character(*), intent(in) :: legal(:), meanings(:)
       integer, allocatable :: places(:)
-      integer :: score(size(legal)), i, first, last
+      integer :: score(size(legal)), i, first
       character(:), allocatable :: word
       score = 0
       first = 1
       do while (first <= len(name))
-         last = first + scan(name(first:)//'_', '_- ') - 2
-         word = name(first:last)
-         first = last + 2
-         if (len(word) < shortest_word) cycle
-         if (word(len(word):) == 's') word = word(:len(word) - 1)
+         call next_word(name, '_- ', first, word)
+         if (word == '') cycle
          do i = 1, size(legal)
             if (index(legal(i), word) > 0) score(i) = score(i) + of_name
             if (shares_word(word, lower_case(meanings(i)))) score(i) = score(i) + of_meaning
@@ -129,20 +128,30 @@ contains
       character(*), intent(in) :: word, text
       logical :: shares
       character(:), allocatable :: other
-      integer :: first, last
+      integer :: first
       shares = .false.
       first = 1
       do while (first <= len_trim(text))
-         last = first + scan(text(first:)//' ', ' ,;:()=-') - 2
-         other = text(first:last)
-         first = last + 2
-         if (len(other) < shortest_word) cycle
-         if (other(len(other):) == 's') other = other(:len(other) - 1)
+         call next_word(text, ' ,;:()=-', first, other)
+         if (other == '') cycle
          if (index(other, word) == 1) shares = .true.
          if (len(other) < short_name .or. len(other) > len(word)) cycle
          if (word(len(word) - len(other) + 1:) == other) shares = .true.
       end do
    end function shares_word
+
+   !> The word of a text that begins at `first`, without the s of a plural; '' for a short one. `first` moves behind it.
+   pure subroutine next_word(text, separators, first, word)
+      character(*), intent(in) :: text, separators
+      integer, intent(inout) :: first
+      character(:), allocatable, intent(out) :: word
+      integer :: length
+      length = scan(text(first:)//separators, separators) - 1
+      word = text(first:first + length - 1)
+      first = first + length + 1
+      if (length < shortest_word) word = ''
+      if (length >= shortest_word .and. index(word, 's', back=.true.) == length) word = word(:length - 1)
+   end subroutine next_word
 
    !> The key that an unknown one is taken for; '' where none is.
    pure function meant_key(group, name, legal) result(meant)
@@ -248,32 +257,23 @@ contains
       if (rule%unit /= unit_none) advice = advice//'; its unit is '//unit_label(units, rule%unit)
    end function value_advice
 
-   !> Advice for a number out of its range that would be legal in a smaller unit.
+   !> Advice for a number out of its range that would be legal in another unit.
    pure function unit_advice(text, rule, units) result(advice)
       character(*), intent(in) :: text
       type(key_rule_type), intent(in) :: rule
       type(unit_system_type), intent(in) :: units
       character(:), allocatable :: advice
-      character(longest_name) :: smaller
-      real(wp) :: number, held, of_them
+      real(wp) :: number, range(2)
       logical :: legal
       advice = ''
       if (rule%kind /= kind_real) return
       call read_real(text, number, legal)
       if (.not. legal) return
-      call smaller_unit(units, rule%unit, number, smaller, of_them)
-      if (smaller == '') then
-         if (rule%unit == unit_diameter) &
-            advice = unit_questions(units, rule%unit, number, narrowest_pipe, widest_hole, density_digits)
-         return
-      end if
-      number = number/of_them
-      held = number*unit_factor(units, rule%unit)
-      call hold_in_range(rule, held, legal)
-      if (legal) advice = '; '//text//' '//trim(smaller)//' is written '// &
-         to_text(number, merge(density_digits, digits_told, rule%unit == unit_density))
-      if (legal .and. rule%unit == unit_pressure .and. smaller == 'kPa') advice = advice//', '//text//' psi '// &
-         to_text(number*of_them*psi/unit_factor(units, unit_pressure), density_digits)
+      range = legal_range(rule)
+      if (rule%unit == unit_diameter) range = [narrowest_pipe, widest_hole]
+      if (rule%unit == unit_density) range = [lightest_oil, heaviest_mud]
+      if (rule%unit == unit_pressure) range(2) = min(range(2), most_pressure)
+      advice = unit_questions(units, rule%unit, number, range(1), range(2), advised_digits)
    end function unit_advice
 
    !> A text without a mark of inches at its end, in quotes or as a word.

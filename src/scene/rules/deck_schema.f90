@@ -8,7 +8,7 @@ module dg_deck_schema
    use dg_text, only: to_text, joined
    implicit none
    private
-   public :: group_rule_type, key_rule_type, range_text, hold_in_range, rule_place, split_words, listed
+   public :: group_rule_type, key_rule_type, range_text, hold_in_range, legal_range, rule_place, split_words, listed
    public :: group_keys_type, add_group, group_place
    public :: kind_text, kind_real, kind_integer, kind_logical
    public :: name_length
@@ -142,6 +142,15 @@ contains
          if (holds) number = rule%high*scale
       end if
    end subroutine hold_in_range
+
+   !> Least and greatest legal value of a key [SI].
+   pure function legal_range(rule) result(range)
+      type(key_rule_type), intent(in) :: rule
+      real(wp) :: range(2)
+      range = [-huge(1.0_wp), huge(1.0_wp)]
+      if (.not. is_missing(rule%low)) range(1) = rule%low*unit_factor(si_units(), rule%unit)
+      if (.not. is_missing(rule%high)) range(2) = rule%high*unit_factor(si_units(), rule%unit)
+   end function legal_range
 
    !> The words of a text with blanks between them.
    pure subroutine split_words(text, words)

@@ -3,11 +3,12 @@ module dg_string_check
    use dg_centralizer, only: centralizer_type
    use dg_component, only: closed_diameter, component_type, has_blades, is_eccentric, opens, shortest_contact
    use dg_kinds, only: wp
+   use dg_likely_unit, only: unit_questions
    use dg_missing, only: is_missing
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words, length_digits
    use dg_text, only: quoted, to_text
-   use dg_unit_kind, only: in_units, smaller_unit, unit_density, unit_length
+   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_density, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -15,7 +16,6 @@ module dg_string_check
 
    !> Part of a length that is round-off of a conversion [-].
    real(wp), parameter :: round_off = 1.0e-4_wp
-   integer, parameter :: longest_name = 20
    integer, parameter :: advised_digits = 4
 
 contains
@@ -112,15 +112,11 @@ contains
          text = in_units(units, unit_density, density, diameter_digits)
       end function dense
 
-      !> Advice on a mud in a smaller unit than the deck's.
+      !> Advice on a mud in another unit than the deck's.
       function advice() result(text)
          character(:), allocatable :: text
-         character(longest_name) :: smaller
-         real(wp) :: of_them
-         text = ''
-         call smaller_unit(units, unit_density, heaviest/units%density, smaller, of_them)
-         if (smaller /= '') text = '; a mud of '//to_text(heaviest/units%density, diameter_digits)//' '//trim(smaller)// &
-            ' is written '//to_text(heaviest/units%density/of_them, advised_digits)
+         text = unit_questions(units, unit_density, heaviest/units%density, lightest_oil, heaviest_mud, advised_digits)
+         if (text /= '') text = '. Look at the density of the mud'//text
       end function advice
    end subroutine check_in_string
 
