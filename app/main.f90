@@ -6,7 +6,7 @@ program main
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: tell, tell_lines
    use dg_error, only: error_lines, error_list_type, error_type, status_bad_input, status_failure, status_ok
-   use dg_job, only: job_type
+   use dg_job, only: is_divided, job_type
    use dg_model, only: model_type
    use dg_printed_text, only: print_line, print_lines
    use dg_process, only: begin_process, end_process
@@ -82,7 +82,7 @@ contains
       refusal = ''
       if (job%output_dir == '') then
          refusal = ': no folder of results is named. Give output_dir in &job, or --output DIR'
-      else if (max(job%parts, job%merge) > 0 .and. .not. have_points(studies)) then
+      else if (is_divided(job) .and. .not. have_points(studies)) then
          refusal = ' has no &sweep and no &uncertainty; nothing else can be divided into parts'
       else if (job%again .and. .not. have_points(studies)) then
          refusal = ' has no &sweep and no &uncertainty; --again is for their points. Load cases are solved by every run: leave '// &
@@ -110,7 +110,7 @@ contains
          status = status_ok
          return
       end if
-      if (.not. job%quiet .and. (size(model%cases) == 0 .or. max(job%parts, job%merge) > 0)) call print_notes(notes)
+      if (.not. job%quiet .and. (size(model%cases) == 0 .or. is_divided(job))) call print_notes(notes)
       call run_deck(job, model, studies, arguments%chosen, status)
    end subroutine work
 

@@ -7,7 +7,7 @@ module dg_run_deck
    use dg_folder, only: make_folder
    use dg_folder_lock, only: folder_lock_type, lock_folder, release_folder
    use dg_interruption, only: is_interrupted, watch_for_signals
-   use dg_job, only: job_type
+   use dg_job, only: is_divided, job_type
    use dg_model, only: model_type
    use dg_part_faults, only: faults_text, start_faults
    use dg_part_list, only: part_list_text
@@ -111,10 +111,10 @@ contains
       status = run%status
       if (allocated(error)) return
       rows = 0
-      if (max(job%parts, job%merge) == 0) rows = size(job%models)*size(given%cases)
+      if (.not. is_divided(job)) rows = size(job%models)*size(given%cases)
       allocate (run%results(rows), alongs(rows), wholes(rows))
       if (rows > 0) call run_cases(run, studies, alongs, wholes)
-      if (max(job%parts, job%merge) == 0) call run_phase(studies, phase_after, run, 'calibrations')
+      if (.not. is_divided(job)) call run_phase(studies, phase_after, run, 'calibrations')
       call run_phase(studies, phase_points, run, '')
       if (.not. is_interrupted()) then
          do i = 1, size(studies%items)

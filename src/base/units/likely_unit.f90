@@ -1,16 +1,17 @@
 !> Units in which people write a number in place of the deck's unit, with the number that is right in the deck.
 module dg_likely_unit
-   use dg_constants, only: foot, gallon, inch, pi, pound, pound_force, psi
+   use dg_constants, only: foot, gallon, inch, pi, pound, pound_force, psi, standard_gravity
    use dg_kinds, only: wp
-   use dg_quantity, only: quantity_angle, quantity_density, quantity_force, quantity_gravity, quantity_length, quantity_mass, &
-                          quantity_moment, quantity_pressure, quantity_rotation, quantity_speed, quantity_stress, quantity_wall, &
-                          quantity_wear, quantity_width, system_field, system_metric, system_si
+   use dg_quantity, only: heaviest_mud, lightest_oil, quantity_angle, quantity_density, quantity_force, quantity_gravity, &
+                          quantity_length, quantity_mass, quantity_moment, quantity_pressure, quantity_rotation, &
+                          quantity_speed, quantity_stress, quantity_wall, quantity_wear, quantity_width, system_field, &
+                          system_metric, system_si
    use dg_text, only: to_text
    use dg_unit_kind, only: unit_factor
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_questions
+   public :: unit_questions, mud_question
 
    !> A unit that is not the deck's own.
    type :: other_unit_type
@@ -21,7 +22,7 @@ module dg_likely_unit
    end type other_unit_type
 
    logical, parameter :: T = .true., F = .false.
-   real(wp), parameter :: gravity = 9.80665_wp, minute = 60.0_wp, hour = 3600.0_wp
+   real(wp), parameter :: gravity = standard_gravity, minute = 60.0_wp, hour = 3600.0_wp
    !> The likeliest units of a quantity first.
    type(other_unit_type), parameter :: others(*) = [ &
       other_unit_type(quantity_force, 'N', 1.0_wp, T, F, F), &
@@ -84,7 +85,7 @@ module dg_likely_unit
 
 contains
 
-   !> Questions for the units in which a number lies within a range: '. Is it in lbf? Then write 25'. '' where there are none.
+   !> Text that asks for the units in which a number lies within a range: '. Is it in lbf? Then write 25'. Empty if no unit fits.
    pure function unit_questions(units, quantity, number, low, high, digits) result(text)
       type(unit_system_type), intent(in) :: units     !< of the deck
       integer, intent(in) :: quantity
@@ -106,6 +107,15 @@ contains
          if (asked == most_asked .or. quantity == quantity_density) return
       end do
    end function unit_questions
+
+   !> Text that asks for the unit of a mud weight; empty if it is that of a mud in no likely unit.
+   pure function mud_question(units, density, digits) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: density                 !< as read [kg/m3]
+      integer, intent(in) :: digits                   !< of the right number
+      character(:), allocatable :: text
+      text = unit_questions(units, quantity_density, density/units%density, lightest_oil, heaviest_mud, digits)
+   end function mud_question
 
    !> True for a unit that is likely in decks of a system.
    pure function is_likely(other, system) result(likely)

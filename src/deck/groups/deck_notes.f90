@@ -8,14 +8,14 @@ module dg_deck_notes
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
    use dg_load_case, only: rotates
-   use dg_likely_unit, only: unit_questions
+   use dg_likely_unit, only: mud_question, unit_questions
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing, missing
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
-   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_curvature, unit_density, unit_diameter, unit_factor, &
+   use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
    implicit none
    private
@@ -64,8 +64,7 @@ contains
             if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
                call append_text(notes, 'group &fluid: density = '//in_units(units, unit_density, fluid%density, digits)// &
                                 ' is that of a gas or foam, water has '//in_units(units, unit_density, water, few_digits)// &
-                                unit_questions(units, unit_density, fluid%density/units%density, lightest_oil, heaviest_mud, &
-                                               few_digits))
+                                mud_question(units, fluid%density, few_digits))
          end associate
       end do
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &

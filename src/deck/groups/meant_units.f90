@@ -11,7 +11,7 @@ module dg_meant_units
    use dg_units, only: system_of, unit_system_type
    implicit none
    private
-   public :: check_units
+   public :: check_units, deepest_model
 
    !> Hole diameters in inches and in millimetres. Slim holes of 37 mm and more are cored in air, tubing of 41 mm holds gas.
    real(wp), parameter :: inches(2) = [3.0_wp, 36.5_wp], millimetres(2) = [50.0_wp, 1300.0_wp]

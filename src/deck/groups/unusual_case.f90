@@ -2,12 +2,12 @@
 module dg_unusual_case
    use dg_kinds, only: wp
    use dg_deck_draft, only: string_use_type
-   use dg_likely_unit, only: unit_questions
+   use dg_likely_unit, only: mud_question
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
                            operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
    use dg_quantity, only: system_si
    use dg_text, only: append_text, text_type
-   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_density, unit_force, unit_moment
+   use dg_unit_kind, only: in_units, unit_density, unit_force, unit_moment
    use dg_units, only: unit_system_type
    use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, usual_hours, &
                              usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, &
@@ -86,7 +86,7 @@ contains
          if (ratio >= merge(thinnest_gas, thinnest_air, pressure > 0.0_wp) .and. ratio <= densest_gas) return
       end associate
       call append_text(notes, what//' = '//in_units(units, unit_density, density, digits)//' is neither a liquid nor air'// &
-                       unit_questions(units, unit_density, density, lightest_oil, heaviest_mud, digits))
+                       mud_question(units, density, digits))
    end subroutine note_light
 
    !> Adds notes on the loads of a study.

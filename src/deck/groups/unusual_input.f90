@@ -7,6 +7,7 @@ module dg_unusual_input
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
    use dg_load_case, only: operation_static, rotates
+   use dg_meant_units, only: deepest_model
    use dg_missing, only: is_missing
    use dg_unusual_survey, only: note_survey
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
@@ -26,8 +27,6 @@ module dg_unusual_input
    real(wp), parameter :: widest_of_inches = 36.5e-3_wp
    !> Lightest mud in kg/m3, a foam.
    real(wp), parameter :: lightest_mud = 300.0_wp
-   !> Deeper than any hole of a laboratory [m].
-   real(wp), parameter :: deepest_model = 100.0_wp
    !> Advice on a deck with such holes.
    character(*), parameter :: inches_meant = "are these inches? Write units = 'metric' or 'field' in &job"
    !> Longest gap of air above a riser [m].

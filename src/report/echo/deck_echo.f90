@@ -316,7 +316,7 @@ contains
          text = to_text(value/unit_factor(units, unit), digits)
    end function number
 
-   !> The same with the unit's name.
+   !> Value in a deck's unit, with the unit's name.
    pure function shown(units, unit, value) result(text)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: unit

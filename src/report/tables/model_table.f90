@@ -41,9 +41,9 @@ contains
       call append_text(lines, '')
       call append_text(lines, 'Models side by side; differences against '//trim(model_name(job%models(1))))
       do j = 1, size(model%cases)
-         first = findloc(results%model == job%models(1) .and. results%case_index == j, .true., dim=1)
          do i = 1, size(job%models)
             row = findloc(results%model == job%models(i) .and. results%case_index == j, .true., dim=1)
+            if (i == 1) first = row
             if (row == 0 .or. first == 0) cycle
             call add_row(table, job%units, model, results(row), results(first), i == 1)
             call end_row(table, merge(' '//row_mark, '  ', marked(row)))

@@ -6,7 +6,8 @@ module dg_job
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name, model_meaning, leading_model
+   public :: job_type, model_mcge, model_soft, model_rigid, model_mixed, model_count, model_name, model_meaning, leading_model, &
+             is_divided
 
    integer, parameter :: model_mcge = 1  !< nonlinear beams with contact gap elements (the paper)
    integer, parameter :: model_soft = 2  !< flexible: soft string
@@ -54,4 +55,11 @@ contains
       model = job%models(1)
       if (any(job%models == model_mcge)) model = model_mcge
    end function leading_model
+
+   !> True if a run solves one part of its points, or joins parts. It does nothing else then.
+   pure function is_divided(job) result(is)
+      type(job_type), intent(in) :: job
+      logical :: is
+      is = job%parts > 0 .or. job%merge > 0
+   end function is_divided
 end module dg_job

@@ -3,12 +3,12 @@ module dg_string_check
    use dg_centralizer, only: centralizer_type
    use dg_component, only: closed_diameter, component_type, has_blades, is_eccentric, opens, shortest_contact
    use dg_kinds, only: wp
-   use dg_likely_unit, only: unit_questions
+   use dg_likely_unit, only: mud_question
    use dg_missing, only: is_missing
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words, length_digits
    use dg_text, only: quoted, to_text
-   use dg_unit_kind, only: heaviest_mud, in_units, lightest_oil, unit_density, unit_length
+   use dg_unit_kind, only: in_units, unit_density, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -115,7 +115,7 @@ contains
       !> Advice on a mud in another unit than the deck's.
       function advice() result(text)
          character(:), allocatable :: text
-         text = unit_questions(units, unit_density, heaviest/units%density, lightest_oil, heaviest_mud, advised_digits)
+         text = mud_question(units, heaviest, advised_digits)
          if (text /= '') text = '. Look at the density of the mud'//text
       end function advice
    end subroutine check_in_string

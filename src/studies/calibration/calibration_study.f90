@@ -18,7 +18,7 @@ module dg_calibration_study
    use dg_fit_calibration, only: fit_calibration
    use dg_friction_estimate, only: friction_estimate_type
    use dg_interruption, only: interruption_name, is_interrupted
-   use dg_job, only: job_type, model_name
+   use dg_job, only: is_divided, job_type, model_name
    use dg_learnt_friction, only: half_widths_of, learn_friction
    use dg_least_squares, only: fit_done
    use dg_line_list, only: add_line, line_list_type
@@ -115,7 +115,7 @@ contains
       type(error_type), allocatable :: failure
       integer :: i, j, n, lost
       logical :: divided, applied
-      divided = run%job%parts > 0 .or. run%job%merge > 0
+      divided = is_divided(run%job)
       n = 0
       do i = 1, size(self%calibrations)
          n = n + size(self%calibrations(i)%models)

@@ -11,7 +11,7 @@ module dg_sticking_study
    use dg_factor_columns, only: factor_file, factor_row, found_type, held_type
    use dg_hold_string, only: free_point, resistance, usual_solutions
    use dg_interruption, only: interruption_name, is_interrupted
-   use dg_job, only: job_type, model_name
+   use dg_job, only: is_divided, job_type, model_name
    use dg_line_list, only: add_line, line_list_type
    use dg_printed_text, only: print_and_keep
    use dg_progress, only: progress_type, show_time, start_progress
@@ -87,7 +87,7 @@ contains
       type(run_type), intent(inout) :: run
       type(error_type), allocatable, intent(out) :: error
       integer :: i, done
-      if (run%job%parts > 0 .or. run%job%merge > 0) return
+      if (is_divided(run%job)) return
       done = 0
       do i = 1, size(self%stickings)
          call run_one(self%stickings(i), run)

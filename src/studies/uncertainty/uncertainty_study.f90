@@ -137,7 +137,7 @@ contains
          ' was not run')
    end subroutine take_estimate
 
-   !> What the results depend on. The gauges' deviations come in when all is solved and may change.
+   !> Settings that the results depend on. Deviations of gauges may change: they are added when all points are solved.
    function settings(self, number, model) result(lines)
       class(uncertainty_study_type), intent(in) :: self
       integer, intent(in) :: number
