@@ -5,7 +5,7 @@ module dg_tuning
    use dg_kinds, only: wp
    implicit none
    private
-   public :: attempt_type, tuning_type
+   public :: attempt_type, mesh_try_type, tuning_type
 
    !> One attempt at a case.
    type :: attempt_type

@@ -19,7 +19,13 @@ module dg_solution_result
    use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
    implicit none
    private
-   public :: make_result, solve_fitted, coiled
+   public :: make_result, solve_fitted, coiled, wanted_type
+
+   !> Parts of a result that take time.
+   type :: wanted_type
+      logical :: moments = .true.    !< on elements short enough for them; needs the profile
+      logical :: profile = .true.
+   end type wanted_type
 
    !> Compression over the helical load above which a string counts as helically buckled [-].
    real(wp), parameter :: coiled = 1.0_wp
@@ -38,20 +44,20 @@ contains
       integer, intent(in) :: case_index
       type(numerics_type), intent(in) :: numerics  !< of the last attempt
       integer, intent(in) :: outcome
-      logical, intent(in) :: wanted(2)             !< moments, profile; as in solve_on_mesh
+      type(wanted_type), intent(in) :: wanted
       type(solution_type), intent(inout) :: solution
       type(fitted_gaps_type), intent(out) :: fitted
       type(case_result_type), intent(out) :: result
-      associate (mesh => solution%mesh, work => solution%work, gaps => solution%gaps, moments => wanted(1), profile => wanted(2))
+      associate (mesh => solution%mesh, work => solution%work, gaps => solution%gaps)
          call end_iterations(solution%equations, model%trajectory, mesh, solution%loads, gaps, solution%state, work)
          call fill_result(model, case_index, solution, outcome, result)
          result%coiled = solution%compressed > coiled
          result%shortened = solution%shortened
          result%element_lengths = [minval(mesh%length), maxval(mesh%length)]
          call add_remarks(model%units, mesh, model%numerics, numerics, result)
-         if (.not. (profile .and. result%status == result_converged)) return
+         if (.not. (wanted%profile .and. result%status == result_converged)) return
          call recover_profile(model%trajectory, mesh, gaps, work, result%profile)
-         if (.not. moments) then
+         if (.not. wanted%moments) then
             call part_profile(model, case_index, mesh, gaps, work, result%profile)
             return
          end if
@@ -94,7 +100,7 @@ contains
          result%history = again%equations%history(:result%iterations + 1)
          if (it%outcome /= outcome_converged) return
          again%gaps%followed = solution%gaps%followed
-         call make_result(model, case_index, numerics, it%outcome, [.true., .true.], again, next, found)
+         call make_result(model, case_index, numerics, it%outcome, wanted_type(), again, next, found)
          if (is_missing(found%moment_error) .or. found%unlike_contact%share > better*result%unlike_contact%share) return
          result = found
          solution = again

@@ -35,14 +35,14 @@ module dg_static_analysis
    use dg_profile_rows, only: part_rows
    use dg_refinement, only: take_over
    use dg_solution, only: solution_type
-   use dg_solution_result, only: coiled, make_result, solve_fitted
+   use dg_solution_result, only: coiled, make_result, solve_fitted, wanted_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
    use dg_static_result, only: add_message, look_outside, result_of_lock_up, warn_of_range
    use dg_stiff_drag, only: find_stiff_drag
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
-   use dg_tuning, only: attempt_type
+   use dg_tuning, only: attempt_type, mesh_try_type
    use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness
    use dg_whirling, only: find_sideways
@@ -85,42 +85,41 @@ contains
       integer(int64) :: start, finish
       character(:), allocatable :: tried
       integer :: given_up, i
-      logical :: moments, profile
-      real(wp) :: length, asked, by_elements
+      type(mesh_try_type) :: mesh
+      type(wanted_type) :: wanted
+      real(wp) :: asked, by_elements
       call system_clock(start)
       if (present(stop)) stopped = stop
-      profile = .true.
-      if (present(totals_only)) profile = .not. totals_only
-      moments = model%numerics%moments .and. profile
+      if (present(totals_only)) wanted%profile = .not. totals_only
+      wanted%moments = model%numerics%moments .and. wanted%profile
       allocate (history(0))
       known = model
       call find_stiff_drag(model, case_index, known%stiff_drag)
       asked = model%numerics%element_length
       do i = 1, model%numerics%tuning%most_meshes
-         associate (mesh => model%numerics%tuning%mesh(i))
-            length = mesh%length*asked
-            if (i > 1 .and. .not. length > shortest) cycle
-            call solve_on_mesh(known, case_index, length, [mesh%first, mesh%last], [moments, profile], history, stopped, result)
-            if (i == 1) asked = min(asked, result%element_lengths(2))
-            if (result%status /= result_not_converged) exit
-            call list_tried(model, result%element_lengths(2), &
-                            model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
-            given_up = result%iterations
-            if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_stopped(stopped)) exit
-            history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
-         end associate
+         mesh = model%numerics%tuning%mesh(i)
+         mesh%length = mesh%length*asked
+         if (i > 1 .and. .not. mesh%length > shortest) cycle
+         call solve_on_mesh(known, case_index, mesh, wanted, history, stopped, result)
+         if (i == 1) asked = min(asked, result%element_lengths(2))
+         if (result%status /= result_not_converged) exit
+         call list_tried(model, result%element_lengths(2), &
+                         model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
+         given_up = result%iterations
+         if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_stopped(stopped)) exit
+         history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one
       end do
       if (result%status == result_not_converged) then
          call add_tried(model, case_index, tried, work_is_done(model%numerics, result), result)
       else if (result%status == result_converged .and. size(history) > 0) then
          call add_message(result, 'Converged with elements of at most '// &
-                          in_units(model%units, unit_length, length, shown)//'. Others found no equilibrium in '// &
+                          in_units(model%units, unit_length, mesh%length, shown)//'. Others found no equilibrium in '// &
                           to_text(size(history))//' iterations')
       end if
       by_elements = result%moment_error
-      if (result%status == result_converged .and. result%coiled .and. moments .and. model%numerics%friction_range) &
+      if (result%status == result_converged .and. result%coiled .and. wanted%moments .and. model%numerics%friction_range) &
          call find_range(known, case_index, stopped, result)
-      if (result%status == result_converged .and. moments .and. .not. is_missing(result%moment_error)) &
+      if (result%status == result_converged .and. wanted%moments .and. .not. is_missing(result%moment_error)) &
          call warn_of_moments(model%numerics, by_elements, result)
       if (allocated(result%profile%md)) call part_rows(model, case_index, result%profile)
       call finish_result(result)
@@ -158,7 +157,7 @@ contains
       do i = 1, 2
          neighbour%numerics%tuning%start_buckled = i == 2
          neighbour%numerics%tuning%start_mirrored = i == 2
-         call solve_on_mesh(neighbour, case_index, result%element_lengths(2), [1, 1], [.true., .true.], &
+         call solve_on_mesh(neighbour, case_index, mesh_try_type(result%element_lengths(2), 1, 1), wanted_type(), &
                             [iteration_type ::], stop, other)
          if (is_stopped(stop)) exit
          if (other%status /= result_converged) cycle
@@ -177,13 +176,12 @@ contains
       done = real(result%iterations + 1, wp)*result%elements > patience(numerics)*most_work
    end function work_is_done
 
-   !> Solve the case with elements no longer than `element_length`. Iterations are counted on from those in `history`.
-   subroutine solve_on_mesh(model, case_index, element_length, attempts, wanted, history, stop, result)
+   !> Solve the case on one mesh. Iterations are counted on from those in `history`.
+   subroutine solve_on_mesh(model, case_index, mesh_try, wanted, history, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      real(wp), intent(in) :: element_length       !< [m]
-      integer, intent(in) :: attempts(2)           !< the first and the last
-      logical, intent(in) :: wanted(2)             !< moments on elements short enough for them; the profile
+      type(mesh_try_type), intent(in) :: mesh_try  !< longest element [m], and the attempts
+      type(wanted_type), intent(in) :: wanted
       type(iteration_type), intent(in) :: history(:)
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(out) :: result
@@ -196,8 +194,8 @@ contains
       integer :: tried                    ! attempts made before
       integer :: i, last, outcome
       associate (equations => solution%equations, mesh => solution%mesh)
-         call mesh_for_case(model, case_index, element_length, mesh, totals, solution%compressed, strained, solution%pressing, &
-                            solution%shortened)
+         call mesh_for_case(model, case_index, mesh_try%length, mesh, totals, solution%compressed, strained, &
+                            solution%pressing, solution%shortened)
          if (totals%runaway .or. (strained > most_strain .and. totals%normal_force > held_by*totals%weight)) then
             call result_of_lock_up(model, case_index, totals, strained, result)
             return
@@ -208,12 +206,12 @@ contains
          equations%iterations = size(history)
          equations%history(:size(history)) = history
          tried = maxval([0, history%attempt])
-         last = attempts(1) - 1
-         do i = attempts(1), min(attempts(2), model%numerics%tuning%most_attempts)
+         last = mesh_try%first - 1
+         do i = mesh_try%first, min(mesh_try%last, model%numerics%tuning%most_attempts)
             last = i
             numerics = settings_of_attempt(model%numerics, i, solution%compressed > coiled)
             numerics%max_iterations = min(most, equations%iterations + numerics%max_iterations)
-            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - attempts(1), &
+            call make_attempt(model, case_index, numerics, numerics%tuning%attempt(i), tried + 1 + i - mesh_try%first, &
                               solution, outcome)
             if (outcome == outcome_converged .or. equations%iterations >= most) exit
          end do
@@ -226,7 +224,7 @@ contains
          if (outcome == outcome_converged) &
             call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
          result%stability_margin = margin
-         result%attempts = last - attempts(1) + 1
+         result%attempts = last - mesh_try%first + 1
       end associate
    end subroutine solve_on_mesh
 
