@@ -188,6 +188,19 @@ contains
                       'yield = 135', 'yield = 9310')
       call swap(deck, field, '', metric, "its numbers look like metric: a hole of 8.681 in, mud of 1.22 sg. Write units = "// &
                 "'metric' in &job")
+      call swap(deck, field, field, metric, 'read in units field, its numbers look like metric: a hole of 8.681 in, mud of '// &
+                "1.22 sg. Write units = 'metric' in &job. Depths are then in m, forces in kdaN")
+      call swap(well('field'), field, metric, field, 'read in units metric, its numbers look like field: a hole of 8.681 in, '// &
+                "mud of 10.2 lbm/gal. Write units = 'field' in &job")
+      deck = replaced(replaced(deck, 'mass = 32, joint_od', 'joint_od'), ', yield = 9310', '')
+      call swap(replaced(deck, 'tob = 5 ', 'tob = 5, pump_pressure = 200 '), field, field, metric, 'its numbers look like metric')
+      deck = replaced(replaced(well('SI'), 'md_bottom = 2000, ', ''), "'open',", "'open', md_top = 2000,")
+      call swap(deck, '&job ', '&job '//field, '&job ', "Write units = 'SI' in &job")
+      deck = replaced(well('SI'), 'density = 1300', "density = 1300, where = 'outside' / &fluid where = 'inside', density = 1.2")
+      call swap(deck, '&job ', '&job '//field, '&job ', 'its numbers look like SI: a hole of 220.5 mm, mud of 1300 kg/m3')
+      deck = replaced(well('field'), "&hole name = 'casing'", "&hole name = 'conductor', md_bottom = 100, diameter = 48, "// &
+                      "friction = 0.2, cased = .true. / &hole name = 'casing'")
+      call swap(deck, field, '', field, "its numbers look like field: a hole of 48 in, mud of 10.2 lbm/gal. Write units = 'field'")
    contains
       subroutine swap(text, sound, wrong, right, expected)
          character(*), intent(in) :: text, sound, wrong, right, expected
@@ -207,7 +220,12 @@ contains
       call follow('field', 'density = 10.2', 'density = 0.53', 'Is it in psi/ft? Then write 10.2', 'density = 10.2')
       call follow('SI', 'density = 1300', 'density = 0.55', 'Is it in psi/ft? Then write 1269', 'density = 1269')
       call follow('SI', 'density = 1300', 'density = 80', 'Is it in pcf (lbm/ft3)? Then write 1281', 'density = 1281')
-      call follow('field', 'density = 10.2', 'density = 1.22', 'Is it in sg? Then write 10.18', 'density = 10.18')
+      call follow('field', 'density = 10.2', 'density = 1.22', 'Is it in sg? Then write 10.18. If depths are in '// &
+                  "m, write units = 'metric' in &job", 'density = 10.18')
+      call follow('metric', 'density = 1.22', 'density = 10.2', 'Is it in lbm/gal? Then write 1.222. Is it in kPa/m? Then '// &
+                  "write 1.04. If depths are in ft, write units = 'field' in &job", 'density = 1.222')
+      call follow('SI', 'density = 1300', 'density = 12.5', 'Is it in lbm/gal? Then write 1498. Is it in kPa/m? Then write 1275', &
+                  'density = 1275')
       call follow('SI', 'tob = 8 ', inside//'1.3 ', 'inside_density = 1.3 kg/m3 '//still//'sg? Then write 1300', inside//'1300 ')
       call follow('SI', 'density = 1300', 'density = 1300, '//fluids//'1.3', 'group &fluid in line 5: density = 1.3 '// &
                'kg/m3 '//still, &

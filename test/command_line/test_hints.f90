@@ -118,7 +118,8 @@ contains
       call refuse(field_deck, 'density = 10', 'density = 1260', '. Is it in kg/m3? Then write 10.52')
       call pass(field_deck, 'density = 10', 'density = 10.52')
       call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 1260', '. Is it in kg/m3? Then write 1.26')
-      call refuse(replaced(field_deck, 'field', 'metric'), 'density = 10', 'density = 10.4', &
+      call refuse(replaced(replaced(field_deck, 'field', 'metric'), 'yield = 135', 'yield = 9310'), 'density = 10', &
+                  'density = 10.4', &
                   'Look at the density of the mud. Is it in lbm/gal? Then write 1.246')
    end subroutine test_values
 

@@ -19,6 +19,7 @@ module dg_likely_unit
       character(13) :: name
       real(wp) :: factor       !< SI value of one
       logical :: si, field, metric   !< likely in decks of these systems
+      logical :: sure = .false.      !< no unit after it is asked for
    end type other_unit_type
 
    logical, parameter :: T = .true., F = .false.
@@ -63,11 +64,12 @@ module dg_likely_unit
       other_unit_type(quantity_speed, 'ft/h', foot/hour, F, T, F), &
       other_unit_type(quantity_mass, 'lbm/ft', pound/foot, T, F, T), &
       other_unit_type(quantity_mass, 'kg/m', 1.0_wp, F, T, F), &
-      other_unit_type(quantity_density, 'sg', 1.0e3_wp, T, T, F), &
+      other_unit_type(quantity_density, 'sg', 1.0e3_wp, T, T, F, sure=.true.), &
       other_unit_type(quantity_density, 'lbm/gal', pound/gallon, T, F, T), &
-      other_unit_type(quantity_density, 'kg/m3', 1.0_wp, F, T, T), &
-      other_unit_type(quantity_density, 'pcf (lbm/ft3)', pound/foot**3, T, T, F), &
-      other_unit_type(quantity_density, 'psi/ft', psi/foot/gravity, T, T, T), &
+      other_unit_type(quantity_density, 'kPa/m', 1.0e3_wp/gravity, T, F, T, sure=.true.), &
+      other_unit_type(quantity_density, 'kg/m3', 1.0_wp, F, T, T, sure=.true.), &
+      other_unit_type(quantity_density, 'pcf (lbm/ft3)', pound/foot**3, T, T, F, sure=.true.), &
+      other_unit_type(quantity_density, 'psi/ft', psi/foot/gravity, T, T, T, sure=.true.), &
       other_unit_type(quantity_gravity, 'ft/s2', foot, T, T, T), &
       other_unit_type(quantity_gravity, 'g', gravity, T, T, T), &
       other_unit_type(quantity_rotation, 'rev/s', 2.0_wp*pi, T, T, T), &
@@ -104,17 +106,22 @@ contains
          text = text//'. Is it in '//trim(other%name)//'? Then write '// &
                 to_text(number*other%factor/unit_factor(units, quantity), digits)
          asked = asked + 1
-         if (asked == most_asked .or. quantity == quantity_density) return
+         if (asked == most_asked .or. other%sure) return
       end do
    end function unit_questions
 
-   !> Text that asks for the unit of a mud weight; empty if it is that of a mud in no likely unit.
+   !> Text that asks for the unit of a mud weight; empty if it is that of a mud in no likely unit. Mud in the unit of the other
+   !> system with holes in inches may mean that all of the deck is in that system.
    pure function mud_question(units, density, digits) result(text)
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: density                 !< as read [kg/m3]
       integer, intent(in) :: digits                   !< of the right number
       character(:), allocatable :: text
       text = unit_questions(units, quantity_density, density/units%density, lightest_oil, heaviest_mud, digits)
+      if (units%system == system_field .and. index(text, ' sg?') > 0) &
+         text = text//". If depths are in m, write units = 'metric' in &job"
+      if (units%system == system_metric .and. index(text, ' lbm/gal?') > 0) &
+         text = text//". If depths are in ft, write units = 'field' in &job"
    end function mud_question
 
    !> True for a unit that is likely in decks of a system.
