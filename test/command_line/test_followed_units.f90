@@ -125,9 +125,9 @@ contains
    subroutine test_hook_loads()
       character(*), parameter :: sweep = "&sweep operations = 'trip_out', bit_depth_from = 3800, bit_depth_step = 400, "// &
          "measured_depths = 3900, 4000, measured_operations = 'trip_out', "
-      call follow('SI', "'trip_out',", "'trip_out', measured_hookload = 150,", 'Is it in t? Then write 1471', &
+      call follow('SI', "'trip_out',", "'trip_out', measured_hookload = 150,", 'Is the hook load in t? Then write 1471', &
                   "'trip_out', measured_hookload = 1471,")
-      call follow('field', "'trip_out',", "'trip_out', measured_hookload = 1100,", 'Is it in kN? Then write 247.3', &
+      call follow('field', "'trip_out',", "'trip_out', measured_hookload = 1100,", 'Is the hook load in kN? Then write 247.3', &
                   "'trip_out', measured_hookload = 247.3,")
       call follow('SI', "'trip_out',", "'trip_out', reference_hookload = 110,", "'up': reference_hookload = 110 kN is", &
                   "'trip_out', reference_hookload = 1100,")
@@ -164,9 +164,17 @@ contains
                'Then write '// &
                   '8.504', 'diameter = 8.504,')
       call follow('SI', 'od = 127, id = 108.6, mass = 32, joint_od = 168.3', 'od = 5, id = 4.276, mass = 32, joint_od = 6.625', &
-                  "'DP': it is 6.625 mm wide in holes of 215.9 mm and more; mind the units. Is it in inches? Then write 168.3", &
+                  "'DP': it is 6.625 mm wide in holes of 215.9 mm and more; mind the units. Is its diameter in inches? Then "// &
+                  'write 168.3', &
                   'od = 127, id = 108.6, mass = 32, joint_od = 168.3')
-      call follow('SI', 'mass = 32', 'mass = 21.5', 'mind the units, and the density of what is not steel. Is it in lbm/ft? '// &
+      call follow('field', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.625', 'od = 127, id = 108.6, joint_od = 168.3', &
+                  "'DP' with 168.3 in does not pass the hole of 8.681 in (line 3) in case 'up'. Diameters of this deck are in "// &
+                  'in. Is this one in mm? Then write 6.626', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.626')
+      run = run_deck_text(replaced(well('field'), 'od = 6.75, id = 3.25 /'//newline//"&component name = 'DP', od = 5, "// &
+                                   'id = 4.276', 'od = 171.4, id = 71.4 /'//newline//"&component name = 'DP', od = 127, "// &
+                                   'id = 108.6'), '--check')
+      call assertEqual(index(run%diagnostics, newline), len(run%diagnostics), message='one line: '//run%diagnostics)
+      call follow('SI', 'mass = 32', 'mass = 21.5', 'mind the units, and the density of what is not steel. Is mass in lbm/ft? '// &
                   'Then write 32', 'mass = 32')
    end subroutine test_diameters
 

@@ -88,22 +88,25 @@ module dg_likely_unit
 contains
 
    !> Text that asks for the units in which a number lies within a range: '. Is it in lbf? Then write 25'. Empty if no unit fits.
-   pure function unit_questions(units, quantity, number, low, high, digits) result(text)
+   pure function unit_questions(units, quantity, number, low, high, digits, what) result(text)
       type(unit_system_type), intent(in) :: units     !< of the deck
       integer, intent(in) :: quantity
       real(wp), intent(in) :: number                  !< as written
       real(wp), intent(in) :: low, high               !< [SI]
       integer, intent(in) :: digits                   !< of the right number
-      character(:), allocatable :: text
+      character(*), intent(in), optional :: what      !< has the number, where the sentence before names two; absent: 'it'
+      character(:), allocatable :: text, whose
       type(other_unit_type) :: other
       integer :: i, asked
       text = ''
+      whose = 'it'
+      if (present(what)) whose = what
       asked = 0
       do i = 1, size(others)
          other = others(i)
          if (other%quantity /= quantity .or. .not. is_likely(other, units%system)) cycle
          if (number*other%factor < low .or. number*other%factor > high) cycle
-         text = text//'. Is it in '//trim(other%name)//'? Then write '// &
+         text = text//'. Is '//whose//' in '//trim(other%name)//'? Then write '// &
                 to_text(number*other%factor/unit_factor(units, quantity), digits)
          asked = asked + 1
          if (asked == most_asked .or. other%sure) return

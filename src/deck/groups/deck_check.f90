@@ -3,7 +3,7 @@
 !> that are legal in themselves are checked, so that one slip gives one message.
 module dg_deck_check
    use dg_kinds, only: wp
-   use dg_case_check, only: check_passage, hole_question, check_reach, check_string_length, check_string_name
+   use dg_case_check, only: check_passage, hole_question, pipe_question, check_reach, check_string_length, check_string_name
    use dg_component, only: component_type
    use dg_deck_draft, only: draft_case_type, draft_type, find_case, lowest_of, sections_of
    use dg_error, only: add_fault, clear_errors, error_list_type, is_listed, key_of, other_of, other_place_of, part_of, &
@@ -297,6 +297,8 @@ contains
             if (index(words, hole_question) > 0) then
                if (is_listed(faults, words(index(words, passes_not):index(words, case_mark)))) cycle
             end if
+            ! components in another unit are too wide for all holes
+            if (index(words, pipe_question) > 0 .and. is_listed(faults, pipe_question)) cycle
             call add_fault(faults, draft%path, line, 'group &'//group//': '//words)
          end associate
       end do

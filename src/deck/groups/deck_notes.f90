@@ -2,7 +2,8 @@
 !> notes and continues. Ranges that reject a value are in the table of keys (dg_deck_keys).
 module dg_deck_notes
    use dg_kinds, only: wp
-   use dg_component, only: closed_diameter, has_bend, has_blades, has_joints, has_pad, is_eccentric, is_open, opens, tube_area
+   use dg_component, only: closed_diameter, component_type, has_bend, has_blades, has_joints, has_pad, is_eccentric, is_open, &
+                           opens, tube_area
    use dg_constants, only: degree
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
@@ -13,7 +14,7 @@ module dg_deck_notes
    use dg_missing, only: is_missing, missing
    use dg_path_difference, only: find_difference, path_difference_type
    use dg_survey, only: tangent_of
-   use dg_text, only: append_text, quoted, text_type, to_text
+   use dg_text, only: append_text, either, lower_case, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
    use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
@@ -188,7 +189,7 @@ contains
             call note('it is '//in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
                       in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units'// &
                       unit_questions(units, unit_diameter, closed_diameter(part)/units%diameter, narrowest/widest_hole, &
-                                     narrowest, few_digits))
+                                     narrowest, few_digits, 'its diameter'))
             return      ! its mass follows
          end if
          if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
@@ -223,14 +224,23 @@ contains
       function mass_question() result(text)
          character(:), allocatable :: text
          text = ''
-         if (has_joints(item%component)) text = unit_questions(draft%units, unit_mass, &
-            item%component%mass/draft%units%mass_per_length, least_pipe_mass*tube, most_mass*tube, few_digits)
+         if (has_joints(item%component) .and. .not. is_insulated(item%component)) text = unit_questions(draft%units, unit_mass, &
+            item%component%mass/draft%units%mass_per_length, least_pipe_mass*tube, most_mass*tube, few_digits, 'mass')
       end function mass_question
       subroutine note(text)
          character(*), intent(in) :: text
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)//': '//text)
       end subroutine note
    end subroutine note_component
+
+   !> True for insulated tubing, with a gap between two pipes: od and id leave a wall that is not all steel.
+   pure function is_insulated(part) result(is)
+      type(component_type), intent(in) :: part
+      logical :: is
+      character(:), allocatable :: words
+      words = lower_case(part%name//' '//part%kind)
+      is = index(words, 'vit') > 0 .or. index(words, 'insulat') > 0 .or. index(words, 'double wall') > 0
+   end function is_insulated
 
    !> Deepest bit of the string of each component, and the length of the string below the component.
    subroutine find_uses(draft, uses, deepest_bit, below)

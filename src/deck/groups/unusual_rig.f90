@@ -259,6 +259,7 @@ contains
       logical, intent(in) :: with_block       !< the load counts the block in
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question
       real(wp) :: weight, expected, share
       logical :: bears_all       ! the hook bears the whole weight at least
       if (.not. load%present) return
@@ -281,10 +282,12 @@ contains
       else if (share >= least_measured .or. .not. bears_all) then
          return
       end if
+      question = unit_questions(units, unit_force, load%value/units%force, least_likely*expected, most_likely*expected, digits, &
+                                'the hook load')
       call append_text(notes, what//' = '//in_units(units, unit_force, load%value, digits)//' is '// &
          to_text(share/percent, few_digits)//' % of what '//either('string and block weigh', 'the string weighs', with_block)// &
          ' in mud'//either(' less WOB', '', case%wob > 0.0_wp)//', '//in_units(units, unit_force, expected, digits)// &
-         questions(units, unit_force, load%value, least_likely*expected, most_likely*expected))
+         either(question, '. Check both numbers', question /= ''))
    end subroutine note_hook_load
 
    !> A pick-up weight below the slack-off weight of the same string at the same depth.

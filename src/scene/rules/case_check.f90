@@ -11,11 +11,11 @@ module dg_case_check
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_opening_check, only: check_open_passage, opening_advice
    use dg_text, only: either, quoted, suggestion, to_text
-   use dg_unit_kind, only: unit_diameter
+   use dg_unit_kind, only: unit_diameter, unit_label
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: hole_question
+   public :: hole_question, pipe_question
    public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
 
    integer, parameter :: metre_digits = 6
@@ -26,6 +26,9 @@ module dg_case_check
    integer, parameter :: hole_digits = 4
    !> Words before a question for the unit of a hole.
    character(*), parameter :: hole_question = '. Look at the diameter of that hole'
+   !> Words before a question for the unit of a component, and the narrowest one [m].
+   character(*), parameter :: pipe_question = '. Diameters of this deck are in '
+   real(wp), parameter :: narrowest_pipe = 0.02_wp
    character(*), parameter :: bit_advice = ". Only a bit may fill its hole: is it one? Then write kind = 'bit'"
 
 contains
@@ -181,13 +184,19 @@ contains
          lower_end = upper_end
       end do
    contains
-      !> Advice: the hole is in another unit, or the component is a bit, or a tool that opens.
+      !> Advice: the hole or the component is in another unit, or the component is a bit, or a tool that opens.
       function advice() result(text)
          character(:), allocatable :: text
          text = unit_questions(units, unit_diameter, holes(h)%diameter/units%diameter, (1.0_wp - rounded)*diameter, &
                                widest_hole, hole_digits)
          if (text /= '') then
             text = hole_question//text
+            return
+         end if
+         text = unit_questions(units, unit_diameter, diameter/units%diameter, narrowest_pipe, &
+                               (1.0_wp + rounded)*narrowest(lowest), hole_digits, 'this one')
+         if (text /= '') then
+            text = pipe_question//unit_label(units, unit_diameter)//text
          else
             text = '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '//wide(narrowest(lowest))// &
                    either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
