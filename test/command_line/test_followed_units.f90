@@ -18,6 +18,7 @@ contains
       call suite%addTest(TestMethod('temperatures_and_times', test_temperatures))
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('stiffness_and_drag', test_stiffness_and_drag))
+      call suite%addTest(TestMethod('snubbing', test_snubbing))
       call suite%addTest(TestMethod('crossing_under_a_river', test_crossing))
       call suite%addTest(TestMethod('diameters', test_diameters))
       call suite%addTest(TestMethod('systems', test_systems))
@@ -135,6 +136,20 @@ contains
                   'group &sweep: measured_hookloads at 3900 m = 150 kN is 15 % of what string and block weigh in mud', &
                   sweep//'measured_hookloads = 1471, 1450 / &fluid')
    end subroutine test_hook_loads
+
+   !> Pressure of the annulus pushes pipe out: what the hook bears is less, down to nothing.
+   subroutine test_snubbing()
+      call unasked('reference_hookload = 300')
+      call unasked('reference_hookload = 30')
+   contains
+      subroutine unasked(load)
+         character(*), intent(in) :: load
+         type(run_type) :: run
+         run = run_deck_text(replaced(well('SI'), "'trip_out',", "'trip_out', annulus_pressure = 35, "//load//","), '--check')
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call assertEqual(0, index(run%output, load//' kN is'), message=run%output)
+      end subroutine unasked
+   end subroutine test_snubbing
 
    !> A pipe that is pulled through a crossing under a river: drag is all.
    subroutine test_crossing()

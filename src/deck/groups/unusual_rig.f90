@@ -3,7 +3,7 @@
 module dg_unusual_rig
    use dg_kinds, only: wp
    use dg_deck_draft, only: string_use_type
-   use dg_fluid_pressure, only: stretch_type, stretches_of, weight_at
+   use dg_fluid_pressure, only: push_of, stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
    use dg_likely_unit, only: unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, &
@@ -264,7 +264,9 @@ contains
       logical :: bears_all       ! the hook bears the whole weight at least
       if (.not. load%present) return
       weight = hanging_weight(model, case, .true.)
-      expected = weight - case%wob
+      expected = weight - case%wob - push_of(model, case)
+      ! pipe that is snubbed in hangs on the hook with next to no weight
+      if (push_of(model, case) > 0.0_wp .and. expected < least_measured*weight) return
       if (with_block) expected = expected + model%rig%block_weight
       if (.not. expected > 0.0_wp) return
       share = load%value/expected

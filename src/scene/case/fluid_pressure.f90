@@ -15,7 +15,7 @@ module dg_fluid_pressure
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, hanger_pull, is_hung, new_fluid_column, pressure_at, stretch_type, stretches_of, &
+   public :: fluid_column_type, hanger_pull, is_hung, new_fluid_column, pressure_at, push_of, stretch_type, stretches_of, &
              surface_push, weight_at
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
@@ -163,39 +163,47 @@ contains
       pressure = max(column%pressure(i) + column%gradient(i)*(tvd - column%tvd(i)), 0.0_wp)
    end function pressure_at
 
-   !> Force by which pressure of a closed annulus pushes pipe out at surface [N]: its area there times that pressure. Hook load
-   !> is the effective tension less this. It is 0 for tubing in a packer, whose hanger holds it, and where the survey begins
-   !> below surface.
+   !> Force by which pressure of a closed annulus pushes pipe out at surface [N], of a load case of the model.
    pure function surface_push(model, case_index) result(push)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
+      real(wp) :: push
+      push = push_of(model, model%cases(case_index))
+   end function surface_push
+
+   !> Force by which pressure of a closed annulus pushes pipe out at surface [N]: its area there times that pressure. Hook load
+   !> is the effective tension less this. It is 0 for tubing in a packer, whose hanger holds it, and where the survey begins
+   !> below surface.
+   pure function push_of(model, load_case) result(push)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
       real(wp) :: push
       type(component_type) :: top
       real(wp) :: pressure
       push = 0.0_wp
       if (top_md(model%trajectory) > 0.0_wp .or. model%boundary%packer_bore > 0.0_wp) return
-      pressure = annulus_at_surface(model, case_index)
+      pressure = annulus_at_surface(model, load_case)
       if (.not. pressure > 0.0_wp) return
-      top = top_component(model, case_index)
+      top = top_component(model, load_case)
       push = pressure*tube_area(top%od, 0.0_wp)
-   end function surface_push
+   end function push_of
 
    !> Component of the string at surface, of a survey that begins there.
-   pure function top_component(model, case_index) result(top)
+   pure function top_component(model, load_case) result(top)
       type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
+      type(load_case_type), intent(in) :: load_case
       type(component_type) :: top
-      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)))
-         top = string%components(topmost(component_tops(string, model%cases(case_index)%bit_depth)))
+      associate (string => model%strings(string_index(model%strings, load_case%string)))
+         top = string%components(topmost(component_tops(string, load_case%bit_depth)))
       end associate
    end function top_component
 
    !> Pressure of the annulus at surface [Pa].
-   pure function annulus_at_surface(model, case_index) result(pressure)
+   pure function annulus_at_surface(model, load_case) result(pressure)
       type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
+      type(load_case_type), intent(in) :: load_case
       real(wp) :: pressure
-      pressure = model%cases(case_index)%annulus_pressure
+      pressure = load_case%annulus_pressure
       ! only the uppermost fluid of the annulus may have a pressure
       if (allocated(model%mud%fluids)) pressure = pressure + maxval([0.0_wp, model%mud%fluids%surface_pressure])
    end function annulus_at_surface
@@ -216,9 +224,11 @@ contains
       real(wp) :: pull
       type(component_type) :: top
       pull = 0.0_wp
-      if (.not. is_hung(model, model%cases(case_index))) return
-      top = top_component(model, case_index)
-      pull = model%cases(case_index)%pump_pressure*tube_area(top%id, 0.0_wp) &
-             - annulus_at_surface(model, case_index)*tube_area(top%od, 0.0_wp)
+      associate (load_case => model%cases(case_index))
+         if (.not. is_hung(model, load_case)) return
+         top = top_component(model, load_case)
+         pull = load_case%pump_pressure*tube_area(top%id, 0.0_wp) &
+                - annulus_at_surface(model, load_case)*tube_area(top%od, 0.0_wp)
+      end associate
    end function hanger_pull
 end module dg_fluid_pressure
