@@ -19,6 +19,7 @@ contains
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('stiffness_and_drag', test_stiffness_and_drag))
       call suite%addTest(TestMethod('snubbing', test_snubbing))
+      call suite%addTest(TestMethod('pump_and_motor', test_motor))
       call suite%addTest(TestMethod('crossing_under_a_river', test_crossing))
       call suite%addTest(TestMethod('diameters', test_diameters))
       call suite%addTest(TestMethod('systems', test_systems))
@@ -151,6 +152,24 @@ contains
       end subroutine unasked
    end subroutine test_snubbing
 
+   !> Pressure that is too low to drill with a motor. Air does.
+   subroutine test_motor()
+      call drill('250', "pump_pressure = 250 psi is too low for 'MWD' to drill. Usual is at least 440 psi. Is pump_pressure in "// &
+                 'bar? Then write 3626')
+      call drill('3626', '')
+      call drill('250, inside_density = 0.02', '')
+   contains
+      subroutine drill(pressure, expected)
+         character(*), intent(in) :: pressure, expected
+         type(run_type) :: run
+         run = run_deck_text(replaced(replaced(well('field'), "'mwd'", "'motor'"), 'tob = 5 ', 'tob = 5, pump_pressure = '// &
+                                      pressure//' '), '--check')
+         call assertEqual(0, run%status, message=run%diagnostics)
+         if (expected == '') call assertEqual(0, index(run%output, 'too low'), message=run%output)
+         call assertTrue(index(run%output, expected) > 0, message='wanted: '//expected//'; got: '//run%output)
+      end subroutine drill
+   end subroutine test_motor
+
    !> A pipe that is pulled through a crossing under a river: drag is all.
    subroutine test_crossing()
       type(run_type) :: run
@@ -240,6 +259,7 @@ contains
    subroutine test_mud_weights()
       character(*), parameter :: inside = 'tob = 8, inside_density = ', still = 'is neither a liquid nor air. Is it in ', &
          fluids = "where = 'outside' / &fluid where = 'inside', density = "
+      type(run_type) :: run
       call follow('field', 'density = 10.2', 'density = 0.53', 'Is it in psi/ft? Then write 10.2', 'density = 10.2')
       call follow('SI', 'density = 1300', 'density = 0.55', 'Is it in psi/ft? Then write 1269', 'density = 1269')
       call follow('SI', 'density = 1300', 'density = 80', 'Is it in pcf (lbm/ft3)? Then write 1281', 'density = 1281')
@@ -249,6 +269,9 @@ contains
                   "write 1.04. If depths are in ft, write units = 'field' in &job", 'density = 1.222')
       call follow('SI', 'density = 1300', 'density = 12.5', 'Is it in lbm/gal? Then write 1498. Is it in kPa/m? Then write 1275', &
                   'density = 1275')
+      run = run_deck_text(replaced(well('SI'), 'density = 1300', 'density = 80, surface_pressure = 8'), '--check')
+      call assertTrue(index(run%output, 'density = 80 kg/m3 is that of a gas or foam, water has 1000 kg/m3'//newline) > 0, &
+                      message=run%output)
       call follow('SI', 'tob = 8 ', inside//'1.3 ', 'inside_density = 1.3 kg/m3 '//still//'sg? Then write 1300', inside//'1300 ')
       call follow('SI', 'density = 1300', 'density = 1300, '//fluids//'1.3', 'group &fluid in line 5: density = 1.3 '// &
                'kg/m3 '//still, &
@@ -273,7 +296,7 @@ contains
    !> Weight on bit and overpull. Tonnes are known by the torque on bit.
    subroutine test_weight_on_bit()
       call follow('field', 'wob = 25', 'wob = 110', 'wob = 110 klbf is large for a hole of 8.5 in. Usual is at most '// &
-               '60 klbf. Is it '// &
+               '60 klbf. Is wob '// &
                   'in kN? Then write 24.73', 'wob = 24.73')
       call follow('field', 'wob = 25', 'wob = 20000', 'Is it in lbf? Then write 20', 'wob = 20')
       call follow('metric', 'wob = 25', 'wob = 120', 'Is it in kN? Then write 12', 'wob = 12')

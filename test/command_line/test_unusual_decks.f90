@@ -193,6 +193,15 @@ contains
                    'tob = 5 kft.lbf is large for wob = 5 klbf in a hole of 8.5 in. Usual is at most 4.7 '// &
                    'kft.lbf. Is wob in tonnes? 5 t are 11.02 klbf')
       call usual('wob = 20,', 'wob = 11.02,')
+      call mistake('tob = 5 ', 'tob = 25 ', 'tob = 25 kft.lbf is large for wob = 20 klbf in a hole of 8.5 in. Usual is at most '// &
+                   '19 kft.lbf. Is wob in tonnes? 20 t are 44.09 klbf. Is tob the torque at surface? Give that of the bit')
+      call mistake('wob = 20, tob = 5 ', 'wob = 30, tob = 30 ', 'Is tob in kN.m? Then write 22.13. Is tob the torque at surface?')
+      call usual('wob = 20, tob = 5 ', 'wob = 30, tob = 22.13 ')
+      call mistake('tob = 5 ', 'tob = 15, measured_torque = 15 ', 'tob = 15 kft.lbf is not below measured_torque = 15 kft.lbf '// &
+                   'at surface, which has the friction of the string in it. Give the torque of the bit alone')
+      call usual('tob = 5 ', 'tob = 5, measured_torque = 15 ')
+      call usual("'bit', kind = 'bit', length = 1, od = 6.0, joint_od = 8.5 /", "'shoe mill', kind = 'mill', length = 1, "// &
+                 "od = 8.4 / &load_case name = 'mill', operation = 'rotary', bit_depth = 15000, wob = 5, tob = 5 /")
       call mistake("'up', bit_depth", "'up', wob = 60, bit_depth", &
                    'wob = 60 klbf pushes the bit in trip_out. An overpull is a wob below 0')
       call mistake('tob = 5 ', 'tob = 5, rpm = 1200 ', 'rpm = 1200 rpm is unusual')
@@ -257,7 +266,7 @@ contains
                  'measured_hookload = 150')
       call mistake(rig, '&rig block_weight = 5 / '//rig, 'group &rig: block_weight = 5 klbf is ')
       call mistake(rig, '&rig block_weight = 8, max_hookload = 500 / '//rig, &
-                   'block_weight = 8 klbf is 1.6 % of max_hookload. Is it in tonnes? 8 t are 17.64 klbf')
+                   'block_weight = 8 klbf is 1.6 % of max_hookload. Is block_weight in tonnes? 8 t are 17.64 klbf')
       call usual(rig, '&rig block_weight = 60, max_hookload = 500 / '//rig)
       call mistake(up, up//', measured_hookload = 110 / &rig block_weight = 120', &
                    'measured_hookload is no more than block_weight of &rig')

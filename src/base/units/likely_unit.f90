@@ -7,11 +7,11 @@ module dg_likely_unit
                           quantity_speed, quantity_stress, quantity_wall, quantity_wear, quantity_width, system_field, &
                           system_metric, system_si
    use dg_text, only: to_text
-   use dg_unit_kind, only: unit_factor
+   use dg_unit_kind, only: in_units, unit_factor
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_questions, mud_question
+   public :: unit_questions, mud_question, tonnes_question
 
    !> A unit that is not the deck's own.
    type :: other_unit_type
@@ -82,7 +82,9 @@ module dg_likely_unit
       other_unit_type(quantity_wear, '1e-14/Pa', 1.0e-14_wp, F, T, F), &
       other_unit_type(quantity_wear, '1/psi', 1.0_wp/psi, T, T, T), &
       other_unit_type(quantity_wear, '1/Pa', 1.0_wp, T, T, T)]
-   !> Units that one message names. Of densities the first is by far the likeliest.
+   !> Tonnes, and forces that are nearly theirs.
+   real(wp), parameter :: tonne = 1000.0_wp, near_tonne = 0.1_wp
+   !> Units that one message names.
    integer, parameter :: most_asked = 2
 
 contains
@@ -126,6 +128,20 @@ contains
       if (units%system == system_metric .and. index(text, ' lbm/gal?') > 0) &
          text = text//". If depths are in ft, write units = 'field' in &job"
    end function mud_question
+
+   !> Question for the unit of a force, with the number that would be right for tonnes. kdaN are nearly tonnes.
+   pure function tonnes_question(what, units, force, gravity, digits) result(text)
+      character(*), intent(in) :: what     !< has the force
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: force        !< [N]
+      real(wp), intent(in) :: gravity      !< [m/s2]
+      integer, intent(in) :: digits
+      character(:), allocatable :: text
+      text = '. Check both numbers'
+      if (abs(units%force/(tonne*gravity) - 1.0_wp) < near_tonne) return
+      text = '. Is '//what//' in tonnes? '//to_text(force/units%force, digits)//' t are '// &
+             in_units(units, quantity_force, force/units%force*tonne*gravity, digits)
+   end function tonnes_question
 
    !> True for a unit that is likely in decks of a system.
    pure function is_likely(other, system) result(likely)

@@ -16,6 +16,8 @@ module dg_deck_notes
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, either, lower_case, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
+   use dg_unusual_case, only: is_gas
+   use dg_unusual_input, only: largest_pressure
    use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
    implicit none
@@ -57,15 +59,17 @@ contains
       type(string_use_type), intent(in) :: uses(:)     !< of strings, beside those of load cases
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), dimension(size(draft%components)) :: deepest_bit, below
-      real(wp) :: narrowest
+      real(wp) :: narrowest, pressure
       integer :: i, before
+      pressure = largest_pressure(draft)
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid, units => draft%units)
             ! a fluid of one side alone may well be gas
             if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
                call append_text(notes, 'group &fluid: density = '//in_units(units, unit_density, fluid%density, digits)// &
                                 ' is that of a gas or foam, water has '//in_units(units, unit_density, water, few_digits)// &
-                                mud_question(units, fluid%density, few_digits))
+                                either('', mud_question(units, fluid%density, few_digits), &
+                                       pressure > 0.0_wp .and. is_gas(fluid%density, pressure)))
          end associate
       end do
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &

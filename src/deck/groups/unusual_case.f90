@@ -1,27 +1,43 @@
 !> Notes on legal but unusual loads, speeds and temperatures of a load case or a study. Each has one note.
 module dg_unusual_case
    use dg_kinds, only: wp
+   use dg_component, only: is_bit, opens
    use dg_deck_draft, only: string_use_type
-   use dg_likely_unit, only: mud_question
+   use dg_hole_section, only: hole_section_at
+   use dg_likely_unit, only: mud_question, tonnes_question, unit_questions
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
                            operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_model, only: model_type, string_index
    use dg_quantity, only: system_si
-   use dg_text, only: append_text, text_type
-   use dg_unit_kind, only: in_units, unit_density, unit_force, unit_moment
+   use dg_text, only: append_text, lower_case, quoted, text_type
+   use dg_unit_kind, only: at_most, in_units, lightest_oil, unit_density, unit_diameter, unit_factor, unit_force, &
+                           unit_moment, unit_pressure
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, usual_hours, &
-                             usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, &
-                             usual_warming_top, usual_wob
+   use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, &
+                             usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, &
+                             usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
-   public :: note_case, note_light, note_use
+   public :: note_bit_loads, note_case, note_light, note_use, is_gas
 
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
    real(wp), parameter :: densest_gas = 1.3e-5_wp, thinnest_gas = 4.0e-6_wp, thinnest_air = 1.15e-5_wp, atmosphere = 1.0e5_wp
    !> Numbers that may be meant in sg: less is a light or hot gas, more a gas under pressure.
    real(wp), parameter :: lightest_number = 1.0_wp, largest_number = 2.7_wp
-   integer, parameter :: digits = 4
+   !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]. Sharp PDC
+   !> bits in soft rock have 2, and reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times
+   !> too large. Then usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
+   real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
+   !> Weight on bit over diameter that no bit has [N/m].
+   real(wp), parameter :: heaviest_load = 2.0e6_wp
+   !> Least torque in another unit over the most usual one [-]. Tonne [kg].
+   real(wp), parameter :: least_tob = 0.03_wp, tonne = 1000.0_wp
+   !> Words in the kinds and names of tools that cut beside the bit.
+   character(*), parameter :: cutters(*) = [character(6) :: 'mill', 'opener', 'reamer']
+   !> Least pressure that motor and bit take, and usual pressures while drilling [Pa].
+   real(wp), parameter :: least_with_motor = 3.0e6_wp, drilling(2) = [5.0e6_wp, 52.0e6_wp]
+   integer, parameter :: digits = 4, few_digits = 2
 
 contains
 
@@ -82,12 +98,141 @@ contains
       real(wp), intent(in) :: density, pressure     !< [kg/m3], of pump, annulus or surface [Pa]
       type(text_type), allocatable, intent(inout) :: notes(:)
       if (units%system /= system_si .or. density < lightest_number .or. density > largest_number) return
-      associate (ratio => density/(pressure + atmosphere))
-         if (ratio >= merge(thinnest_gas, thinnest_air, pressure > 0.0_wp) .and. ratio <= densest_gas) return
-      end associate
+      if (is_gas(density, pressure)) return
       call append_text(notes, what//' = '//in_units(units, unit_density, density, digits)//' is neither a liquid nor air'// &
                        mud_question(units, density, digits))
    end subroutine note_light
+
+   !> True for the density of a gas under a pressure above that of the atmosphere.
+   elemental function is_gas(density, pressure) result(is)
+      real(wp), intent(in) :: density, pressure     !< [kg/m3, Pa]
+      logical :: is
+      associate (ratio => density/(pressure + atmosphere))
+         is = ratio >= merge(thinnest_gas, thinnest_air, pressure > 0.0_wp) .and. ratio <= densest_gas
+      end associate
+   end function is_gas
+
+   !> Adds notes on the loads of a bit, of the first load case that has them.
+   subroutine note_bit_loads(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      call note_weight_on_bit(model, units, notes)
+      call note_torque_on_bit(model, units, notes)
+      call note_pump(model, units, notes)
+   end subroutine note_bit_loads
+
+   !> Note a weight on bit that is too large for the hole, but usual in another unit. Only the first such load case is named.
+   subroutine note_weight_on_bit(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question
+      real(wp) :: diameter
+      integer :: i
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
+            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
+            if (case%wob <= heaviest_load*diameter .or. is_unusual(usual_wob, case%wob)) cycle     ! which has a note of its own
+            question = unit_questions(units, unit_force, case%wob/units%force, least_load*diameter, most_load*diameter, digits, &
+                                      'wob')
+            if (question == '') cycle
+            call append_text(notes, 'load case '//quoted(case%name)//': wob = '//in_units(units, unit_force, case%wob, digits)// &
+               ' is large for a hole of '//in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
+               in_units(units, unit_force, at_most(units, unit_force, most_load*diameter, few_digits), few_digits)//question)
+            return
+         end associate
+      end do
+   end subroutine note_weight_on_bit
+
+   !> Note a torque on bit that is too large for its weight on bit, or not below the one at surface. Only the first such load
+   !> case is named.
+   subroutine note_torque_on_bit(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: diameter, usual, in_tonnes       ! weight on bit over diameter [N/m]
+      character(:), allocatable :: question
+      integer :: i
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (case%operation /= operation_rotary_drilling .or. is_unusual(usual_tob, case%tob)) cycle    ! has a note of its own
+            if (case%tob > 0.0_wp .and. case%measured_torque%present) then
+               if (case%tob >= case%measured_torque%value) then
+                  call append_text(notes, 'load case '//quoted(case%name)//': tob = '// &
+                     in_units(units, unit_moment, case%tob, digits)//' is not below measured_torque = '// &
+                     in_units(units, unit_moment, case%measured_torque%value, digits)//' at surface, which has the friction of '// &
+                     'the string in it. Give the torque of the bit alone')
+                  return
+               end if
+            end if
+            if (.not. case%wob > 0.0_wp .or. .not. drills_alone(model, case)) cycle
+            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
+            usual = most_bit_friction*case%wob*diameter/3.0_wp
+            in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
+            if (case%tob <= usual .or. in_tonnes < least_load) cycle
+            question = unit_questions(units, unit_moment, case%tob/unit_factor(units, unit_moment), least_tob*usual, usual, &
+                                      digits, 'tob')
+            if (in_tonnes <= most_load .and. case%tob <= most_bit_friction*in_tonnes*diameter**2/3.0_wp) &
+               question = tonnes_question('wob', units, case%wob, model%gravity, digits)
+            call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
+               ' is large for wob = '//in_units(units, unit_force, case%wob, digits)//' in a hole of '// &
+               in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
+               in_units(units, unit_moment, usual, few_digits)//question//'. Is tob the torque at surface? Give that of the bit')
+            return
+         end associate
+      end do
+   end subroutine note_torque_on_bit
+
+   !> True if a bit alone drills. Mills and tools that open the hole take more torque for little weight.
+   function drills_alone(model, load_case) result(does)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      logical :: does
+      character(:), allocatable :: words
+      integer :: i, k
+      associate (parts => model%strings(string_index(model%strings, load_case%string))%components)
+         does = is_bit(parts(1)) .or. lower_case(parts(1)%name) == 'bit'
+         do i = 1, size(parts)
+            words = lower_case(parts(i)%kind//' '//parts(i)%name)
+            if (opens(parts(i)) .or. any([(index(words, trim(cutters(k))) > 0, k=1, size(cutters))])) does = .false.
+         end do
+      end associate
+   end function drills_alone
+
+   !> Pump pressure that is too low to drill with a motor, but usual in another unit. Air takes less. Only the first such load
+   !> case is named.
+   subroutine note_pump(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question, kind
+      integer :: i, k
+      if (.not. allocated(model%mud%fluids)) return
+      if (any(model%mud%fluids%density < lightest_oil)) return
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i), pressure => model%cases(i)%pump_pressure, &
+                    parts => model%strings(string_index(model%strings, model%cases(i)%string))%components)
+            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
+            if (.not. pressure > 0.0_wp .or. pressure >= least_with_motor .or. is_unusual(usual_pump, pressure)) cycle
+            if (case%inside_density%present) then
+               if (case%inside_density%value < lightest_oil) cycle
+            end if
+            question = unit_questions(units, unit_pressure, pressure/unit_factor(units, unit_pressure), drilling(1), drilling(2), &
+                                      digits, 'pump_pressure')
+            if (question == '') cycle
+            do k = 1, size(parts)
+               kind = lower_case(parts(k)%kind)
+               if (index(kind, 'motor') == 0 .and. index(kind, 'turbine') == 0) cycle
+               call append_text(notes, 'load case '//quoted(case%name)//': pump_pressure = '// &
+                  in_units(units, unit_pressure, pressure, digits)//' is too low for '//quoted(parts(k)%name)//' to drill. '// &
+                  'Usual is at least '//in_units(units, unit_pressure, least_with_motor, few_digits)//question)
+               return
+            end do
+         end associate
+      end do
+   end subroutine note_pump
 
    !> Adds notes on the loads of a study.
    subroutine note_use(units, use, notes)

@@ -19,7 +19,7 @@ module dg_unusual_input
                              usual_running_in, usual_top_drive, usual_wall, usual_wear
    implicit none
    private
-   public :: note_unusual, holes_in_inches, inches_meant
+   public :: note_unusual, holes_in_inches, inches_meant, largest_pressure
 
    !> Longest pipe that stands at a bit below collars [m].
    real(wp), parameter :: longest_bha_pipe = 100.0_wp

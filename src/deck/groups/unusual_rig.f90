@@ -5,16 +5,16 @@ module dg_unusual_rig
    use dg_deck_draft, only: string_use_type
    use dg_fluid_pressure, only: push_of, stretch_type, stretches_of, weight_at
    use dg_hole_section, only: hole_section_at
-   use dg_likely_unit, only: unit_questions
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_rotary_drilling, &
-                           operation_sliding_drilling, operation_trip_in, operation_trip_out, rotates
+   use dg_likely_unit, only: tonnes_question, unit_questions
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_trip_in, operation_trip_out, rotates
    use dg_missing, only: optional_real
    use dg_model, only: model_type, string_index
    use dg_text, only: append_text, either, quoted, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: at_most, in_units, unit_diameter, unit_factor, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_measured, usual_sheave, usual_tob, usual_wob
+   use dg_unusual_case, only: note_bit_loads
+   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_measured, usual_sheave
    implicit none
    private
    public :: note_rig
@@ -27,14 +27,8 @@ module dg_unusual_rig
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
    !> Weight along the hole over the whole one, below which a hole is nearly level from end to end [-].
    real(wp), parameter :: nearly_level = 0.1_wp
-   !> Range of a hook load in the unit that is asked for, over the same, and of torque on bit over its usual most [-].
-   real(wp), parameter :: least_likely = 0.6_wp, most_likely = 2.0_wp, least_tob = 0.03_wp
-   !> Largest torque on bit, 3 T/(W D) of Pessier & Fear (1992), Quantifying common drilling problems, SPE 24584 [-]. Sharp PDC
-   !> bits in soft rock have 2, and reamers and stabilizers add to it. Weight on bit in tonnes read as kN makes it ten times
-   !> too large. Then usual weight on bit over diameter, 1 to 7 klbf/in [N/m].
-   real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
-   !> Weight on bit over diameter that no bit has [N/m].
-   real(wp), parameter :: heaviest_load = 2.0e6_wp
+   !> Range of a hook load in the unit that is asked for, over the same [-].
+   real(wp), parameter :: least_likely = 0.6_wp, most_likely = 2.0_wp
    !> Weight of string and block over the largest hook load of the rig, above which a wrong unit is likely [-]. Less is an
    !> impossible plan.
    real(wp), parameter :: most_overload = 2.0_wp
@@ -42,7 +36,7 @@ module dg_unusual_rig
    real(wp), parameter :: longest_tail = 300.0_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
-   real(wp), parameter :: tonne = 1000.0_wp, near_tonne = 0.1_wp, percent = 0.01_wp
+   real(wp), parameter :: percent = 0.01_wp
    integer, parameter :: digits = 4, few_digits = 2, depth_digits = 6
 
 contains
@@ -72,8 +66,7 @@ contains
       weights = [(hanging_weight(model, model%cases(i), .true.), i=1, size(model%cases))]
       call note_block(model, units, weights, notes)
       call note_rig_limit(model, units, weights, notes)
-      call note_weight_on_bit(model, units, notes)
-      call note_torque_on_bit(model, units, notes)
+      call note_bit_loads(model, units, notes)
       call note_hook_loads(model, uses, units, notes)
       call note_swapped(model, units, notes)
    end subroutine note_rig
@@ -121,32 +114,9 @@ contains
             return
          end if
          call append_text(notes, 'group &rig: block_weight = '//in_units(units, unit_force, block, digits)//' is '// &
-            share//tonnes_text('it', units, block, model%gravity))
+            share//tonnes_question('block_weight', units, block, model%gravity, digits))
       end associate
    end subroutine note_block
-
-   !> Question for the unit of a force, with the number that would be right for tonnes. kdaN are nearly tonnes.
-   function tonnes_text(what, units, force, gravity) result(text)
-      character(*), intent(in) :: what     !< has the force
-      type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: force        !< [N]
-      real(wp), intent(in) :: gravity      !< [m/s2]
-      character(:), allocatable :: text
-      text = '. Check both numbers'
-      if (abs(units%force/(tonne*gravity) - 1.0_wp) < near_tonne) return
-      text = '. Is '//what//' in tonnes? '//to_text(force/units%force, digits)//' t are '// &
-             in_units(units, unit_force, force/units%force*tonne*gravity, digits)
-   end function tonnes_text
-
-   !> Questions for the unit of a force or moment in which it would be likely.
-   function questions(units, quantity, value, low, high) result(text)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: quantity
-      real(wp), intent(in) :: value, low, high     !< [SI]
-      character(:), allocatable :: text
-      text = unit_questions(units, quantity, value/unit_factor(units, quantity), low, high, digits)
-      if (text == '') text = '. Check both numbers'
-   end function questions
 
    !> A rig that does not carry the weight of the string without drag.
    subroutine note_rig_limit(model, units, weights, notes)
@@ -160,61 +130,10 @@ contains
       associate (most => model%rig%max_hookload%value)
          if (load <= most_overload*most) return
          call append_text(notes, 'The rig carries '//in_units(units, unit_force, most, digits)//', string and block weigh '// &
-            in_units(units, unit_force, load, digits)//' in mud without drag'//tonnes_text('its limit', units, most, model%gravity))
+            in_units(units, unit_force, load, digits)//' in mud without drag'// &
+            tonnes_question('its limit', units, most, model%gravity, digits))
       end associate
    end subroutine note_rig_limit
-
-   !> Note a weight on bit that is too large for the hole, but usual in another unit. Only the first such load case is named.
-   subroutine note_weight_on_bit(model, units, notes)
-      type(model_type), intent(in) :: model
-      type(unit_system_type), intent(in) :: units
-      type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: question
-      real(wp) :: diameter
-      integer :: i
-      do i = 1, size(model%cases)
-         associate (case => model%cases(i))
-            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
-            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
-            if (case%wob <= heaviest_load*diameter .or. is_unusual(usual_wob, case%wob)) cycle     ! which has a note of its own
-            question = unit_questions(units, unit_force, case%wob/units%force, least_load*diameter, most_load*diameter, digits)
-            if (question == '') cycle
-            call append_text(notes, 'load case '//quoted(case%name)//': wob = '//in_units(units, unit_force, case%wob, digits)// &
-               ' is large for a hole of '//in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
-               in_units(units, unit_force, at_most(units, unit_force, most_load*diameter, few_digits), few_digits)//question)
-            return
-         end associate
-      end do
-   end subroutine note_weight_on_bit
-
-   !> Note a torque on bit that is too large for its weight on bit, but usual if that is in tonnes. Only the first such load
-   !> case is named.
-   subroutine note_torque_on_bit(model, units, notes)
-      type(model_type), intent(in) :: model
-      type(unit_system_type), intent(in) :: units
-      type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: diameter, usual, in_tonnes       ! weight on bit over diameter [N/m]
-      character(:), allocatable :: question
-      integer :: i
-      do i = 1, size(model%cases)
-         associate (case => model%cases(i))
-            if (case%operation /= operation_rotary_drilling .or. .not. case%wob > 0.0_wp) cycle
-            diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
-            usual = most_bit_friction*case%wob*diameter/3.0_wp
-            if (case%tob <= usual .or. is_unusual(usual_tob, case%tob)) cycle      ! which has a note of its own
-            in_tonnes = case%wob/units%force*tonne*model%gravity/diameter
-            if (in_tonnes < least_load .or. in_tonnes > most_load) cycle
-            question = questions(units, unit_moment, case%tob, least_tob*usual, usual)
-            if (case%tob <= most_bit_friction*in_tonnes*diameter**2/3.0_wp) &
-               question = tonnes_text('wob', units, case%wob, model%gravity)
-            call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
-               ' is large for wob = '//in_units(units, unit_force, case%wob, digits)//' in a hole of '// &
-               in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
-               in_units(units, unit_moment, usual, few_digits)//question)
-            return
-         end associate
-      end do
-   end subroutine note_torque_on_bit
 
    !> The first hook load, measured or of another program, that is far from what string and block weigh.
    subroutine note_hook_loads(model, uses, units, notes)
