@@ -85,6 +85,22 @@ contains
       call refuse(good_deck(), 'joint_od', 'tj_od', "unknown key 'tj_od'; did you mean 'joint_od'?")
       call refuse(good_deck(), 'diameter = 220.0', 'id = 220.0', "unknown key 'id'; did you mean 'diameter'?")
       call refuse(good_deck(), 'density', 'mud_weight', "unknown key 'mud_weight'; did you mean 'density'?")
+      call refuse(good_deck(), 'density', 'mudweight', "unknown key 'mudweight'; did you mean 'density'?")
+      call refuse(good_deck(), 'joint_od', 'grade', "unknown key 'grade'; did you mean 'yield'?")
+      call refuse(good_deck()//'&rig block = 100 /', '&fluid', '&fluid', "unknown key 'block'; did you mean 'block_weight'?")
+      call refuse(good_deck(), 'bit_depth', 'surface_rpm = 60, bit_depth', "unknown key 'surface_rpm'; did you mean 'rpm'?")
+      call refuse(good_deck(), 'bit_depth', 'back_pressure = 2, bit_depth', &
+                  "unknown key 'back_pressure'; did you mean 'annulus_pressure'?")
+      call refuse(good_deck(), 'bit_depth', 'flow_rate = 2000, bit_depth', "unknown key 'flow_rate'; hydraulics are not "// &
+                  'calculated. Of the flow only pump_pressure of &load_case counts')
+      call refuse(good_deck(), 'bit_depth', 'mud_weight = 1300, bit_depth', &
+                  "unknown key 'mud_weight'; the mud stands in &fluid. "// &
+                  'Write inside_density for another one within the string')
+      call refuse(good_deck(), 'density', "name = 'OBM', density", "unknown key 'name'; no result depends on it. Leave it out")
+      call refuse(good_deck(), 'joint_od', 'wall_thickness', "'wall_thickness'; give id, which is od less twice the wall")
+      call refuse(good_deck(), 'joint_od', 'nominal_weight', "'nominal_weight'; give mass, with that of the tool joints")
+      call refuse(good_deck(), 'diameter = 220.0', 'casing_id = 220.0', "unknown key 'casing_id'; did you mean 'diameter'?")
+      call refuse(good_deck(), 'bit_depth', 'rop = 20, bit_depth', "unknown key 'rop'; no result depends on it. Leave it out")
       call refuse(good_deck(), 'bit_depth = 900.0', 'bit_depth = 900.0, overpull = 50', &
                   "unknown key 'overpull'; keys of similar meaning: wob. input/README.md lists all 25")
       call refuse(good_deck(), 'joint_od', 'buckling', "unknown key 'buckling'; input/README.md lists all 54")

@@ -27,23 +27,31 @@ module dg_deck_advice
       names_type('', 'load_case', 'bitrun bit_run run loadcase loadcases load operation case'), &
       names_type('', 'trajectory', 'survey surveys wellpath well_path path deviation'), &
       names_type('', 'fluid', 'mud mud_weight fluids'), &
-      names_type('', 'hole', 'casing open_hole openhole wellbore hole_section'), &
+      names_type('', 'hole', 'casing open_hole openhole wellbore hole_section section'), &
       names_type('', 'job', 'well units settings general project'), &
       names_type('component', 'joint_od', 'tool_joint_od tooljoint_od tj_od blade_od'), &
       names_type('component', 'joint_id', 'tool_joint_id tj_id'), &
       names_type('component', 'joint_length', 'tool_joint_length tj_length'), &
+      names_type('component', 'joint_spacing', 'average_joint_length range_length'), &
+      names_type('component', 'joint_torsion', 'torsional_yield torsional_strength tj_torque joint_torque'), &
+      names_type('component', 'bend', 'bend_angle bent_housing housing_angle'), &
       names_type('component', 'od', 'outer_diameter outside_diameter diameter'), &
       names_type('component', 'id', 'inner_diameter inside_diameter'), &
-      names_type('component', 'mass', 'weight linear_weight unit_weight'), &
-      names_type('component', 'yield', 'yield_strength min_yield'), &
-      names_type('component', 'youngs', 'modulus'), &
+      names_type('component', 'mass', 'weight linear_weight unit_weight adjusted_weight weight_in_air ppf'), &
+      names_type('component', 'yield', 'yield_strength min_yield grade steel_grade smys'), &
+      names_type('component', 'youngs', 'modulus youngs_modulus elastic_modulus'), &
       names_type('component', 'kind', 'type'), &
-      names_type('component', 'makeup_torque', 'makeup'), &
-      names_type('hole', 'diameter', 'id od size hole_size hole_diameter'), &
+      names_type('component', 'makeup_torque', 'makeup mut'), &
+      names_type('hole', 'diameter', 'id od size hole_size hole_diameter bit_size casing_id'), &
       names_type('hole', 'friction', 'ff friction_factor mu'), &
       names_type('hole', 'md_top', 'top from'), &
-      names_type('hole', 'md_bottom', 'bottom to shoe'), &
-      names_type('fluid', 'density', 'mud_weight weight mw'), &
+      names_type('hole', 'md_bottom', 'bottom to shoe shoe_depth casing_shoe depth'), &
+      names_type('fluid', 'density', 'mud_weight mudweight mud_density weight mw ppg'), &
+      names_type('fluid', 'surface_pressure', 'back_pressure backpressure annulus_pressure wellhead_pressure'), &
+      names_type('rig', 'block_weight', 'block travelling_block block_mass hook_weight'), &
+      names_type('rig', 'max_hookload', 'rig_limit capacity rated_load max_load hook_capacity'), &
+      names_type('rig', 'max_torque', 'top_drive_torque torque_limit'), &
+      names_type('rig', 'lines', 'number_of_lines line_count'), &
       names_type('trajectory', 'md', 'depth'), &
       names_type('trajectory', 'inc', 'inclination'), &
       names_type('trajectory', 'azi', 'azimuth'), &
@@ -51,13 +59,37 @@ module dg_deck_advice
       names_type('load_case', 'bit_depth', 'depth md'), &
       names_type('load_case', 'wob', 'weight_on_bit'), &
       names_type('load_case', 'tob', 'torque_on_bit bit_torque'), &
-      names_type('load_case', 'measured_hookload', 'hookload hook_load'), &
-      names_type('load_case', 'measured_torque', 'torque'), &
-      names_type('load_case', 'operation', 'type'), &
+      names_type('load_case', 'measured_hookload', 'hookload hook_load actual_hookload'), &
+      names_type('load_case', 'measured_torque', 'torque surface_torque actual_torque'), &
+      names_type('load_case', 'rpm', 'surface_rpm rotary_speed rotation_speed'), &
+      names_type('load_case', 'trip_speed', 'tripping_speed hoisting_speed running_speed block_speed speed'), &
+      names_type('load_case', 'pump_pressure', 'spp standpipe_pressure'), &
+      names_type('load_case', 'annulus_pressure', 'back_pressure backpressure choke_pressure wellhead_pressure'), &
+      names_type('load_case', 'friction', 'ff friction_factor mu'), &
+      names_type('load_case', 'toolface', 'tool_face tfo'), &
+      names_type('load_case', 'operation', 'type mode activity'), &
       names_type('job', 'title', 'name'), &
       names_type('job', 'units', 'unit_system'), &
       names_type('job', 'output_dir', 'output'), &
       names_type('job', 'models', 'model')]
+
+   !> Names elsewhere that no key has, and what to do. Group '': any.
+   type :: absent_type
+      character(16) :: group = ''
+      character(88) :: foreign = ''     !< a blank between two
+      character(88) :: advice = ''
+   end type absent_type
+
+   character(*), parameter :: needless = 'no result depends on it. Leave it out'
+   type(absent_type), parameter :: absent(*) = [ &
+      absent_type('', 'flow_rate flowrate flow gpm pump_rate viscosity plastic_viscosity pv yield_point yp tfa', &
+                  'hydraulics are not calculated. Of the flow only pump_pressure of &load_case counts'), &
+      absent_type('', 'rop rate_of_penetration penetration_rate', needless), &
+      absent_type('fluid', 'name type label', needless), &
+      absent_type('load_case', 'mud_weight mudweight mud_density density mw', &
+                  'the mud stands in &fluid. Write inside_density for another one within the string'), &
+      absent_type('component', 'nominal_weight', 'give mass, with that of the tool joints'), &
+      absent_type('component', 'wall_thickness wall wt', 'give id, which is od less twice the wall')]
 
    !> Slips that a name may have, by its length.
    integer, parameter :: short_name = 4, slips_of_short = 1, slips_of_long = 2
@@ -91,6 +123,8 @@ contains
       if (advice /= '') then
          advice = "did you mean '"//advice//"'?"
       else
+         advice = absent_advice(group, name)
+         if (advice /= '') return
          advice = suggestion(name, legal)
          if (size(legal) <= few_keys .or. nearest_name(name, legal) /= '') return
          allocate (near, source=near_by_meaning(name, legal, meanings))
@@ -98,6 +132,19 @@ contains
          if (size(near) > 0) advice = 'keys of similar meaning: '//joined(legal(near), ', ')//'. '//advice
       end if
    end function key_advice
+
+   !> Advice on a name that no key has, be it by another name; '' for others.
+   pure function absent_advice(group, name) result(advice)
+      character(*), intent(in) :: group, name
+      character(:), allocatable :: advice
+      integer :: i
+      advice = ''
+      if (name == '' .or. group == '') return
+      do i = 1, size(absent)
+         if (absent(i)%group /= '' .and. absent(i)%group /= group) cycle
+         if (index(' '//absent(i)%foreign, ' '//name//' ') > 0) advice = trim(absent(i)%advice)
+      end do
+   end function absent_advice
 
    !> Places of the few names that share most words with an unknown one, in themselves or in their meaning.
    pure function near_by_meaning(name, legal, meanings) result(places)
