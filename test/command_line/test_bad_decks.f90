@@ -270,7 +270,7 @@ contains
                   11, 'blade_offset = 12 is greater than 10: the body would touch before')
       call refuse("diameter = 220.0", "diameter = 220.0, wear_factor = 10", 6, 'wear_factor needs casing_od')
       call refuse("diameter = 220.0", "diameter = 220.0, casing_od = 200", 6, &
-                  'casing_od = 200 mm is not greater than diameter = 220 mm')
+                  'casing_od = 200 mm is not greater than diameter = 220 mm, the inside diameter')
       call refuse("wob = 20.0", "wob = 20.0, hours = 5", 18, 'hours needs rpm > 0')
       call refuse("od = 171.45", "od = 171.45, fatigue_curve = 'own'", 12, "fatigue_curve = 'own' needs fatigue_limit")
       call refuse("od = 171.45", "od = 171.45, fatigue_limit = 100", 12, "fatigue_limit needs fatigue_curve = 'own'")

@@ -19,6 +19,7 @@ contains
       call suite%addTest(TestMethod('hook_loads', test_hook_loads))
       call suite%addTest(TestMethod('stiffness_and_drag', test_stiffness_and_drag))
       call suite%addTest(TestMethod('snubbing', test_snubbing))
+      call suite%addTest(TestMethod('casing_and_tubing', test_casing))
       call suite%addTest(TestMethod('pump_and_motor', test_motor))
       call suite%addTest(TestMethod('crossing_under_a_river', test_crossing))
       call suite%addTest(TestMethod('diameters', test_diameters))
@@ -112,6 +113,10 @@ contains
                   'unusual. Usual is at least 50 kN/m2. Is it in GPa? Then write 3e7', 'friction = 0.3, wall_stiffness = 3e7 ')
       call follow('SI', '&rig', bows//'350 / &rig', 'running_force = 350 kN is unusual. Usual is at most 20 kN. Is it in N? '// &
                   'Then write 0.35', bows//'0.35 / &rig')
+      call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 2e4 ', 'wall_stiffness = 20000 kN/m2 is unusual. '// &
+                  'Usual is at least 100000 kN/m2. Is it in MPa? Then write 2e7', 'friction = 0.3, wall_stiffness = 2e7 ')
+      call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 2e10 ', 'wall_stiffness = 2e10 kN/m2 is unusual. '// &
+                  'Usual is at most 1e9 kN/m2. Is it in N/m2? Then write 2e7', 'friction = 0.3, wall_stiffness = 2e7 ')
    end subroutine test_stiffness_and_drag
 
    subroutine test_temperatures()
@@ -152,6 +157,19 @@ contains
       end subroutine unasked
    end subroutine test_snubbing
 
+   !> Distance of centralizers, and mass of insulated tubing.
+   subroutine test_casing()
+      type(run_type) :: run
+      character(*), parameter :: sound = "'DP', od = 5, id = 4.276, mass = 21.5, joint_od = 6.625, yield = 135 /", &
+         casing = "'DP', kind = 'casing', od = 5, id = 4.276, mass = 18, yield = 135 / &centralizer component = 'DP', "// &
+                  "kind = 'bow', od = 8, restoring_force = 1, spacing = "
+      call follow('field', sound, casing//'12 /', ': &centralizer: spacing = 12 ft is unusual. Usual is at least 13.12 ft. Is '// &
+                  'it in m? Then write 39.37', casing//'39.37 /')
+      run = run_deck_text(replaced(replaced(well('SI'), 'mass = 32', 'mass = 21.5'), "'DP',", "'DP', kind = 'VIT',"), '--check')
+      call assertTrue(index(run%output, 'mass = 21.5, but a tube of its od, id and density has 26.73') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'lbm/ft'), message=run%output)
+   end subroutine test_casing
+
    !> Pressure that is too low to drill with a motor. Air does.
    subroutine test_motor()
       call drill('250', "pump_pressure = 250 psi is too low for 'MWD' to drill. Usual is at least 440 psi. Is pump_pressure in "// &
@@ -175,7 +193,7 @@ contains
       type(run_type) :: run
       run = run_deck_text("&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
          "&trajectory md = 0, 60, 400, 700, 760, inc = 78, 78, 90, 98, 98, azi = 5*10, tie_on = 'straight' /"//newline// &
-         "&hole diameter = 914, friction = 0.3 /"//newline//"&fluid density = 1150 /"//newline// &
+         "&hole diameter = 914, friction = 0.3, wall_stiffness = 2e4 /"//newline//"&fluid density = 1150 /"//newline// &
          "&component name = 'pipe', kind = 'casing', od = 609.6, id = 581.2, joint_od = 620 /"//newline// &
          "&load_case name = 'pull', operation = 'trip_out', bit_depth = 760, measured_hookload = 900 /"//newline, '--check')
       call assertEqual(0, run%status, message=run%diagnostics)

@@ -167,6 +167,9 @@ contains
       call mistake('friction = 0.30', 'friction_axial = 0.3', '''open'' has no friction_rotary, so that torque there is zero')
       call mistake('&fluid density = 9.6 /', '&fluid density = 9.6 / &fluid density = 10, md_top = 16000 /', &
                    'md_top = 16000 ft is below the hole, so that this fluid is nowhere')
+      call mistake('friction = 0.30', 'friction_rotary = 0.3', &
+                   '''open'' has no friction_axial, so that drag there is zero. Give it, or friction for both')
+      call usual('friction = 0.30', 'friction_rotary = 0.3, friction_axial = 0.25')
       call mistake('density = 9.6', 'density = 24', 'density = 24 lbm/gal is unusual. Usual is at most 22.5 lbm/gal')
    end subroutine test_fluid_and_friction
 
@@ -259,6 +262,11 @@ contains
       call mistake(up, up//', measured_hookload = 25', 'measured_hookload = 25 klbf is ')
       call mistake(up, up//', measured_hookload = 1100', ' % of what the string weighs in mud, ')
       call usual(up, up//', measured_hookload = 250')
+      call unblocked('200', '136', &
+                     'load case ''turn'': measured_hookload = 136 klbf is the weight of the string in mud less WOB. With '// &
+                     'block_weight it would be 196 klbf. If loads are measured without the block, write block_weight = 0')
+      call unblocked('260', '196', '')
+      call unblocked('260', '136', '')
       call mistake(up, up//", measured_hookload = 150 / &load_case name = 'down', operation = 'down', bit_depth = 15000, "// &
                    'measured_hookload = 260', &
                    'measured_hookload = 150 klbf of pick-up is below the 260 klbf of slack-off in ''down''. Are the two swapped?')
@@ -272,6 +280,18 @@ contains
                    'measured_hookload is no more than block_weight of &rig')
       call mistake(', tob = 5 ', ' ', 'case ''turn'' drills without tob, the torque on bit. Torque at surface lacks it. Give tob')
       call usual('tob = 5 ', 'tob = 0 ')
+   contains
+      !> Two measured loads beside a block of 60 klbf: a note on a block that is left out, or none.
+      subroutine unblocked(pulled, turned, expected)
+         character(*), intent(in) :: pulled, turned, expected
+         type(run_type) :: run
+         run = run_deck_text(replaced(replaced(deck(), up, up//', measured_hookload = '//pulled), 'tob = 5 ', &
+                                      'tob = 5, measured_hookload = '//turned//' / &rig block_weight = 60 '), '--check')
+         call assertEqual(0, run%status, message=run%diagnostics)
+         if (expected == '') call assertEqual(0, index(run%output, 'left out'), message=run%output)
+         if (expected == '') call assertEqual(0, index(run%output, newline//'note '), message=run%output)
+         call assertTrue(index(run%output, expected) > 0, message=expected//': '//run%output)
+      end subroutine unblocked
    end subroutine test_measured
 
    !> A cased section below an open one, too many collars, one station that turns off and back.
@@ -284,6 +304,14 @@ contains
       call usual('friction = 0.20, cased = .true. /', 'friction = 0.20, cased = .true. / &hole name = ''liner'', '// &
                  'md_bottom = 9000, diameter = 8.6, friction = 0.2, cased = .true. /')
       call usual('friction = 0.20, cased = .true. /', 'friction = 0.20 /')
+      call mistake('diameter = 8.681', 'diameter = 9.625', "'casing': diameter = 9.625 in is the outside diameter of a casing. "// &
+                   'The hole needs its inside diameter')
+      call mistake("name = 'casing', md_bottom = 8000, diameter = 8.681, friction = 0.20, cased = .true.", &
+                   "name = '13 3/8 csg', md_bottom = 8000, diameter = 13.375, friction = 0.20", &
+                   'diameter = 13.375 in is the outside diameter of a casing')
+      call usual('diameter = 8.681', 'diameter = 9.625, casing_od = 11')
+      call usual("name = 'casing', md_bottom = 8000, diameter = 8.681, friction = 0.20, cased = .true.", &
+                 "name = 'open', md_bottom = 8000, diameter = 9.625, friction = 0.20")
       call mistake('length = 90, od = 6.75', 'length = 3900, od = 6.75', 'String ''main'' has 3900 ft of collars. Usual is at '// &
                    'most 1640 ft. Is a length mistyped?')
       call usual('length = 90, od = 6.75', 'length = 900, od = 6.75')
@@ -294,7 +322,10 @@ contains
 
    !> Pipe without its joints, its nominal weight, two materials, a wall as id, a tool as long as pipe or up to surface, a kind.
    subroutine test_materials()
-      character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625', tool = "kind = 'collar', length = 90"
+      character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625', &
+         tool = "kind = 'collar', length = 90", &
+         collar = "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline, &
+         motor = "&component name = 'MWD', kind = 'motor', length = 30, od = 6.75, id = 3.25 /"//newline
       call mistake(pipe, 'od = 5, id = 4.276', "'DP': without joint_od and mass it is plain pipe. Tool joints add 12 to 35 % "// &
                    "to its mass. Give both, or a name of the catalogue. Pipe without joints needs its kind, as 'casing'")
       call mistake('mass = 20.87', 'mass = 19.5', "'DP': mass = 19.5 lbm/ft is little more than its tube has. Is it the "// &
@@ -308,6 +339,9 @@ contains
       call mistake("name = 'DP',", "name = 'DP', length = 14000, od = 5, id = 4.276, mass = 20.87, joint_od = 6.625 /"// &
                    newline//"&component name = 'top', kind = 'MWD', ", &
                    "'top' has no length, so that it goes up to surface. List components from the bit upwards, or give its length")
+      call mistake(collar, motor//motor, "'MWD' stands twice in a row, first in line 8. Is one a copy? Leave it out")
+      call usual(collar, motor)
+      call usual(collar, collar//collar)
       call mistake("kind = 'collar'", "kind = 'coler'", "kind = 'coler' is not known. Did you mean 'collar'?")
       call mistake("kind = 'collar'", "kind = 'drill coller'", "kind = 'drill coller' is not known. Did you mean 'collar'?")
       call usual("kind = 'collar'", "kind = 'coring'")

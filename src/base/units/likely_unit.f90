@@ -76,8 +76,10 @@ module dg_likely_unit
       other_unit_type(quantity_rotation, 'rad/s', 1.0_wp, T, T, T), &
       other_unit_type(quantity_wall, 'GPa', 1.0e9_wp, T, F, T), &
       other_unit_type(quantity_wall, 'MPa', 1.0e6_wp, T, F, T), &
+      other_unit_type(quantity_wall, 'N/m2', 1.0_wp, T, F, T), &
       other_unit_type(quantity_wall, '1e6 psi', 1.0e6_wp*psi, F, T, F), &
       other_unit_type(quantity_wall, 'ksi', 1.0e3_wp*psi, F, T, F), &
+      other_unit_type(quantity_wall, 'psi', psi, F, T, F), &
       other_unit_type(quantity_wear, '1e-10/psi', 1.0e-10_wp/psi, T, F, T), &
       other_unit_type(quantity_wear, '1e-14/Pa', 1.0e-14_wp, F, T, F), &
       other_unit_type(quantity_wear, '1/psi', 1.0_wp/psi, T, T, T), &

@@ -2,16 +2,17 @@
 !> and the usual range.
 module dg_unusual_component
    use dg_kinds, only: wp
-   use dg_component, only: component_type, effective_joint_length, has_joints, is_coiled_tubing, is_hwdp, is_pipe, tube_area
+   use dg_component, only: component_type, effective_joint_length, has_joints, is_bit, is_coiled_tubing, is_hwdp, is_pipe, &
+                           tube_area
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of
    use dg_text, only: append_text, edit_distance, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_bend, usual_joint_length, usual_joint_spacing, usual_joint_torsion, &
-                             usual_makeup, usual_restoring, usual_running_force, usual_yield
+   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_joint_length, usual_joint_spacing, &
+                             usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, usual_yield
    implicit none
    private
-   public :: note_component, note_place
+   public :: note_component, note_place, note_twice
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
@@ -35,6 +36,8 @@ module dg_unusual_component
    !> Words in the kinds of tools, which do not go up to surface.
    character(*), parameter :: tools(*) = [character(8) :: 'bit', 'motor', 'mwd', 'lwd', 'stab', 'jar', 'reamer', 'rss', 'steer', &
                                           'turbine', 'sensor', 'collar']
+   !> Words in the kinds of tools that no string has twice in a row.
+   character(*), parameter :: lone_tools(*) = [character(7) :: 'motor', 'turbine', 'mwd', 'rss']
    !> Shortest kind that may have two letters wrong, and kinds that are meant so.
    integer, parameter :: long_kind = 5
    character(*), parameter :: meant_so(*) = [character(8) :: 'coring', 'turbine', 'roller', 'collet']
@@ -55,6 +58,8 @@ contains
          call note_range(units, what, usual_joint_torsion, part%joint_torsion, notes)
          call note_range(units, what, usual_restoring, part%centralizer%restoring_force, notes)
          call note_range(units, what, usual_running_force, part%centralizer%running_force, notes)
+         if (part%centralizer%present .and. is_casing(part)) &
+            call note_range(units, what//': &centralizer', usual_centralizers, part%centralizer%spacing, notes)
          if (nearly_kind(part%kind) /= '') call append_text(notes, what//': kind = '//quoted(part%kind)// &
             ' is not known. Did you mean '//quoted(nearly_kind(part%kind))//'?')
          if (has_joints(part)) then
@@ -88,6 +93,13 @@ contains
       end associate
    end subroutine note_component
 
+   !> True for casing and liner. Guides of rods and protectors of drill pipe stand closer.
+   pure function is_casing(part) result(is)
+      type(component_type), intent(in) :: part
+      logical :: is
+      is = index(lower_case(part%kind), 'casing') > 0 .or. index(lower_case(part%kind), 'liner') > 0
+   end function is_casing
+
    !> True for rods, which are as short as 1.5 m.
    pure function is_rod(part) result(is)
       type(component_type), intent(in) :: part
@@ -117,6 +129,30 @@ contains
          end associate
       end do
    end subroutine note_place
+
+   !> A bit, or another tool of which a string has one, that stands twice in a row with the same name and numbers: a copy.
+   subroutine note_twice(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, k
+      do i = 2, size(draft%components)
+         associate (item => draft%components(i), before => draft%components(i - 1))
+            if (item%string /= before%string .or. item%component%name /= before%component%name .or. &
+                item%component%kind /= before%component%kind) cycle
+            if (.not. (is_bit(item%component) .or. &
+                       any([(index(lower_case(item%component%kind), trim(lone_tools(k))) > 0, k=1, size(lone_tools))]))) cycle
+            if (any(abs(sizes(item%component) - sizes(before%component)) > 0.0_wp)) cycle
+            call append_text(notes, part_text(item)//' stands twice in a row, first in line '//to_text(before%line)// &
+                             '. Is one a copy? Leave it out')
+         end associate
+      end do
+   contains
+      pure function sizes(part) result(numbers)
+         type(component_type), intent(in) :: part
+         real(wp) :: numbers(5)
+         numbers = [part%length, part%od, part%id, part%mass, part%joint_od]
+      end function sizes
+   end subroutine note_twice
 
    function part_text(item) result(text)
       type(draft_component_type), intent(in) :: item

@@ -2,11 +2,11 @@
 !> its place, and the usual range.
 module dg_unusual_input
    use dg_kinds, only: wp
-   use dg_constants, only: foot
+   use dg_constants, only: degree, foot, inch
    use dg_component, only: component_type, has_joints, is_bit, is_pipe, opens
    use dg_contact_friction, only: axial_friction
    use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
-   use dg_load_case, only: operation_static, rotates
+   use dg_load_case, only: moves_axially, operation_static, rotates
    use dg_meant_units, only: deepest_model
    use dg_missing, only: is_missing
    use dg_unusual_survey, only: note_survey
@@ -14,9 +14,9 @@ module dg_unusual_input
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
    use dg_unusual_case, only: note_case, note_light, note_use
-   use dg_unusual_component, only: note_component, note_place
-   use dg_usual_range, only: note_range, usual_block, usual_density, usual_friction, usual_gravity, usual_hookload, &
-                             usual_running_in, usual_top_drive, usual_wall, usual_wear
+   use dg_unusual_component, only: note_component, note_place, note_twice
+   use dg_usual_range, only: is_unusual, note_range, usual_block, usual_deep_wall, usual_density, usual_friction, usual_gravity, &
+                             usual_hookload, usual_running_in, usual_top_drive, usual_wall, usual_wear
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant, largest_pressure
@@ -39,6 +39,12 @@ module dg_unusual_input
    real(wp), parameter :: rougher = 1.6_wp
    !> Part by which a ratio of depths may differ from that of metre and foot [-]: the deepest bit is seldom at the last station.
    real(wp), parameter :: as_feet = 0.01_wp
+   !> Outside diameters of casing that no usual casing has inside [m]. Others are both: 7 5/8 in comes with 6 5/8 in inside,
+   !> 9 7/8 in with 8 5/8 in, 22 in with 20 in. Diameters in mm have round-off [m].
+   real(wp), parameter :: casing_sizes(*) = inch*[5.0_wp, 7.0_wp, 9.625_wp, 10.75_wp, 11.75_wp, 13.375_wp, 16.0_wp, 18.625_wp], &
+                          as_size = 0.15e-3_wp
+   !> Deepest soft ground [m], and inclination at surface of crossings, which stay in it [rad].
+   real(wp), parameter :: deepest_soil = 1000.0_wp, of_crossing = 30.0_wp*degree
    integer, parameter :: digits = 4, depth_digits = 6
 
 contains
@@ -71,7 +77,8 @@ contains
       end do
       if (.not. fitted) call note_friction(draft, notes)
       do i = 1, size(draft%holes)
-         call note_hole_friction(draft, draft%holes(i), notes)
+         call note_hole_friction(draft, draft%holes(i), fitted, notes)
+         call note_wall(draft, draft%holes(i), notes)
       end do
       do i = 1, size(uses)
          call note_use(draft%units, uses(i), notes)
@@ -84,6 +91,7 @@ contains
       call note_collars(draft, notes)
       call note_cased(draft, notes)
       call note_place(draft, notes)
+      call note_twice(draft, notes)
       if (draft%rig%given .and. draft%rig%max_hookload%present .and. .not. draft%block_given) &
          call append_text(notes, 'group &rig: max_hookload counts the block in, and block_weight is not given. Give it, or 0 '// &
                           'for a limit without block')
@@ -155,12 +163,13 @@ contains
    end function is_air_gap
 
    !> Friction that is far from what was measured anywhere, and a section that lets a string turn without any.
-   subroutine note_hole_friction(draft, hole, notes)
+   subroutine note_hole_friction(draft, hole, fitted, notes)
       type(draft_type), intent(in) :: draft
       type(draft_hole_type), intent(in) :: hole
+      logical, intent(in) :: fitted       !< a study of the deck finds the friction
       type(text_type), allocatable, intent(inout) :: notes(:)
       character(:), allocatable :: what
-      what = 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)
+      what = hole_text(hole)
       associate (axial => hole%section%friction_axial, rotary => hole%section%friction_rotary, &
                  running_in => hole%section%friction_running_in)
          if (axial > 0.0_wp) call note_range(draft%units, what, usual_friction, axial, notes)
@@ -168,14 +177,42 @@ contains
          if (.not. is_missing(running_in)) then
             if (running_in > 0.0_wp) call note_range(draft%units, what, usual_running_in, running_in, notes)
          end if
-         if (hole%section%wall_stiffness > 0.0_wp) &
-            call note_range(draft%units, what, usual_wall, hole%section%wall_stiffness, notes)
-         if (.not. is_missing(hole%section%wear_factor)) call note_range(draft%units, what, usual_wear, hole%section%wear_factor, &
-                                                                         notes)
          if (axial > 0.0_wp .and. .not. rotary > 0.0_wp .and. any(rotates(draft%cases%load_case%operation))) &
             call append_text(notes, what//' has no friction_rotary, so that torque there is zero. Give it, or friction for both')
+         if (rotary > 0.0_wp .and. .not. (axial > 0.0_wp .or. fitted) .and. is_missing(running_in) .and. &
+             any(moves_axially(draft%cases%load_case%operation) .and. .not. draft%cases%load_case%friction_axial%present)) &
+            call append_text(notes, what//' has no friction_axial, so that drag there is zero. Give it, or friction for both')
       end associate
    end subroutine note_hole_friction
+
+   !> Stiffness and wear of the wall of a section, and the size of a casing in place of its inside.
+   subroutine note_wall(draft, hole, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_hole_type), intent(in) :: hole
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: name
+      logical :: hard
+      associate (wall => hole%section)
+         hard = wall%cased .or. (wall%md_bottom > deepest_soil .and. draft%stations%inclination(1) < of_crossing)
+         if (wall%wall_stiffness > 0.0_wp) call note_range(draft%units, hole_text(hole), merge(usual_deep_wall, usual_wall, &
+            hard .and. .not. is_unusual(usual_wall, wall%wall_stiffness)), wall%wall_stiffness, notes)
+         if (.not. is_missing(wall%wear_factor)) call note_range(draft%units, hole_text(hole), usual_wear, wall%wear_factor, notes)
+         name = lower_case(wall%name)
+         if (.not. (wall%cased .or. any([index(name, 'casing'), index(name, 'liner'), index(name, 'csg')] > 0))) return
+         if (any([index(name, 'open'), index(name, 'below'), index(name, 'riser')] > 0)) return
+         ! a casing_od says that the two are known
+         if (.not. is_missing(wall%casing_od) .or. all(abs(wall%diameter - casing_sizes) > as_size)) return
+         call append_text(notes, hole_text(hole)//': diameter = '// &
+                          in_units(draft%units, unit_diameter, wall%diameter, depth_digits)// &
+                          ' is the outside diameter of a casing. The hole needs its inside diameter')
+      end associate
+   end subroutine note_wall
+
+   function hole_text(hole) result(text)
+      type(draft_hole_type), intent(in) :: hole
+      character(:), allocatable :: text
+      text = 'group &hole in line '//to_text(hole%line)//': '//quoted(hole%section%name)
+   end function hole_text
 
    !> A bit above other components of its string, or drill pipe at the bit below collars: the string is listed from the top.
    subroutine note_order(draft, notes)

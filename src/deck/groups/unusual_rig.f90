@@ -34,6 +34,9 @@ module dg_unusual_rig
    real(wp), parameter :: most_overload = 2.0_wp
    !> Longest tail of a string below its packer [m].
    real(wp), parameter :: longest_tail = 300.0_wp
+   !> What a measured hook load lacks over the block weight, if it lacks the block [-]. Least block weight over the weight of the
+   !> string that shows among errors of that weight [-].
+   real(wp), parameter :: least_lack = 0.7_wp, most_lack = 1.3_wp, least_told = 0.1_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp
    real(wp), parameter :: percent = 0.01_wp
@@ -68,6 +71,7 @@ contains
       call note_rig_limit(model, units, weights, notes)
       call note_bit_loads(model, units, notes)
       call note_hook_loads(model, uses, units, notes)
+      call note_block_left_out(model, units, notes)
       call note_swapped(model, units, notes)
    end subroutine note_rig
 
@@ -167,6 +171,38 @@ contains
          end do
       end do
    end subroutine note_hook_loads
+
+   !> Measured hook loads that lack the block: all of strings that turn, without drag, are low by about its weight. The first is
+   !> named. A single measured load may be wrong for another reason.
+   subroutine note_block_left_out(model, units, notes)
+      type(model_type), intent(in) :: model
+      type(unit_system_type), intent(in) :: units
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: expected, lacks
+      integer :: i, first
+      if (.not. model%rig%block_weight > 0.0_wp .or. count(model%cases%measured_hookload%present) < 2) return
+      first = 0
+      do i = 1, size(model%cases)
+         associate (case => model%cases(i))
+            if (.not. case%measured_hookload%present) cycle
+            expected = hanging_weight(model, case, .true.) - case%wob - push_of(model, case)
+            lacks = (expected + model%rig%block_weight - case%measured_hookload%value)/model%rig%block_weight
+            ! a pick-up above string and block has the block in it
+            if (case%operation == operation_trip_out .and. lacks < 0.0_wp) return
+            if (.not. rotates(case%operation) .or. moves_axially(case%operation)) cycle
+            if (model%rig%block_weight < least_told*expected .or. lacks < least_lack .or. lacks > most_lack) return
+            if (first == 0) first = i
+         end associate
+      end do
+      if (first == 0) return
+      associate (case => model%cases(first))
+         call append_text(notes, 'load case '//quoted(case%name)//': measured_hookload = '// &
+            in_units(units, unit_force, case%measured_hookload%value, digits)//' is the weight of the string in mud'// &
+            either(' less WOB', '', case%wob > 0.0_wp)//'. With block_weight it would be '// &
+            in_units(units, unit_force, case%measured_hookload%value + model%rig%block_weight, digits)// &
+            '. If loads are measured without the block, write block_weight = 0')
+      end associate
+   end subroutine note_block_left_out
 
    !> A hook load that is far from what string and block weigh, or was measured without the block, it seems. Drag may be as
    !> much as the string weighs. Where the lower end lies nearly as high as the rig, drag is all.

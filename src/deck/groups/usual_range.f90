@@ -14,7 +14,7 @@ module dg_usual_range
              usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
-             usual_restoring, usual_running_force, usual_wall
+             usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers
 
    !> Usual range of a key.
    type :: usual_type
@@ -30,12 +30,12 @@ module dg_usual_range
                          usual_hours = 16, usual_warming_top = 17, usual_warming_bottom = 18, usual_ambient_top = 19, &
                          usual_ambient_bottom = 20, usual_measured = 21, usual_joint_spacing = 22, usual_joint_length = 23, &
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
-                         usual_running_force = 29, usual_wall = 30
+                         usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(30) = [ &
+   type(usual_type), parameter :: usual(32) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -66,12 +66,14 @@ module dg_usual_range
       usual_type('wear_factor', unit_wear, 1.0e-17_wp, 1.0e-11_wp, 'tests of 1e-10/psi: 0.01 to 1000'), &
       usual_type('restoring_force', unit_force, 0.0_wp, 50.0e3_wp, 'API 10D, 20 in: 1,707 lbf; stiff bows several times that'), &
       usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf'), &
-      usual_type('wall_stiffness', unit_wall, 5.0e4_wp, 1.0e13_wp, 'soft clay 0.1 MPa; steel 200 GPa')]
+      usual_type('wall_stiffness', unit_wall, 5.0e4_wp, 1.0e12_wp, 'soft clay 0.1 MPa; steel 200 GPa'), &
+      usual_type('wall_stiffness', unit_wall, 1.0e8_wp, 1.0e12_wp, 'clay of deep wells 0.1 GPa, sandstone 10 GPa'), &
+      usual_type('spacing', unit_length, 4.0_wp, 150.0_wp, 'three a joint of casing, 13.3 ft, to one in ten joints')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
-   !> Softest rock, 1 GPa [Pa].
-   real(wp), parameter :: least_rock = 1.0e9_wp
+   !> Softest rock and solid steel [Pa].
+   real(wp), parameter :: least_rock = 1.0e9_wp, steel = 2.1e11_wp
    !> Temperature of the air, 24 degC [K], and minutes of an hour.
    real(wp), parameter :: ambient = 297.0_wp, minutes = 60.0_wp
 
@@ -122,8 +124,11 @@ contains
          case default
             least = max(row%low, least_meant*row%high)
             if (row%unit == unit_stress) least = least_steel*row%high
-            if (row%unit == unit_wall) least = least_rock
             most = row%high
+            if (row%unit == unit_wall) then
+               least = least_rock
+               most = steel
+            end if
             if (value < 0.0_wp) then      ! an overpull
                least = row%low
                most = least_meant*row%low

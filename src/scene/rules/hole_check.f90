@@ -38,7 +38,7 @@ contains
       else if (.not. hole%casing_od > hole%diameter) then
          call add_part_fault(found, 'hole', place, 'casing_od', 'casing_od = '// &
                              diameter_words(units, hole%casing_od, diameter_digits)//' is not greater than diameter = '// &
-                             diameter_words(units, hole%diameter, diameter_digits))
+                             diameter_words(units, hole%diameter, diameter_digits)//', the inside diameter')
       end if
    end subroutine check_section
 
