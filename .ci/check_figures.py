@@ -12,6 +12,7 @@ Usage: check_figures.py PATH_TO_DRILLGAP
 import csv
 import html
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -20,7 +21,7 @@ import tempfile
 import urllib.parse
 
 from browser import MADE, View, browser, opened
-from check_page import CLOSE, WIDTHS, faults_of_labels, faults_of_phone, view_of_phone, views_of_labels
+from check_page import CLOSE, CURVES, WIDTHS, faults_of_curves, faults_of_labels, faults_of_phone, view_of_phone, views_of_labels
 
 HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
 DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
@@ -55,6 +56,20 @@ ENDS = """&job title = 'Ends', units = 'field', models = 'mcge', 'soft', hdf5 = 
 &load_case name = 'half_a_metre', operation = 'down', bit_depth = 1.64 /
 """
 SWEEP_ALONE = "&sweep name = 's', model = 'soft', operations = 'up', bit_depth_from = 2000, bit_depth_step = 2000 /\n"
+#: A station each 10 m with noise of about 0.3 deg: nearly every row of every curve is a corner.
+STATIONS = range(0, 3010, 10)
+NOISY = f"""&job title = 'Noisy survey', models = 'mcge', 'soft', hdf5 = .false. /
+&trajectory md = {", ".join(map(str, STATIONS))},
+  inc = {", ".join(f"{min(80.0, max(0.0, 0.08 * (s - 500))) + 0.3 * abs(math.sin(s * s)):.2f}" for s in STATIONS)},
+  azi = {", ".join(f"{40 + 0.4 * math.cos(3 * s * s):.2f}" for s in STATIONS)} /
+&hole name = 'open', diameter = 215.9, friction = 0.3 /
+&fluid density = 1300 /
+&component name = 'pipe', od = 127, id = 108.6, mass = 31.9, joint_od = 165, joint_spacing = 9.5, yield = 724 /
+&load_case name = 'up', operation = 'up', bit_depth = 3000 /
+&load_case name = 'down', operation = 'down', bit_depth = 3000 /
+&load_case name = 'pushed', operation = 'sliding', bit_depth = 3000, wob = 3000 /
+"""
+MOST_NOISY = 60_000                     # bytes of the curves of a load case with such a survey, both models
 LOST = 3                                # exit status: solutions that did not converge
 NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
 MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 2400): 330}
@@ -331,6 +346,24 @@ def faults_of_ends(program, scratch):
     return faults + [f"ends: the heading {text} lies on the next one" for text in headings or []] + ([] if headings is not None else ["ends: headings were not looked at"])
 
 
+def faults_of_noise(program, scratch):
+    """Curves with too many points have fewer of them, stay within what the page says, and say so beside their values."""
+    deck, folder = pathlib.Path(scratch) / "noisy.nml", pathlib.Path(scratch) / "noisy"
+    deck.write_text(NOISY, encoding="utf-8")
+    run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
+    if run.returncode:
+        return [f"noisy: exit status {run.returncode}: {run.stderr}"]
+    page = folder / "report.html"
+    (curves, complaints), (made, _) = opened([View(page, script=CURVES), View(page, "chart=Forces&depth=2000")])
+    size = len(re.search(r'"profiles":\[(.*?)"figures":', page.read_text(encoding="utf-8"), re.S).group(1)) // 2
+    faults = [] if size <= MOST_NOISY else [f"the curves of a load case have {size} bytes"]
+    told = re.search(r"of their range\. 2 load cases have many points: .* are thinned more, to ([0-9.]+) % at most\.", made or "")
+    most = max((value for _, _, _, within in curves or [] for value in within.values()), default=0.0)
+    if not told or float(told.group(1)) != most or not re.search(r"bending \(\u00b1[0-9.]+ % of range\)", made):
+        faults.append(f"curves are within {most} %, the page does not say so")
+    return [f"noisy: {fault}" for fault in faults + faults_of_curves(folder, curves, complaints)]
+
+
 # Of a page whose script is refused: pictures and tables of the run.
 NO_SCRIPT = "(part => [part.split('<svg').length - 1, part.split('<summary>Numbers').length - 1])(d.body.innerHTML.split('Pictures of the run')[1])"
 MADE_WITH_PICTURES = MADE.replace("'svg, script, style'", "'script, style'")
@@ -375,7 +408,7 @@ def main():
         for width in WIDTHS:
             faults += faults_of_labels(told[width][0], width)
         faults += faults_of_phone(told["phone"][0]) + faults_without_script(told["no script"][0])
-        faults += faults_of_paper(page) + faults_of_ends(program, scratch)
+        faults += faults_of_paper(page) + faults_of_ends(program, scratch) + faults_of_noise(program, scratch)
     print(f"{count[0]} values read off the page")
     if count[0] < FEWEST:
         faults.append(f"only {count[0]} values could be compared")

@@ -23,6 +23,7 @@ import urllib.parse
 from browser import READOUTS, View, browser, opened
 
 CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
+THINNED = 0.03              # % of their range, to which all curves are thinned but those that say more
 CASES = ("sliding_3190", "rotary_2075")
 MODELS = ("mcge", "soft")
 PARTS = (0.05, 0.31, 0.5, 0.72, 0.97)       # of the depth
@@ -143,7 +144,7 @@ setTimeout(() => {
    const depths = end => Array.from({length: 60}, (_, i) => +((i + .37) / 60 * end).toFixed(3))
    const numbers = p => Object.keys(p.curves).filter(name => !p.curves[name].words)
    const read = (p, name) => depths(D.cases[p.case].depth).map(d => [d, value_at(p, name, d)])
-   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, Object.fromEntries(numbers(p).map(name => [name, read(p, name)]))]))
+   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, Object.fromEntries(numbers(p).map(name => [name, read(p, name)])), p.within ?? {}]))
 }, 300)
 """
 # Curves that are no column of the file, or angles, which are thinned to a degree and turn.
@@ -269,10 +270,10 @@ def faults_of_curves(folder, told, complaints):
     faults, compared = [f"curves: the browser complains: {c}" for c in complaints], 0
     if told and not any(folder.glob("profile_*.csv")):
         return faults                   # a deck may leave these files out
-    for case, model, curves in told or []:
+    for case, model, curves, within in told or []:
         profile = Profile(folder, case, model)
         for name in (name for name in curves if name not in OTHER_CURVES):
-            close = CLOSE * profile.extent(name)
+            close = CLOSE * max(1.0, within.get(name, 0.0) / THINNED) * profile.extent(name)
             for depth, shown in curves[name]:
                 if shown is None or not profile.depth[0] <= depth <= profile.depth[-1]:
                     continue

@@ -1,5 +1,5 @@
 // Interactive part of a report: no library, nothing fetched. All that is shown stands in the page's data (id="data"):
-// D.columns, D.quantities, D.profiles (thinned curves), D.charts (which curve stands in which panel), D.figures (pictures of the
+// D.columns, D.quantities, D.profiles (thinned curves over shared depths), D.charts (which curve stands in which panel), D.figures (pictures of the
 // run: blocks of panels with their own curves). Numbers are in D.units.
 'use strict'
 const D = JSON.parse(document.getElementById('data').textContent)
@@ -33,10 +33,12 @@ function values_of(text, first, step, count) {               // the last level: 
    }
    return v
 }
-function curve_of(written, rows) {                           // depths: their own, those of rows (0), or even ones
+function curve_of(written, rows) {                           // depths: their own, shared ones (0: all), or even ones
    const [first, step, depths, values] = written ?? [0, 1, '', '']
    const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))
-   const d = depths === 0 ? rows : typeof depths === 'string' ? depths_of(depths) : even(depths)
+   const places = ([text]) => depths_of(text).map(i => rows[Math.round(1000 * i)])
+   const listed = () => depths.length === 1 ? places(depths) : even(depths)
+   const d = depths === 0 ? rows : typeof depths === 'string' ? depths_of(depths) : listed()
    return {d, v: values_of(values, first, step, d.length)}
 }
 function curve_by({d, v}, pieces) {                          // from another curve: rows, factor, addend of each component
@@ -47,7 +49,7 @@ function curve_by({d, v}, pieces) {                          // from another cur
    return {d, v: made}
 }
 for (const p of D.profiles ?? []) {
-   const rows = depths_of(p.depths ?? '')
+   const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '')     // those of an earlier one by its place
    for (const name in p.curves) {
       const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === 'clock'}
       if (typeof curve === 'number') p.curves[name] = D.profiles[curve].curves[name]      // the same as an earlier one
@@ -229,7 +231,8 @@ function block(S, address) {
    }
    function cells_of_profiles() {                               // a row a quantity; of two curves, or two load cases, differences
       const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))
-      const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]
+      const known = Object.keys(D.columns).filter(n => list.some(p => p.curves[n]))
+      const names = view.all.checked ? known : [...new Set(wanted)]
       const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []
       const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)
       const heads = pairs.map(([{model}]) => 'difference' + (pairs.length > 1 ? ' ' + model : ''))
@@ -238,7 +241,9 @@ function block(S, address) {
       const row_of = n => {
          const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)
          const text = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
-         return [label, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '' : text(at(b) - at(a)))]
+         const coarse = Math.max(...list.map(p => p.within?.[n] ?? 0))      // thinned more than others
+         const said = label + (coarse ? ` (\u00b1${coarse} % of range)` : '')
+         return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '' : text(at(b) - at(a)))]
       }
       return [
          ['quantity', 'unit', ...list.map(p => p.key.text), ...heads],
@@ -442,7 +447,7 @@ const of_figure = (f, place) => f.blocks.map((b, i) => ({
    ...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1      // on paper in two columns
 }))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
-document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range. The CSV files have all points.`)
+document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The CSV files have all points.`)
 put_switch(document.querySelector('h1 + p'))
 follow_address()
 document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand

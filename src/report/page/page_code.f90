@@ -13,7 +13,7 @@ module dg_page_code
    use dg_text, only: put_piece, to_text
    implicit none
    private
-   public :: scale_type, coded_curve, coded_depths, rounded, scale_within
+   public :: scale_type, coded_curve, coded_depths, per_unit, rounded, scale_within
 
    type :: scale_type
       real(wp) :: first = 0.0_wp       !< whole number
@@ -48,7 +48,7 @@ contains
          if (abs(low) > 0.0_wp) scale = scale_type(1.0_wp, low, 1)
          return
       end if
-      do k = 2, floating - 1
+      do k = 1, floating - 1
          scale%digits = k
          scale%step = (high - low)/(base**k - spare)
          scale%first = anint(low/scale%step - 0.5_wp)

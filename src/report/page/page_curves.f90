@@ -1,10 +1,10 @@
 !> Curves of the page: columns of a profile, thinned as pictures are, in JSON as page_code writes it.
 !>
-!> Straight lines between the kept points are within `tolerance` of a column's range of all others. The range is that of nine in
+!> Straight lines between the kept points are within a tolerance of a column's range of all others. The range is that of nine in
 !> ten values. One force on an edge, or the safety factor of an unloaded bit, is thousands of times the rest.
 !>
-!> A curve that changes at each contact keeps nearly all rows. Such curves share the depths of the profile's rows. A stress may be
-!> its moment times a number, plus a number, in each component. These numbers then stand in place of the curve.
+!> Curves of a profile change at the same contacts. So depths are written once, and a curve has the places of its own among them.
+!> A stress may be its moment times a number, plus a number, in each component. These numbers then stand in place of the curve.
 module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -15,7 +15,7 @@ module dg_page_curves
    use dg_line_load, only: force_on_length
    use dg_merge_sort, only: sorted_places
    use dg_missing, only: is_missing
-   use dg_page_code, only: coded_curve, coded_depths, rounded, scale_type, scale_within
+   use dg_page_code, only: coded_curve, coded_depths, per_unit, rounded, scale_type, scale_within
    use dg_profile_file, only: profile_series
    use dg_rounding, only: rounded_nearest
    use dg_series, only: put, series_list_type
@@ -24,24 +24,39 @@ module dg_page_curves
    use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: curve_series, curve_text, has_own_depths, profile_curves
+   public :: curve_series, curve_text, finest, profile_curves, share_type, stands_alone
 
-   !> A curve that keeps most rows of its profile.
-   type :: rough_type
+   !> Tolerance to which curves are thinned, over the range of a column [-].
+   real(wp), parameter :: finest = 3.0e-4_wp
+   !> How much of a profile is written.
+   type :: share_type
+      logical, allocatable :: columns(:)          !< those of `curve_series` that are written; not allocated: all
+      integer :: most_letters = huge(1)           !< of a curve, which is thinned further where it has more
+   end type share_type
+
+   type :: thinned_type
       character(:), allocatable :: name
+      real(wp), allocatable :: values(:)          !< at all rows
+      logical, allocatable :: kept(:)             !< rows that are written; not allocated: none
       type(scale_type) :: scale
-      real(wp), allocatable :: values(:)      !< at all rows
-   end type rough_type
+      real(wp) :: band = 0.0_wp                   !< within which the curve stays
+   end type thinned_type
 
    character(*), parameter :: clock = 'clock', joint_force = 'side_force_on_joint'
    !> Length of string for the additional curve of side force, a joint of pipe, and number of its places.
    real(wp), parameter :: joint = 9.5_wp
    integer, parameter :: joint_places = 1000
-   !> Part of the band around a thinned curve in which its points are rounded [-].
-   real(wp), parameter :: rounding = 0.1_wp
+   !> Parts of the band around a thinned curve in which its points are rounded: the one with the shorter text is taken [-].
+   real(wp), parameter :: rounding(2) = [0.1_wp, 0.5_wp]
+   !> Factor of the tolerance of a curve that is too long, and the tolerance that is kept whatever the length [-].
+   real(wp), parameter :: coarser = 1.25_wp, most_within = 0.3_wp
+   !> A curve with fewer points has its own depths. It may be that of an earlier profile, too.
+   integer, parameter :: fewest_shared = 64
    integer, parameter :: digits = 7
-   !> Depths of a curve that has all rows of its profile.
+   !> Depths of a curve that has all shared depths.
    character(*), parameter :: rows_depths = '0'
+   !> Begin of a curve that goes with another one.
+   character(*), parameter :: by_other = '["'
    !> Rows of a component at least, in the mean, for which the numbers of a curve that goes with another are shorter.
    integer, parameter :: least_rows = 15
    !> Change of an angle that is kept, at least [rad], and values that are all alike [-].
@@ -70,81 +85,167 @@ contains
       call put(list, joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint', profile%side_force)
    end function curve_series
 
-   !> A text for each of `curve_series`; '' where a column has no value. `rows`: depths of all rows; '' where no curve has them.
-   pure subroutine profile_curves(profile, along, units, tolerance, texts, rows)
+   !> A text for each of `curve_series`; '' where a column has no value or is left out. `rows`: depths that curves share; '' where
+   !> no curve has them.
+   pure subroutine profile_curves(profile, along, units, share, texts, within, rows)
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
       type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: tolerance          !< of a column's range [-]
+      type(share_type), intent(in) :: share
       type(text_type), intent(out) :: texts(:)   !< as many
+      real(wp), intent(out) :: within(:)         !< of a column's range, to which each is thinned [-]
       type(text_type), intent(out) :: rows
       type(series_list_type) :: list
-      type(rough_type), allocatable :: rough(:)
-      logical :: kept(size(profile%md))
-      real(wp), dimension(size(profile%md)) :: md, values
-      real(wp) :: band
+      type(thinned_type), allocatable :: curves(:)
+      real(wp) :: md(size(profile%md))
       integer :: k
       list = curve_series(profile, along)
       md = profile%md/units%length
-      allocate (rough(0))
+      within = finest
+      allocate (curves(list%count))
       do k = 1, list%count
          texts(k)%text = ''
+         if (allocated(share%columns)) then
+            if (.not. share%columns(k)) cycle
+         end if
          associate (series => list%items(k))
+            curves(k)%name = trim(series%column%name)
             if (allocated(series%states)) then
-               kept = kept_states(series%states)
-               texts(k)%text = coded_curve(scale_type(), coded_depths(pack(md, kept)), real(pack(series%states, kept), wp))
-            else if (series%column%name == joint_force) then
-               texts(k)%text = joint_text(profile, series%numbers, units, tolerance)
+               curves(k)%kept = kept_states(series%states)
+               curves(k)%values = real(series%states, wp)
+            else if (curves(k)%name == joint_force) then
+               call write_joints(profile, series%numbers, units, share, texts(k)%text, within(k))
             else if (.not. all(is_missing(series%numbers))) then
-               values = in_unit(series%numbers, unit_factor(units, series%column%quantity))
-               band = tolerance*inner_range(values)
-               if (series%column%name == clock) then
-                  kept = kept_angles(md, series%numbers, tolerance)
-                  band = max(least_turn, tolerance*2.0_wp*pi)/units%angle
-               else
-                  kept = kept_values(md, values, band)
-               end if
-               if (2*count(kept) <= size(kept)) then
-                  texts(k)%text = thinned_text(md, values, kept, band)
-               else
-                  call add_rough(rough, rough_type(trim(series%column%name), scale_within(values, band), values), band, &
-                                 starts_of(along), texts(k)%text)
-               end if
+               curves(k)%values = in_unit(series%numbers, unit_factor(units, series%column%quantity))
+               call thin_curve(curves(k), md, series%numbers, units, share, within(k))
             end if
          end associate
       end do
-      rows%text = ''
-      if (size(rough) > 0) rows%text = coded_depths(md)
+      call write_curves(curves, md, starts_of(along), texts, rows)
    end subroutine profile_curves
 
-   !> True if a curve's text means the same in every profile: no depths of rows, no other curve in it.
-   pure function has_own_depths(text) result(has)
-      character(*), intent(in) :: text
-      logical :: has
-      has = index(text, '["') /= 1 .and. index(text, ','//rows_depths//',"') == 0
-   end function has_own_depths
-
-   !> Write a curve that keeps most rows: by a curve of `rough` if it goes with one, else by its values. In the latter case it is
-   !> added to `rough`.
-   pure subroutine add_rough(rough, curve, band, starts, text)
-      type(rough_type), allocatable, intent(inout) :: rough(:)
-      type(rough_type), intent(in) :: curve
-      real(wp), intent(in) :: band                !< within which its values stay
-      integer, intent(in) :: starts(:)            !< first rows of components
-      character(:), allocatable, intent(out) :: text
-      integer :: i
-      text = ''
-      do i = 1, size(rough)
-         text = text_by(rough(i), curve%values, band, starts)
-         if (text /= '') return
+   !> Thin a curve, further than asked for where its text would be too long.
+   pure subroutine thin_curve(curve, md, numbers, units, share, within)
+      type(thinned_type), intent(inout) :: curve     !< with name and values
+      real(wp), intent(in) :: md(:)                  !< as many
+      real(wp), intent(in) :: numbers(:)             !< the values [SI]
+      type(unit_system_type), intent(in) :: units
+      type(share_type), intent(in) :: share
+      real(wp), intent(inout) :: within
+      real(wp) :: range
+      logical :: kept(size(md))
+      type(scale_type) :: scale
+      integer :: i, letters
+      range = inner_range(curve%values)
+      do
+         curve%band = within*range
+         if (curve%name == clock) curve%band = max(least_turn, within*2.0_wp*pi)/units%angle
+         curve%kept = spread(.true., 1, size(md))
+         curve%scale = scale_within(curve%values, curve%band)
+         letters = curve%scale%digits*size(md)
+         do i = 1, size(rounding)
+            if (curve%name == clock) then
+               kept = kept_angles(md, numbers, within)
+            else
+               kept = kept_values(md, curve%values, (1.0_wp - rounding(i))*curve%band)
+            end if
+            scale = scale_within(pack(curve%values, kept), rounding(i)*curve%band)
+            if ((1 + scale%digits)*count(kept) >= letters) cycle
+            letters = (1 + scale%digits)*count(kept)
+            curve%kept = kept
+            curve%scale = scale
+         end do
+         if (letters <= share%most_letters .or. within >= most_within) return
+         within = coarser*within
       end do
-      text = coded_curve(curve%scale, rows_depths, curve%values)
-      rough = [rough, curve]
-   end subroutine add_rough
+   end subroutine thin_curve
+
+   !> Write thinned curves. Depths that several curves keep are written once, in `rows`, where the texts are shorter so.
+   pure subroutine write_curves(curves, md, starts, texts, rows)
+      type(thinned_type), intent(in) :: curves(:)
+      real(wp), intent(in) :: md(:)
+      integer, intent(in) :: starts(:)                !< first rows of components
+      type(text_type), intent(inout) :: texts(:)      !< of those that are written already; '' for others
+      type(text_type), intent(out) :: rows
+      type(text_type) :: own(size(curves)), shared(size(curves))
+      logical :: used(size(md))
+      integer :: place(size(md)), last, i, k
+      used = .false.
+      do k = 1, size(curves)
+         if (.not. allocated(curves(k)%kept)) cycle
+         if (count(curves(k)%kept) >= fewest_shared) used = used .or. curves(k)%kept
+      end do
+      last = 0
+      do i = 1, size(md)
+         if (used(i)) last = last + 1
+         place(i) = last
+      end do
+      do k = 1, size(curves)
+         own(k)%text = ''
+         shared(k)%text = ''
+         if (.not. allocated(curves(k)%kept)) cycle
+         associate (kept => curves(k)%kept, values => pack(curves(k)%values, curves(k)%kept))
+            own(k)%text = coded_curve(curves(k)%scale, coded_depths(pack(md, kept)), values)
+            shared(k)%text = own(k)%text
+            if (count(kept) < fewest_shared) cycle
+            shared(k)%text = coded_curve(curves(k)%scale, shared_depths(pack(place, kept), count(used)), values)
+            if (all(kept)) call write_by_others(curves(:k), starts, shared(:k))
+         end associate
+      end do
+      rows%text = coded_depths(pack(md, used))
+      if (letters_of(own) <= letters_of(shared) + len(rows%text)) then
+         shared = own
+         rows%text = ''
+      end if
+      do k = 1, size(curves)
+         if (shared(k)%text /= '') texts(k)%text = shared(k)%text
+      end do
+   contains
+      pure integer function letters_of(texts)
+         type(text_type), intent(in) :: texts(:)
+         integer :: i
+         letters_of = sum([(len(texts(i)%text), i=1, size(texts))])
+      end function letters_of
+   end subroutine write_curves
+
+   !> Places in the shared depths, in JSON.
+   pure function shared_depths(places, number) result(json)
+      integer, intent(in) :: places(:), number      !< number of shared depths
+      character(:), allocatable :: json
+      json = '['//coded_depths(real(places - 1, wp)/per_unit)//']'
+      if (size(places) == number) json = rows_depths
+   end function shared_depths
+
+   !> True if a curve's text means the same in another profile, which may have the same shared depths.
+   pure function stands_alone(text, same_depths) result(alone)
+      character(*), intent(in) :: text
+      logical, intent(in) :: same_depths
+      logical :: alone
+      alone = index(text, by_other) /= 1
+      if (.not. same_depths) alone = alone .and. index(text, ','//rows_depths//',"') == 0 .and. index(text, ',["') == 0
+   end function stands_alone
+
+   !> Write the last of some curves by an earlier one that has all rows, if it goes with one.
+   pure subroutine write_by_others(curves, starts, texts)
+      type(thinned_type), intent(in) :: curves(:)
+      integer, intent(in) :: starts(:)            !< first rows of components
+      type(text_type), intent(inout) :: texts(:)  !< theirs
+      character(:), allocatable :: found
+      integer :: i, last
+      last = size(curves)
+      do i = 1, last - 1
+         if (.not. allocated(curves(i)%kept)) cycle
+         if (.not. all(curves(i)%kept) .or. index(texts(i)%text, by_other) == 1) cycle
+         found = text_by(curves(i), curves(last)%values, curves(last)%band, starts)
+         if (found == '') cycle
+         texts(last)%text = found
+         return
+      end do
+   end subroutine write_by_others
 
    !> Values by those of another curve: rows, factor and addend for each component; '' where they are not within `band` of that.
    pure function text_by(source, values, band, starts) result(text)
-      type(rough_type), intent(in) :: source
+      type(thinned_type), intent(in) :: source
       real(wp), intent(in) :: values(:), band
       integer, intent(in) :: starts(:)
       character(:), allocatable :: text
@@ -153,7 +254,7 @@ contains
       integer :: i, last, least, most
       text = ''
       if (least_rows*size(starts) > size(values) .or. any(is_missing(source%values)) .or. any(is_missing(values))) return
-      pieces = '["'//source%name//'"'
+      pieces = by_other//source%name//'"'
       do i = 1, size(starts)
          last = size(values)
          if (i < size(starts)) last = starts(i + 1) - 1
@@ -183,29 +284,31 @@ contains
    end function starts_of
 
    !> Contact force on a joint, at equal steps of depth.
-   pure function joint_text(profile, side_force, units, tolerance) result(text)
+   pure subroutine write_joints(profile, side_force, units, share, text, within)
       type(profile_type), intent(in) :: profile
       real(wp), intent(in) :: side_force(:)         !< per length [N/m]
       type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: tolerance
-      character(:), allocatable :: text
+      type(share_type), intent(in) :: share
+      character(:), allocatable, intent(out) :: text
+      real(wp), intent(inout) :: within
       real(wp), dimension(0:joint_places) :: places, values
-      logical :: kept(0:joint_places)
-      real(wp) :: band
+      character(:), allocatable :: ends
+      type(thinned_type) :: curve
       integer :: i, n
       n = size(profile%md)
       places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
       values = force_on_length(profile%md, side_force, joint, places)/units%force
       places = places/units%length
-      band = tolerance*inner_range(values)
-      kept = kept_values(places, values, band)
-      if (2*count(kept) <= joint_places) then
-         text = thinned_text(places, values, kept, band)
+      curve%name = joint_force
+      curve%values = values
+      call thin_curve(curve, places, values, units, share, within)
+      if (all(curve%kept)) then
+         ends = '['//to_text(places(0), digits)//','//to_text(places(joint_places), digits)//','//to_text(joint_places)//']'
       else
-         text = coded_curve(scale_within(values, band), '['//to_text(places(0), digits)//','// &
-                            to_text(places(joint_places), digits)//','//to_text(joint_places)//']', values)
+         ends = coded_depths(pack(places, curve%kept))
       end if
-   end function joint_text
+      text = coded_curve(curve%scale, ends, pack(values, curve%kept))
+   end subroutine write_joints
 
    !> A curve of numbers. With a tolerance of zero all points stand, in any order.
    pure function curve_text(depths, values, tolerance) result(text)
@@ -218,18 +321,9 @@ contains
       if (all(is_missing(values))) return
       band = tolerance*inner_range(values)
       kept = .true.
-      if (tolerance > 0.0_wp) kept = kept_values(depths, values, band)
-      text = thinned_text(depths, values, kept, band)
+      if (tolerance > 0.0_wp) kept = kept_values(depths, values, (1.0_wp - rounding(1))*band)
+      text = coded_curve(scale_within(pack(values, kept), rounding(1)*band), coded_depths(pack(depths, kept)), pack(values, kept))
    end function curve_text
-
-   !> A curve of the points that are kept, with their depths.
-   pure function thinned_text(depths, values, kept, band) result(text)
-      real(wp), intent(in) :: depths(:), values(:)
-      logical, intent(in) :: kept(:)
-      real(wp), intent(in) :: band            !< within which all points are
-      character(:), allocatable :: text
-      text = coded_curve(scale_within(pack(values, kept), rounding*band), coded_depths(pack(depths, kept)), pack(values, kept))
-   end function thinned_text
 
    elemental function in_unit(value, unit) result(number)
       real(wp), intent(in) :: value, unit
@@ -246,7 +340,7 @@ contains
          kept = .false.
          kept([1, size(kept)]) = .true.
       else
-         kept = kept_points(depths, values, (1.0_wp - rounding)*band)
+         kept = kept_points(depths, values, band)
       end if
    end function kept_values
 

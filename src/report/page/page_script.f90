@@ -5,8 +5,8 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'MEWsjZ2yR8TjTe+NCjePkPr8f5wQanDhUaIxpu9qmAk='
-   character(130), parameter :: script_lines_1(100) = [character(130) :: &
+   character(*), parameter :: script_hash = 'ww5n6CevtkBTCSTeVOjfh3cLrqjNYJfqBcDxQYNy7Yk='
+   character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
@@ -43,7 +43,9 @@ module dg_page_script
       'function curve_of(written, rows) {', &
       'const [first, step, depths, values] = written ?? [0, 1, '''', '''']', &
       'const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))', &
-      'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : even(depths)', &
+      'const places = ([text]) => depths_of(text).map(i => rows[Math.round(1000 * i)])', &
+      'const listed = () => depths.length === 1 ? places(depths) : even(depths)', &
+      'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : listed()', &
       'return {d, v: values_of(values, first, step, d.length)}', &
       '}', &
       'function curve_by({d, v}, pieces) {', &
@@ -54,7 +56,7 @@ module dg_page_script
       'return {d, v: made}', &
       '}', &
       'for (const p of D.profiles ?? []) {', &
-      'const rows = depths_of(p.depths ?? '''')', &
+      'const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '''')', &
       'for (const name in p.curves) {', &
       'const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === ''clock''}', &
       'if (typeof curve === ''number'') p.curves[name] = D.profiles[curve].curves[name]', &
@@ -109,10 +111,10 @@ module dg_page_script
       '}', &
       'function ticks(low, high, most) {', &
       'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))', &
-      'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)', &
+      'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)']
+   character(136), parameter :: script_lines_2(100) = [character(136) :: &
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
-      'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))']
-   character(130), parameter :: script_lines_2(100) = [character(130) :: &
+      'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
       '}', &
       'function put_marks(parent, places, {mark, look: {stroke}}) {', &
       'const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('''')', &
@@ -224,10 +226,10 @@ module dg_page_script
       'for (const line of lines) draw_line(clip, line, x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
-      'return svg', &
+      'return svg']
+   character(136), parameter :: script_lines_3(100) = [character(136) :: &
       '}', &
-      'function draw_panels() {']
-   character(130), parameter :: script_lines_3(100) = [character(130) :: &
+      'function draw_panels() {', &
       'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
@@ -250,7 +252,8 @@ module dg_page_script
       '}', &
       'function cells_of_profiles() {', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
-      'const names = view.all.checked ? Object.keys(D.columns) : [...new Set(wanted)]', &
+      'const known = Object.keys(D.columns).filter(n => list.some(p => p.curves[n]))', &
+      'const names = view.all.checked ? known : [...new Set(wanted)]', &
       'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
       'const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)', &
       'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))', &
@@ -259,8 +262,10 @@ module dg_page_script
       'const row_of = n => {', &
       'const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)', &
       'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
-      'return [label, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at('// &
-      'b) - at(a)))]', &
+      'const coarse = Math.max(...list.map(p => p.within?.[n] ?? 0))', &
+      'const said = label + (coarse ? ` (\u00b1${coarse} % of range)` : '''')', &
+      'return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at(b'// &
+      ') - at(a)))]', &
       '}', &
       'return [', &
       '[''quantity'', ''unit'', ...list.map(p => p.key.text), ...heads],', &
@@ -328,13 +333,13 @@ module dg_page_script
       'return place ? (clientY - place.top) / place.height * H : NaN', &
       '}', &
       'const want = (top, bottom) => {', &
-      'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]', &
+      'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]']
+   character(136), parameter :: script_lines_4(100) = [character(136) :: &
       'view.panels.style.setProperty(''--band'', y_of(wanted[0]) + ''px'')', &
       'view.panels.style.setProperty(''--bands'', Math.max(0, y_of(wanted[1]) - y_of(wanted[0])) + ''px'')', &
       '}', &
       'const point = e => {', &
-      'const y = y_in(e)']
-   character(130), parameter :: script_lines_4(100) = [character(130) :: &
+      'const y = y_in(e)', &
       'if (isNaN(y)) return', &
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
@@ -435,13 +440,13 @@ module dg_page_script
       'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
       '}', &
       '}', &
-      'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
+      'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {']
+   character(136), parameter :: script_lines_5(100) = [character(136) :: &
       'const own = e.dataset.own ??= e.textContent', &
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
       '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
-      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units']
-   character(130), parameter :: script_lines_5(100) = [character(130) :: &
+      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
       'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
@@ -475,8 +480,8 @@ module dg_page_script
       '...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1', &
       '}))', &
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
-      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range. The CSV files ha'// &
-      've all points.`)', &
+      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The '// &
+      'CSV files have all points.`)', &
       'put_switch(document.querySelector(''h1 + p''))', &
       'follow_address()', &
       'document.documentElement.classList.add(''scripted'')', &
@@ -549,13 +554,13 @@ module dg_page_script
       'i / 39)})', &
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
       'ty))', &
-      'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
+      'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))']
+   character(136), parameter :: script_lines_6(94) = [character(136) :: &
       'const grid = (name, axis, from, to, corner, other) => {', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
-      'if (few) for (const t of ticks(from * length, to * length, few)) {']
-   character(130), parameter :: script_lines_6(89) = [character(130) :: &
+      'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
       'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
@@ -656,7 +661,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(130), parameter :: script_lines(589) = [ &
+   character(136), parameter :: script_lines(594) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

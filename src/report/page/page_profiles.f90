@@ -1,0 +1,266 @@
+!> Curves along the string of all load cases for the page, as JSON: charts, curves by page_curves, legend, contacts. Load cases with
+!> too many points have fewer curves, or less exact ones.
+module dg_page_profiles
+   use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
+   use dg_case_result, only: case_result_type, result_converged
+   use dg_curve_look, only: dash_of, line_style, marked_line_style
+   use dg_job, only: job_type, model_name
+   use dg_json, only: json_string
+   use dg_line_list, only: add_line, line_list_type
+   use dg_model, only: model_type
+   use dg_page_curves, only: finest, profile_curves, share_type, stands_alone
+   use dg_page_figures, only: look_text
+   use dg_series, only: series_list_type
+   use dg_text, only: either, text_type, to_text
+   implicit none
+   private
+   public :: append_profiles, charts, curves_type, find_curves, has_curves, reduced_text, thinned_text
+
+   !> Charts of the page: panels side by side over one depth, each with columns of a profile. `turn`: an angle; `most`: values above
+   !> are not shown; `limit`: a limit of compression, a dashed line without part in the range.
+   character(*), parameter :: charts(*) = [character(330) :: &
+      '{"title":"Forces","panels":[{"label":"effective axial force","curves":[{"column":"axial"}]},'// &
+      '{"label":"torque","curves":[{"column":"torque"}]},'// &
+      '{"label":"side force on a joint","curves":[{"column":"side_force_on_joint"}]},', &
+      '{"label":"bending moment","curves":[{"column":"bending"}]},'// &
+      '{"label":"clock angle","curves":[{"column":"clock"}],"turn":true,"low":0,"high":360,"ticks":[0,90,180,270]}]},', &
+      '{"title":"Strength","panels":[{"label":"von Mises stress","curves":[{"column":"von_mises"}]},'// &
+      '{"label":"safety factor","curves":[{"column":"safety_factor"}],"most":10},', &
+      '{"label":"bending stress","curves":[{"column":"bending_stress"}]},'// &
+      '{"label":"bending range in a turn","curves":[{"column":"bending_range"}]}]},', &
+      '{"title":"Buckling","panels":[{"label":"axial force and limit","curves":[{"column":"axial"},'// &
+      '{"column":"sinusoidal_load","limit":true,"mark":0,"look":'// &
+      '{"stroke":"currentColor","stroke-dasharray":"2 3","stroke-width":1}}]},', &
+      '{"label":"margin to buckling","curves":[{"column":"buckling_margin"}]},'// &
+      '{"label":"displacement","curves":[{"column":"displacement"}]},{"label":"standoff","curves":[{"column":"standoff"}]}]},', &
+      '{"title":"Well","panels":[{"label":"inclination","curves":[{"column":"inclination"}]},'// &
+      '{"label":"azimuth","curves":[{"column":"azimuth"}]},', &
+      '{"label":"dogleg","curves":[{"column":"dogleg"}]},{"label":"true vertical depth","curves":[{"column":"tvd"}]}]}']
+   !> Columns that the well is drawn from, besides those of charts.
+   character(*), parameter :: well_columns(6) = [character(9) :: 'north', 'east', 'od', 'hole', 'gap_state', 'buckling']
+   !> Letters of the curves of a load case. Where it has more, columns without a chart are left out. Where it has still more, long
+   !> curves are thinned to the next of `curve_letters`, but not beyond the one at `last_of_case`.
+   integer, parameter :: case_letters = 36000, last_of_case = 4, &
+                         curve_letters(0:7) = [huge(1), huge(1), 6000, 5000, 4000, 2000, 1000, 500]
+   !> Letters of the curves of all load cases. Where they would have more, curves are thinned to the others of `curve_letters`.
+   integer, parameter :: most_letters = 4000000
+   !> Length from the bit upwards that the script draws with its contacts (shown_length of page.js) [m].
+   real(wp), parameter :: assembly_length = 40.0_wp
+   integer, parameter :: digits = 7, contact_digits = 4, tolerance_digits = 2
+   real(wp), parameter :: percent = 0.01_wp
+
+   !> Curves of all results.
+   type :: curves_type
+      type(text_type), allocatable :: texts(:, :)   !< by column and result
+      type(text_type), allocatable :: rows(:)       !< depths that curves of a result share; '': none
+      real(wp), allocatable :: within(:, :)         !< by column and result, to which they are thinned [-]
+      integer :: reduced = 0                        !< load cases without all columns
+   end type curves_type
+
+contains
+
+   !> True if a result has curves.
+   elemental function has_curves(result) result(has)
+      type(case_result_type), intent(in) :: result
+      logical :: has
+      has = result%status == result_converged .and. allocated(result%profile%md)
+   end function has_curves
+
+   !> Curves of all results, thinned as little as their size allows.
+   subroutine find_curves(job, results, alongs, list, curves)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)          !< as many
+      type(series_list_type), intent(in) :: list                !< names of the columns
+      type(curves_type), intent(out) :: curves
+      type(share_type) :: share
+      integer, allocatable :: rows(:)
+      integer :: i, k, n, level, letters, cases
+      allocate (curves%texts(list%count, size(results)), curves%within(list%count, size(results)), curves%rows(size(results)))
+      curves%within = finest
+      cases = count([(any(results%case_index == i .and. has_curves(results)), i=1, maxval(results%case_index))])
+      do i = 1, maxval(results%case_index)
+         rows = pack([(k, k=1, size(results))], results%case_index == i .and. has_curves(results))
+         if (size(rows) == 0) cycle
+         do level = 0, ubound(curve_letters, 1)
+            share = share_type()
+            if (level > 0) share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
+            share%most_letters = curve_letters(level)
+            do k = 1, size(rows)
+               n = rows(k)
+               call profile_curves(results(n)%profile, alongs(n), job%units, share, curves%texts(:, n), curves%within(:, n), &
+                                   curves%rows(n))
+            end do
+            letters = letters_of(curves%texts(:, rows), curves%rows(rows))
+            if (letters <= min(case_letters, most_letters/cases)) exit
+            if (level >= last_of_case .and. letters <= most_letters/cases) exit
+         end do
+         if (level > 0) curves%reduced = curves%reduced + 1
+      end do
+   end subroutine find_curves
+
+   !> True if a column is in a chart or in the well.
+   pure function has_chart(name) result(has)
+      character(*), intent(in) :: name
+      logical :: has
+      has = any(index(charts, '"column":"'//name//'"') > 0) .or. any(name == well_columns)
+   end function has_chart
+
+   !> The tolerance to which curves are thinned.
+   pure function thinned_text() result(text)
+      character(:), allocatable :: text
+      text = to_text(finest/percent, tolerance_digits)//' %'
+   end function thinned_text
+
+   !> What is left out of load cases with many points.
+   pure function reduced_text(curves) result(text)
+      type(curves_type), intent(in) :: curves
+      character(:), allocatable :: text
+      text = ''
+      if (curves%reduced == 0) return
+      text = ' '//to_text(curves%reduced)//either(' load case has', ' load cases have', curves%reduced == 1)// &
+             ' many points: only the columns of charts are here.'
+      if (any(curves%within > finest)) text = text//' Some curves are thinned more, to '// &
+         to_text(maxval(curves%within)/percent, tolerance_digits)//' % at most. Values below tell how far.'
+   end function reduced_text
+
+   !> Letters of some curves, and of the depths that they share.
+   pure function letters_of(curves, rows) result(number)
+      type(text_type), intent(in) :: curves(:, :), rows(:)
+      integer :: number
+      integer :: i, k
+      number = 0
+      do i = 1, size(curves, 2)
+         number = number + len(rows(i)%text)
+         do k = 1, size(curves, 1)
+            number = number + len(curves(k, i)%text)
+         end do
+      end do
+   end function letters_of
+
+   !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
+   subroutine append_profiles(lines, job, model, results, list, curves, shown)
+      type(line_list_type), intent(inout) :: lines
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(series_list_type), intent(in) :: list
+      type(curves_type), intent(in) :: curves
+      integer, intent(in) :: shown                  !< load case that is shown first
+      integer :: places(count(has_curves(results))), i, k
+      logical :: some
+      places = pack([(i, i=1, size(results))], has_curves(results))
+      do i = 1, size(places)
+         associate (result => results(places(i)))
+            call add_line(lines, '{"case":'//to_text(result%case_index - 1)//',"model":'// &
+                             json_string(trim(model_name(result%model)))//',"key":'//profile_key(job, model, result, shown)//',')
+            if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(job, result)//'],')
+         end associate
+         call append_depths(lines, curves, places(:i))
+         call append_within(lines, list, curves, places(i))
+         call add_line(lines, '"curves":{')
+         some = .false.
+         do k = 1, list%count
+            if (curves%texts(k, places(i))%text == '') cycle
+            call add_line(lines, trim(merge(',', ' ', some))//json_string(trim(list%items(k)%column%name))//':'// &
+                             curve_or_place(curves, k, places(:i)))
+            some = .true.
+         end do
+         call add_line(lines, '}}'//trim(merge(',', ' ', i < size(places))))
+      end do
+   end subroutine append_profiles
+
+   !> Depths that the curves of the last of some results share, or the place of the first result that has the same.
+   subroutine append_depths(lines, curves, results)
+      type(line_list_type), intent(inout) :: lines
+      type(curves_type), intent(in) :: curves
+      integer, intent(in) :: results(:)
+      integer :: j, last
+      last = size(results)
+      associate (rows => curves%rows(results(last))%text)
+         if (rows == '') return
+         do j = 1, last - 1
+            if (curves%rows(results(j))%text == rows) exit
+         end do
+         if (j < last) then
+            call add_line(lines, '"depths":'//to_text(j - 1)//',')
+         else
+            call add_line(lines, '"depths":'//rows//',')
+         end if
+      end associate
+   end subroutine append_depths
+
+   !> Columns that are thinned more than others, with the part of their range within which they stay [%].
+   subroutine append_within(lines, list, curves, result)
+      type(line_list_type), intent(inout) :: lines
+      type(series_list_type), intent(in) :: list
+      type(curves_type), intent(in) :: curves
+      integer, intent(in) :: result
+      character(:), allocatable :: text
+      integer :: k
+      text = ''
+      do k = 1, list%count
+         if (curves%within(k, result) <= finest) cycle
+         if (text /= '') text = text//','
+         text = text//json_string(trim(list%items(k)%column%name))//':'// &
+                to_text(curves%within(k, result)/percent, tolerance_digits)
+      end do
+      if (text /= '') call add_line(lines, '"within":{'//text//'},')
+   end subroutine append_within
+
+   !> A curve of the last of some results, or the place of the first result that has the same.
+   pure function curve_or_place(curves, column, results) result(json)
+      type(curves_type), intent(in) :: curves
+      integer, intent(in) :: column, results(:)
+      character(:), allocatable :: json
+      integer :: j, last
+      last = size(results)
+      json = curves%texts(column, results(last))%text
+      do j = 1, last - 1
+         if (curves%texts(column, results(j))%text /= json) cycle
+         if (.not. stands_alone(json, curves%rows(results(j))%text == curves%rows(results(last))%text)) cycle
+         json = to_text(j - 1)
+         return
+      end do
+   end function curve_or_place
+
+   !> Entry of a profile in the legend: name and look. Methods differ by their dashes, load cases by their marks; the case that is
+   !> shown first has none.
+   pure function profile_key(job, model, result, shown) result(key)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      integer, intent(in) :: shown
+      character(:), allocatable :: key
+      integer :: method, turn
+      method = findloc(job%models, result%model, dim=1)
+      turn = modulo(result%case_index - shown, size(model%cases))
+      if (turn == 0) then
+         key = look_text(line_style(method))
+      else
+         key = look_text(marked_line_style(turn*size(job%models) + method, 1, 1.0_wp, dash_of(method)))
+      end if
+      key = '{"text":'//json_string(model%cases(result%case_index)%name//' '//trim(model_name(result%model)))//key//'}'
+   end function profile_key
+
+   !> Depth, force and clock angle of each contact of the assembly.
+   function contacts_text(job, result) result(text)
+      type(job_type), intent(in) :: job
+      type(case_result_type), intent(in) :: result      !< with contacts
+      character(:), allocatable :: text
+      real(wp) :: top
+      integer :: i
+      text = ''
+      top = result%profile%md(size(result%profile%md)) - assembly_length
+      do i = 1, size(result%contacts)
+         associate (contact => result%contacts(i))
+            if (contact%md < top) cycle
+            if (text /= '') text = text//','
+            text = text//'['//to_text(contact%md/job%units%length, digits)//','// &
+                   to_text(contact%force/job%units%force, contact_digits)//','// &
+                   to_text(contact%clock/job%units%angle, contact_digits)//']'
+         end associate
+      end do
+   end function contacts_text
+end module dg_page_profiles
