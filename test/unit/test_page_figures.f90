@@ -2,7 +2,7 @@
 module dg_test_page_figures
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_chart, only: add_curve, add_points, add_rows, chart_type, new_chart
+   use dg_chart, only: add_curve, add_depth_panel, add_points, add_rows, chart_type, new_chart, set_depth
    use dg_curve_look, only: look_part, marked_line_style
    use dg_line_list, only: line_list_type
    use dg_missing, only: missing
@@ -11,7 +11,8 @@ module dg_test_page_figures
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_force, quantity_none
    use dg_text, only: text_type
-   use dg_units, only: field_units
+   use dg_units, only: field_units, si_units
+   use dg_hole_section, only: hole_section_type
    implicit none
    private
    public :: page_figures_suite
@@ -24,6 +25,7 @@ contains
       call suite%addTest(TestMethod('looks', test_looks))
       call suite%addTest(TestMethod('blocks', test_blocks))
       call suite%addTest(TestMethod('code', test_code))
+      call suite%addTest(TestMethod('depths', test_depths))
    end function page_figures_suite
 
    !> Find the text that follows a word of a look; a word within another does not count.
@@ -50,6 +52,40 @@ contains
       call assertEqual('[0,1,0,"jc7R^C-I~~~~"]', coded_curve(scale, '0', [far, missing]))
       call assertTrue(all(abs(rounded(scale, far) - far) <= 1.0e-9_wp*far))
    end subroutine test_code
+
+   !> An axis of depth begins at a round depth above the curves, at 0 where they begin near it; names of hole sections above it are
+   !> left out.
+   subroutine test_depths()
+      type(picture_list_type) :: list
+      type(line_list_type) :: lines
+      type(chart_type) :: chart
+      type(hole_section_type) :: holes(3)
+      real(wp), parameter :: place(4) = [0.2_wp, 0.9_wp, 0.1_wp, 0.9_wp]
+      integer :: i
+      do i = 1, 3
+         holes(i)%name = 'hole'
+         holes(i)%md_bottom = 2000.0_wp*i
+      end do
+      call begin([4200.0_wp, 6200.0_wp], 4000.0_wp)
+      call assertEqual(0, size(chart%panels(1)%notes), message='above the axis')
+      call append_figures(lines, list, 3.0e-4_wp)
+      call assertTrue(index(lines%lines(3)%text, '"over":"bit depth","begin":4000,"end":6200') > 0, message=lines%lines(3)%text)
+      call begin([300.0_wp, 2400.0_wp], 200.0_wp)
+      call assertEqual(1, size(chart%panels(1)%notes))
+      call begin([100.0_wp, 6200.0_wp], 0.0_wp)
+      call begin([6200.0_wp, 6200.0_wp], 6000.0_wp)
+   contains
+      subroutine begin(depths, first)
+         real(wp), intent(in) :: depths(2), first      !< of curves, of the axis
+         chart = new_chart('sweep', 'Sweep', si_units(), 400, [0.8_wp, 0.9_wp])
+         call set_depth(chart, 'bit depth', depths, holes, place, .true.)
+         call add_depth_panel(chart, place, 'hook load', quantity_force)
+         call assertEqual(first, chart%panels(1)%y%ends(2))
+         if (allocated(list%pictures)) deallocate (list%pictures)
+         allocate (list%pictures(1))
+         list%pictures(1)%chart = chart
+      end subroutine begin
+   end subroutine test_depths
 
    !> Rows of their own begin a block; a value that lacks has the greatest level; a black curve has the ink of the page; a curve has
    !> a name and an entry of the legend.

@@ -119,13 +119,13 @@ function draw_key(parent, key) {                             // a piece of a lin
 }
 
 // ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels`
-// over a depth (`over`, `end`) or over rows with names (`rows`). Draw it when all are made.
+// over a depth (`over`, `begin`, `end`) or over rows with names (`rows`). Draw it when all are made.
 function block(S, address) {
    const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Set()}
    Object.assign(state, {tint: 'side_force_on_joint', yaw: -0.6, pitch: 0.35})      // of the well
    const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)
    const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)
-   const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26
+   const first = state.top = S.rows ? .4 : S.begin ?? 0, view = {}, up = 30, down = 26
    let H                                                        // height of a panel
    const y_of = depth => up + (depth - state.top) / (state.bottom - state.top) * (H - up - down)
    const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)

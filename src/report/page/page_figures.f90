@@ -114,7 +114,8 @@ contains
       character(:), allocatable :: text
       integer :: i
       if (.not. allocated(panel%y%rows)) then
-         text = '"over":'//json_string(panel%y%label)//',"end":'//to_text(panel%y%ends(1), digits)
+         text = '"over":'//json_string(panel%y%label)//',"begin":'//to_text(panel%y%ends(2), digits)// &
+                ',"end":'//to_text(panel%y%ends(1), digits)
          return
       end if
       text = '"rows":['

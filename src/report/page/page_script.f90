@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'ww5n6CevtkBTCSTeVOjfh3cLrqjNYJfqBcDxQYNy7Yk='
+   character(*), parameter :: script_hash = '6XJip3DKnougV6xrBA3neVPQtGzcUrSyblh4mlJpgfU='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -132,7 +132,7 @@ module dg_page_script
       'Object.assign(state, {tint: ''side_force_on_joint'', yaw: -0.6, pitch: 0.35})', &
       'const depths = () => D.cases.map(c => state.case.includes(c.name) ? c.depth : 0)', &
       'const end_of = () => S.rows ? S.rows.length + .6 : S.end ?? (Math.max(...depths()) || D.cases[D.start].depth)', &
-      'const first = state.top = S.rows ? .4 : 0, view = {}, up = 30, down = 26', &
+      'const first = state.top = S.rows ? .4 : S.begin ?? 0, view = {}, up = 30, down = 26', &
       'let H', &
       'const y_of = depth => up + (depth - state.top) / (state.bottom - state.top) * (H - up - down)', &
       'const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)', &

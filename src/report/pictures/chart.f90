@@ -146,33 +146,37 @@ contains
 
    !> Sets what panels over depth share: the axis, and a line where a hole section ends above the deepest place. Names of sections
    !> stand above their lines in the first panel. Where lines are too close for names the deeper one has its name.
-   pure subroutine set_depth(chart, label, deepest, holes, place, left)
+   pure subroutine set_depth(chart, label, depths, holes, place, left)
       type(chart_type), intent(inout) :: chart
       character(*), intent(in) :: label               !< of the axis, without unit
-      real(wp), intent(in) :: deepest                 !< end of the axis [m], which begins at 0
+      real(wp), intent(in) :: depths(2)               !< least and greatest of the curves [m]
       type(hole_section_type), intent(in) :: holes(:)
       real(wp), intent(in) :: place(4)                !< of the first panel
       logical, intent(in) :: left                     !< names stand at its left edge, else at its right
       !> Height of a name [px].
       real(wp), parameter :: name_height = 14.0_wp
+      !> Steps of the axis, at one of which it begins; its least length over the greatest depth; part of a step above a curve.
+      real(wp), parameter :: steps = 20.0_wp, least = 0.5_wp, air = 0.1_wp
       character(:), allocatable :: side
-      real(wp) :: high, named
+      real(wp) :: high, named, ends(2), step
       integer :: i, most
       associate (depth => chart%depth, length => chart%units%length)
+         step = length*round_step(max(depths(2) - depths(1), least*depths(2))/(steps*length))
+         ends = [max(0.0_wp, step*floor(depths(1)/step - air)), depths(2)]
          depth%y%label = label
          depth%y%quantity = quantity_length
-         depth%y%ends = [deepest/length, 0.0_wp]
+         depth%y%ends = [ends(2), ends(1)]/length
          depth%y%tics = ''
          allocate (depth%lines(0), depth%notes(0))
-         high = name_height*deepest/((place(4) - place(3))*chart%height)
+         high = name_height*(ends(2) - ends(1))/((place(4) - place(3))*chart%height)
          most = int((place(2) - place(1))*chart%width/letter_width)
          side = either('left', 'right', left)//" offset 0,0.4 font ',9' textcolor rgb '#555555'"
          named = huge(named)
          do i = size(holes) - 1, 1, -1
             associate (md => holes(i)%md_bottom)
-               if (md >= deepest) cycle
+               if (md >= ends(2) .or. md <= ends(1)) cycle
                call append_line(depth, md/length, "lw 1 dt (12,4,2,4) lc rgb '"//colour_grey//"'")
-               if (named - md < high .or. md < high) cycle
+               if (named - md < high .or. md - ends(1) < high) cycle
                named = md
                call append_label(depth, cut_text(holes(i)%name, most), [merge(0.02_wp, 0.98_wp, left), md/length], side, &
                                 [.true., .false.])

@@ -46,7 +46,7 @@ contains
          title = case_title(units, load_case)
          if (left_out /= '') title = title//'; no solution:'//left_out
          chart = new_chart('forces_'//load_case%name, title, units, 580, [0.83_wp, 0.92_wp])
-         call set_depth(chart, 'measured depth', load_case%bit_depth, model%holes, place(1), .false.)
+         call set_depth(chart, 'measured depth', [0.0_wp, load_case%bit_depth], model%holes, place(1), .false.)
          call add_axial(chart, results, alongs)
          if (rotates(load_case%operation) .or. abs(load_case%tob) > 0.0_wp) then
             call add_depth_panel(chart, place(2), 'torque', quantity_moment)

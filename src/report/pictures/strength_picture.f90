@@ -49,7 +49,7 @@ contains
             call steps(string%components, tops, deepest, depths, yields, makeups, torsions)
          end associate
          chart = new_chart('strength_'//load_case%name, case_title(units, load_case)//': strength', units, 580, [0.83_wp, 0.92_wp])
-         call set_depth(chart, 'measured depth', load_case%bit_depth, model%holes, place(), .false.)
+         call set_depth(chart, 'measured depth', [0.0_wp, load_case%bit_depth], model%holes, place(), .false.)
          call add_depth_panel(chart, place(), 'von Mises'' stress', quantity_stress)
          do k = 1, size(results)
             call add(alongs(k)%von_mises, units%stress, trim(model_name(results(k)%model)), colour_of(k))

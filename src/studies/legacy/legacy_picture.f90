@@ -40,7 +40,7 @@ contains
          call add_key(chart, line_style(m), trim(model_name(job%models(m))))
       end do
       call add_key(chart, their_look, table%label)
-      call set_depth(chart, 'measured depth', maxval(table%md), model%holes, place(), .true.)
+      call set_depth(chart, 'measured depth', [minval(table%md), maxval(table%md)], model%holes, place(), .true.)
       do quantity = 1, quantity_count
          if (.not. table%has(quantity)) cycle
          associate (dimension => quantity_of(quantity))
