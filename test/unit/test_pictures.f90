@@ -157,6 +157,7 @@ contains
       type(chart_type) :: chart
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
+      type(model_type) :: model
       allocate (results, source=sample_results())
       chart = hookload_chart(sample_job(), sample_model(), results, [.false., .true., .false., .true.])
       call chart_script(chart, lines)
@@ -170,7 +171,13 @@ contains
          call assertTrue(is_missing(panels(3)%curves(1)%points(1, 1)), message='no torque going up')
          call assertTrue(is_missing(panels(1)%curves(1)%points(1, 4)), message='not converged')
          call assertEqual(524.3_wp, panels(1)%curves(3)%points(1, 4), 1.0e-9_wp, message='reference')
+         call assertTrue(all(is_missing(panels(1)%x%ends)))
       end associate
+      model = sample_model()
+      model%cases%measured_hookload = optional_real()
+      model%cases%reference_hookload = optional_real()
+      chart = hookload_chart(sample_job(), model, results(:1), [.false.])
+      call assertEqual([0.99_wp, 1.01_wp]*733.4_wp, chart%panels(1)%x%ends, 1.0e-9_wp, message='close together')
    end subroutine test_hook_loads
 
    !> The scripts draw what the case has and name units.

@@ -158,7 +158,7 @@ function block(S, address) {
       const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])
       const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]
       const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
-      const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1
+      const most = known.reduce((a, b) => Math.max(a, b), least), air = Math.max((most - least) * .05, Math.abs(most) * .01) || 1
       return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]
    }
    function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows

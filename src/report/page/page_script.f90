@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '6XJip3DKnougV6xrBA3neVPQtGzcUrSyblh4mlJpgfU='
+   character(*), parameter :: script_hash = '5FHGmgvczSM0RoirG8M9HCdAw3SGlVRBmidAkithV+M='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -170,7 +170,8 @@ module dg_page_script
       'const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
       'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]', &
       'const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)', &
-      'const most = known.reduce((a, b) => Math.max(a, b), least), air = (most - least) * .05 || 1', &
+      'const most = known.reduce((a, b) => Math.max(a, b), least), air = Math.max((most - least) * .05, Math.abs(most'// &
+      ') * .01) || 1', &
       'return [least === (panel.low ?? 0) ? least : least - air, Math.min(most + air, panel.most ?? Infinity)]', &
       '}', &
       'function draw_axis(svg, left, right, first_of_row) {', &

@@ -3,7 +3,7 @@
 module dg_hookload_picture
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged
-   use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, key_of, new_chart
+   use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, key_of, new_chart, panel_type
    use dg_quantity, only: quantity_force, quantity_moment, quantity_percent
    use dg_comparison, only: as_measured, percent_error
    use dg_curve_look, only: colour_black, colour_white, letter_width, mark_style
@@ -73,6 +73,7 @@ contains
       loads = model%cases%reference_hookload
       if (model%rig%given) loads%value = indicated_load(model%rig, model%cases%operation, loads%value)
       if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
+      call widen(chart%panels(1))
       if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
       if (any(marked)) call add_key(chart, no_look, mark_meaning)
       if (with_error) then
@@ -122,6 +123,25 @@ contains
                         key_of(chart, 'measured'))
       end subroutine add_given
    end function hookload_chart
+
+   !> Widen the horizontal axis of a panel whose marks are close together: models that agree would seem to be far apart.
+   pure subroutine widen(panel)
+      type(panel_type), intent(inout) :: panel
+      !> Least length of the axis over the greatest value [-].
+      real(wp), parameter :: least = 0.02_wp
+      real(wp) :: low, high
+      integer :: i
+      low = huge(low)
+      high = -huge(high)
+      do i = 1, size(panel%curves)
+         associate (x => panel%curves(i)%points(1, :))
+            low = min(low, minval(x, mask=.not. is_missing(x)))
+            high = max(high, maxval(x, mask=.not. is_missing(x)))
+         end associate
+      end do
+      if (high < low .or. high - low >= least*max(abs(low), abs(high))) return
+      panel%x%ends = 0.5_wp*(low + high) + 0.5_wp*least*max(abs(low), abs(high))*[-1.0_wp, 1.0_wp]
+   end subroutine widen
 
    !> Hook load, error and torque of each case by each model, as they are shown; `missing` without a solution.
    pure subroutine find_values(job, model, results, hookload, error, torque)
