@@ -401,7 +401,7 @@ contains
       page = content(results_path//'/report.html')
       call assertTrue(index(page, to_text(lost)//' of 3 solutions did not converge (exit status 3)') > 0)
       call assertEqual(lost, rows_of(page, &
-                                     '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text">up</td>'))
+                                     '<tr><td class="text">sweep b</td><td class="text">mcge</td><td class="text word">up</td>'))
       call assertTrue(index(run%output, to_text(lost)//' of 3 points did not converge; the file says why'//newline) > 0, &
                       message=run%output)
       call assertFalse(index(run%output, ' of '//to_text(lost)//'; the CSV file has all') > 0, message=run%output)

@@ -105,7 +105,7 @@ contains
                       message=page%lines(1)%text)
       call assertEqual('<tr><td class="text">sweep b</td><td>8</td><td>2</td><td>4</td><td>2</td></tr>', page%lines(4)%text)
       call assertEqual('<h2>Not solved, or locked up</h2>', page%lines(6)%text)
-      call assertEqual('<tr><td class="text">sweep b</td><td class="text">soft</td><td class="text">up</td>'// &
+      call assertEqual('<tr><td class="text">sweep b</td><td class="text">soft</td><td class="text word">up</td>'// &
                        '<td>1100.00</td><td>&ndash;</td><td>0.25</td><td>1</td><td class="text">not_converged</td>'// &
                        '<td class="text">too &lt;few&gt;</td></tr>', page%lines(8)%text)
       call assertTrue(index(page%lines(9)%text, '>down</td><td>1200.00</td><td>&ndash;<') > 0, message=page%lines(9)%text)

@@ -133,7 +133,7 @@ contains
          place = 0
          if (field%column%name == operation_column) place = operation_from_name(field%text)
          if (place > 0) then
-            cell = '<td class="text">'//trim(operation_label(place))//'</td>'      ! as in Table 1
+            cell = '<td class="text word">'//trim(operation_label(place))//'</td>'      ! as in Table 1
             return
          end if
          cell = '<td class="text'//trim(merge(' long', '     ', len(field%text) > longest_name))//'">'//html_safe(field%text)// &

@@ -669,7 +669,7 @@ module dg_page_script
       script_lines_4, &
       script_lines_5, &
       script_lines_6]
-   character(344), parameter :: style_lines_1(31) = [character(344) :: &
+   character(400), parameter :: style_lines_1(31) = [character(400) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
@@ -711,9 +711,10 @@ module dg_page_script
       '.more{display:none}', &
       '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
-      '@media print{.live .panels{flex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.units,.sc'// &
-      'ripted .hint,.live input,.live label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){'// &
-      'display:none!important}', &
+      '@media print{p{margin:.4em 0}h2{margin:.8em 0 .3em}td.word{white-space:nowrap}tbody tr:nth-child(-n+3){break-a'// &
+      'fter:avoid}tbody tr:nth-last-child(-n+4){break-before:avoid}.live .panels{flex-wrap:nowrap}.live svg.panel{wid'// &
+      'th:0!important;flex:1 1 0}.bar,.side,.units,.scripted .hint,.live input,.live label,.live .lower,.live .readou'// &
+      't,.live .cross,.live .band,details:not([open]){display:none!important}', &
       '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:66mm}figure>.live{display:grid;grid-'// &
       'template-columns:1fr 1fr;column-gap:6mm}figure>.live>:only-child{grid-column:1/-1}figure>.live>:last-child:not'// &
       '(:only-child){grid-column:2;grid-row:1/span 9}.live svg.panel{max-height:none}.legend button{border:none;paddi'// &
@@ -726,6 +727,6 @@ module dg_page_script
       '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
-   character(344), parameter :: style_lines(31) = [ &
+   character(400), parameter :: style_lines(31) = [ &
       style_lines_1]
 end module dg_page_script
