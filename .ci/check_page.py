@@ -23,6 +23,11 @@ import urllib.parse
 from browser import READOUTS, View, browser, opened
 
 CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
+#: Columns whose headings are not their names.
+HEADINGS = {"depth of most used limit": "governing_md", "largest bending moment": "largest_bending", "depth of largest moment": "largest_bending_md",
+            "neutral point": "neutral_top", "WOB at buckling": "wob_buckling", "WOB at zero hook load": "wob_no_hookload",
+            "WOB at lock-up": "wob_lockup", "margin to rig limit": "rig_margin", "length of sinusoidal buckling": "snaking_length",
+            "length of helical buckling": "coiled_length"}
 THINNED = 0.03              # % of their range, to which all curves are thinned but those that say more
 CASES = ("sliding_3190", "rotary_2075")
 MODELS = ("mcge", "soft")
@@ -394,7 +399,7 @@ def faults_of_tables(folder, made, complaints, own):
             cells = [html.unescape(re.sub(r"<[^>]*>", "", cell)) for cell in re.findall(r"<td[^>]*>(.*?)</td>", row, re.S)]
             rows = list(rows_of_case(folder, cells[0].replace(" !", "")))
             for (marks, name, unit), cell in zip(heads, cells):
-                column = next((key for r in rows for key in r if re.fullmatch(re.escape(name.replace(" ", "_")) + "_(m|kN|kNm|MPa)", key)), None)
+                column = next((key for r in rows for key in r if re.fullmatch(re.escape(HEADINGS.get(name, name.replace(" ", "_"))) + "_(m|kN|kNm|MPa)", key)), None)
                 if not column or cell == "\u2013":
                     continue
                 compared += 1

@@ -245,16 +245,13 @@ contains
       integer :: i, k, columns
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
                     'the limit. Safety factors need a yield strength in the deck.</p>')
-      call add_line(lines, '<p>neutral top: uppermost neutral point, tension above, compression below. overpull margin: pull '// &
-                    'that may be added at the top until the pipe yields, bending included. rig margin: pull until the limit '// &
-                    'of the rig. The smaller one counts. wob buckling: WOB where buckling '// &
-                    'begins. wob no hookload: WOB at zero hook load. wob lockup: the same with friction of helical '// &
-                    'buckling.</p>')
-      call add_line(lines, '<p>governing limit: most used limit of pipe, connections, slips and rig, with used part and '// &
-                    'depth. String weight, lock-up and buckling are not included. '// &
-                    factors_text(job%design)//' bit side force: force of the bit on the formation. bit tilt: angle '// &
-                    'between bit and hole axis. Clock angles count from the high side. shape, snaking length, coiled length, '// &
-                    'coil turns: sinusoidal and helical buckling that mcge found.</p>')
+      call add_line(lines, '<p>Neutral point: the uppermost one, tension above, compression below. Overpull margin: pull '// &
+                    'that may be added at the top until the pipe yields, bending included. Margin to rig limit: pull until '// &
+                    'the limit of the rig. The smaller one counts. WOB at lock-up: WOB at zero hook load with friction of '// &
+                    'helical buckling.</p>')
+      call add_line(lines, '<p>Most used limit: of pipe, connections, slips and rig. String weight, lock-up and buckling '// &
+                    'are not included. '//factors_text(job%design)//' Bit side force: force of the bit on the formation. '// &
+                    'Bit tilt: angle between bit and hole axis. Clock angles count from the high side.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
                                                   i=1, size(results))])

@@ -24,10 +24,13 @@ module dg_html_text
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'
    !> Columns with another heading than their name in files.
-   character(*), parameter :: renamed_columns(4) = [character(21) :: 'governing_limit', 'governing_utilisation', &
-      'largest_bending', 'largest_bending_md']
-   character(*), parameter :: headings(4) = [character(23) :: 'governing limit', 'of it used', 'largest bending moment', &
-      'depth of largest moment']
+   character(*), parameter :: renamed_columns(*) = [character(21) :: 'governing_limit', 'governing_utilisation', 'governing_md', &
+      'largest_bending', 'largest_bending_md', 'windup', 'neutral_top', 'wob_buckling', 'wob_no_hookload', 'wob_lockup', &
+      'rig_margin', 'snaking_length', 'coiled_length', 'coil_turns']
+   character(*), parameter :: headings(*) = [character(29) :: 'most used limit', 'of it used', 'depth of most used limit', &
+      'largest bending moment', 'depth of largest moment', 'wind-up', 'neutral point', 'WOB at buckling', &
+      'WOB at zero hook load', 'WOB at lock-up', 'margin to rig limit', 'length of sinusoidal buckling', &
+      'length of helical buckling', 'turns of helix']
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp
    integer, parameter :: few_digits = 3

@@ -9,6 +9,7 @@ const shapes = ['m0-5v10m-5-5h10', 'm-4-4l8 8m0-8l-8 8', 'm0-5v10m-4.3-7.5l8.6 5
 const choices = {case: (D.cases ?? []).map(c => c.name), model: [...new Set((D.profiles ?? []).map(p => p.model))]}
 const blocks = []                                            // all charts of the page that answer
 const shown_length = 40 / D.quantities.length.SI[1]          // of the assembly in its hole
+const lowest = () => `lowest ${Math.round(shown_length * factor('length'))} ${unit('length')}`
 let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null
 let paper = null                                             // while the page is printed: width and height of charts
 
@@ -261,7 +262,7 @@ function block(S, address) {
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()
-      make(table, 'h:caption', {}, 'At ' + place_text() + (S.rows ? '' : ' ' + S.over))
+      make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)
       rows.forEach((row, k) => {
          const line = make(table, 'h:tr', {})
          row.forEach((text, i) => make(line, k ? 'h:td' : 'h:th', {class: i ? '' : 'text', title: meanings[text] ?? ''}, text))
@@ -363,7 +364,7 @@ function block(S, address) {
    S.charts?.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
    put_switch(bar)
    if (!S.rows) button('whole depth', whole)
-   if (S.charts) button('lowest ' + depth_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), end_of()))
+   if (S.charts) button(lowest(), () => zoom(Math.max(0, end_of() - shown_length), end_of()))
    const main = make(S.root, 'h:div', {class: S.charts ? 'main' : 'alone'})
    if (S.charts) {
       const side = make(main, 'h:div', {class: 'side'})

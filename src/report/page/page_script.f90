@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '5FHGmgvczSM0RoirG8M9HCdAw3SGlVRBmidAkithV+M='
+   character(*), parameter :: script_hash = 'uI2S1gRshHFHe1Aaj1PyebalrKcp+yxpbsaBzyRl0Uc='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -18,6 +18,7 @@ module dg_page_script
       'l))]}', &
       'const blocks = []', &
       'const shown_length = 40 / D.quantities.length.SI[1]', &
+      'const lowest = () => `lowest ${Math.round(shown_length * factor(''length''))} ${unit(''length'')}`', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
       'let paper = null', &
       'const level_of = code => code - 35 - (code > 60) - (code > 92)', &
@@ -110,9 +111,9 @@ module dg_page_script
       'return e', &
       '}', &
       'function ticks(low, high, most) {', &
-      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))', &
-      'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)']
+      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))']
    character(136), parameter :: script_lines_2(100) = [character(136) :: &
+      'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)', &
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
       'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
       '}', &
@@ -226,9 +227,9 @@ module dg_page_script
       'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
       'for (const line of lines) draw_line(clip, line, x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
-      'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
-      'return svg']
+      'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})']
    character(136), parameter :: script_lines_3(100) = [character(136) :: &
+      'return svg', &
       '}', &
       'function draw_panels() {', &
       'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
@@ -285,7 +286,7 @@ module dg_page_script
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
-      'make(table, ''h:caption'', {}, ''At '' + place_text() + (S.rows ? '''' : '' '' + S.over))', &
+      'make(table, ''h:caption'', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)', &
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
@@ -333,9 +334,9 @@ module dg_page_script
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
       'return place ? (clientY - place.top) / place.height * H : NaN', &
       '}', &
-      'const want = (top, bottom) => {', &
-      'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]']
+      'const want = (top, bottom) => {']
    character(136), parameter :: script_lines_4(100) = [character(136) :: &
+      'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]', &
       'view.panels.style.setProperty(''--band'', y_of(wanted[0]) + ''px'')', &
       'view.panels.style.setProperty(''--bands'', Math.max(0, y_of(wanted[1]) - y_of(wanted[0])) + ''px'')', &
       '}', &
@@ -394,8 +395,7 @@ module dg_page_script
       'b''}))', &
       'put_switch(bar)', &
       'if (!S.rows) button(''whole depth'', whole)', &
-      'if (S.charts) button(''lowest '' + depth_text(shown_length), () => zoom(Math.max(0, end_of() - shown_length), '// &
-      'end_of()))', &
+      'if (S.charts) button(lowest(), () => zoom(Math.max(0, end_of() - shown_length), end_of()))', &
       'const main = make(S.root, ''h:div'', {class: S.charts ? ''main'' : ''alone''})', &
       'if (S.charts) {', &
       'const side = make(main, ''h:div'', {class: ''side''})', &
@@ -440,9 +440,9 @@ module dg_page_script
       'const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split(''.'')[1]?.length ?? 0)', &
       'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
       '}', &
-      '}', &
-      'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {']
+      '}']
    character(136), parameter :: script_lines_5(100) = [character(136) :: &
+      'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
       '}', &
@@ -554,9 +554,9 @@ module dg_page_script
       'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
-      'ty))', &
-      'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))']
-   character(136), parameter :: script_lines_6(94) = [character(136) :: &
+      'ty))']
+   character(136), parameter :: script_lines_6(95) = [character(136) :: &
+      'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
       'const grid = (name, axis, from, to, corner, other) => {', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
@@ -632,8 +632,8 @@ module dg_page_script
       'make(assembly, ''path'', {d: ''M'' + places.join(''L''), class: ''moment''})', &
       'write(0, T + 14, ''moment, at most '' + said(''bending'', most))', &
       'const cross = make(assembly, ''path'', {class: ''cross''})', &
-      'const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit(''length'')}], ` +', &
-      '`contact forces [${unit(''force'')}], enlarged across the hole.`', &
+      'const words = `The ${lowest()}, enlarged across the hole. Distance above the bit [${unit(''length'')}]` +', &
+      '(p.contacts ? `, contact forces [${unit(''force'')}].` : ''.'')', &
       'return () => {', &
       'const there = state.depth >= top && state.depth <= bit', &
       'cross.setAttribute(''d'', there ? `M${x_of(state.depth)} 20V${T + 80}` : '''')', &
@@ -662,7 +662,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(136), parameter :: script_lines(594) = [ &
+   character(136), parameter :: script_lines(595) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

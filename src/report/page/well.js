@@ -126,8 +126,8 @@ function well_figures(b) {
       make(assembly, 'path', {d: 'M' + places.join('L'), class: 'moment'})
       write(0, T + 14, 'moment, at most ' + said('bending', most))
       const cross = make(assembly, 'path', {class: 'cross'})
-      const words = `The lowest ${depth_text(shown_length)}: distance above the bit [${unit('length')}], ` +
-         `contact forces [${unit('force')}], enlarged across the hole.`
+      const words = `The ${lowest()}, enlarged across the hole. Distance above the bit [${unit('length')}]` +
+         (p.contacts ? `, contact forces [${unit('force')}].` : '.')
       return () => {
          const there = state.depth >= top && state.depth <= bit
          cross.setAttribute('d', there ? `M${x_of(state.depth)} 20V${T + 80}` : '')
