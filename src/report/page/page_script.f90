@@ -691,7 +691,7 @@ module dg_page_script
       ':pointer}', &
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
-      '.legend span{align-self:center;font-size:.85em}.live h3{margin:.8em 0 .2em}', &
+      '.legend span{align-self:center;font-size:.85em;margin-right:1em}.live h3{margin:.8em 0 .2em}', &
       '.live .key{width:28px;height:16px;vertical-align:middle;display:inline-block;margin-right:.4em}', &
       '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side{font-size:.85em}.side select{display'// &
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
