@@ -164,6 +164,8 @@ function block(S, address) {
    }
    function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows
       const length = factor('length'), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H / 47)
+      const name = (S.charts ? 'MD ' : '') + `[${unit('length')}]`
+      if (first_of_row && !S.rows) make(svg, 'text', {x: left - 4, y: 12, 'text-anchor': 'end'}, name)
       for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) {
          const y = y_of(at), most = Math.floor((left - 6) / 6.4)
          const short = name.length > most ? name.slice(0, most - 1) + '\u2026' : name

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'uI2S1gRshHFHe1Aaj1PyebalrKcp+yxpbsaBzyRl0Uc='
+   character(*), parameter :: script_hash = 'z24agetVA/Rc8CJQbbnN9xHZtL69CQtHwrV7/HO2HHc='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -178,6 +178,8 @@ module dg_page_script
       'function draw_axis(svg, left, right, first_of_row) {', &
       'const length = factor(''length''), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H /'// &
       ' 47)', &
+      'const name = (S.charts ? ''MD '' : '''') + `[${unit(''length'')}]`', &
+      'if (first_of_row && !S.rows) make(svg, ''text'', {x: left - 4, y: 12, ''text-anchor'': ''end''}, name)', &
       'for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) '// &
       '{', &
       'const y = y_of(at), most = Math.floor((left - 6) / 6.4)', &
@@ -225,10 +227,10 @@ module dg_page_script
       'make(words, ''h:b'', {}, panel.label + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
       'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
-      'for (const line of lines) draw_line(clip, line, x_of)', &
-      'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
-      'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})']
+      'for (const line of lines) draw_line(clip, line, x_of)']
    character(136), parameter :: script_lines_3(100) = [character(136) :: &
+      'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
+      'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &
       '}', &
       'function draw_panels() {', &
@@ -332,10 +334,10 @@ module dg_page_script
       'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
-      'return place ? (clientY - place.top) / place.height * H : NaN', &
-      '}', &
-      'const want = (top, bottom) => {']
+      'return place ? (clientY - place.top) / place.height * H : NaN']
    character(136), parameter :: script_lines_4(100) = [character(136) :: &
+      '}', &
+      'const want = (top, bottom) => {', &
       'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]', &
       'view.panels.style.setProperty(''--band'', y_of(wanted[0]) + ''px'')', &
       'view.panels.style.setProperty(''--bands'', Math.max(0, y_of(wanted[1]) - y_of(wanted[0])) + ''px'')', &
@@ -438,10 +440,10 @@ module dg_page_script
       'for (const {cells: {[head.cellIndex]: cell}} of head.closest(''table'').tBodies[0].rows) {', &
       'const own = cell.dataset.own ??= cell.textContent, value = (cell.dataset.v ?? own) * factor(q)', &
       'const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split(''.'')[1]?.length ?? 0)', &
-      'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
-      '}', &
-      '}']
+      'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text']
    character(136), parameter :: script_lines_5(100) = [character(136) :: &
+      '}', &
+      '}', &
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
@@ -550,12 +552,12 @@ module dg_page_script
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - '// &
       '1))]', &
-      'const beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''', &
+      'const beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''']
+   character(136), parameter :: script_lines_6(97) = [character(136) :: &
       'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
-      'ty))']
-   character(136), parameter :: script_lines_6(95) = [character(136) :: &
+      'ty))', &
       'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
       'const grid = (name, axis, from, to, corner, other) => {', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
@@ -662,7 +664,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(136), parameter :: script_lines(595) = [ &
+   character(136), parameter :: script_lines(597) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
