@@ -2,7 +2,8 @@
 module dg_test_hard_cases
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, &
                     TestMethod, TestSuite
-   use dg_case_result, only: case_result_type, judged_start, result_converged, result_not_converged
+   use dg_case_result, only: case_result_type, judged_start, result_converged, result_locked_up, &
+                            result_not_converged
    use dg_error, only: error_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_sliding_drilling, operation_trip_in, operation_trip_out
@@ -29,6 +30,7 @@ contains
       call suite%addTest(TestMethod('walls_that_pull', test_walls_that_pull))
       call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
       call suite%addTest(TestMethod('drifting_coils', test_drifting_coils))
+      call suite%addTest(TestMethod('more_than_pipe_bears', test_more_than_pipe_bears))
    end function hard_cases_suite
 
    !> Walls of 1e9 to 1e17 N/m2, ten million times as stiff as solid steel. A place of some hundred metres is known to 1e-13 m, and
@@ -240,4 +242,31 @@ contains
          end if
       end do
    end subroutine test_drifting_coils
+
+   !> A string that is pulled through seven bends of 90 deg, each of which multiplies the pull by exp(friction*pi/2). With friction
+   !> 0.5 the top needs 245 times the pull at the bit, which stretches pipe by 2 %. Such a case is locked up. With half of the
+   !> friction it needs 16 times that pull, and the case converges.
+   subroutine test_more_than_pipe_bears()
+      integer, parameter :: bends = 7
+      real(wp), parameter :: pull = 60.0e3_wp, friction(2) = [0.5_wp, 0.25_wp], quarter = 0.5_wp*acos(-1.0_wp)
+      integer, parameter :: expected(2) = [result_locked_up, result_converged]
+      type(model_type) :: model
+      type(case_result_type) :: result
+      type(error_type), allocatable :: error
+      integer :: i, n
+      do i = 1, size(friction)
+         call new_well(model, [(300.0_wp*n, n=0, bends)], spread(90.0_wp, 1, bends + 1), [(90.0_wp*mod(n, 4), n=0, bends)], &
+                       0.2_wp, friction(i), pipe(w, od, id))
+         model%cases(1)%operation = operation_trip_out
+         model%cases(1)%wob = -pull
+         call solve_static_analysis(model, 1, result, error)
+         call assertEqual(expected(i), result%status, message=result%message)
+         if (i == 1) then
+            call assertGreaterThan(index(result%message, '%, which no pipe bears'), 0, message=result%message)
+         else
+            call note('hook load over that of a weightless rope', result%hookload/(pull*exp(friction(i)*bends*quarter)))
+            call assertGreaterThan(result%hookload, pull*exp(friction(i)*bends*quarter), message='more than without weight')
+         end if
+      end do
+   end subroutine test_more_than_pipe_bears
 end module dg_test_hard_cases
