@@ -21,9 +21,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Houses whose modules describe columns of files and tables.
 OUTPUT_HOUSES = ("report", "studies")
 
-# Procedures that put the columns of a table that only report.html has.
+# Procedures that add the columns of a table that only report.html has.
 ON_PAGE = {"part_row", "lost_row", "curve_series"}
-# Procedures that put the columns of a file.
+# Procedures that add the columns of a file.
 COLUMNS = {
     "study_row": "study.csv",
     "steering_row": "steering.csv",
@@ -273,11 +273,11 @@ def header_suffixes():
 
 
 def columns_of(name, procedures):
-    """Columns that a procedure puts, and those that procedures of its module put for it: name, quantity and meaning."""
+    """Columns that a procedure adds, and those that procedures of its module add for it: name, quantity and meaning."""
     found = []
     for call, words in re.findall(r"call (\w+)(\(.*)", procedures[name]):
         if re.match(r"\((?:row|list), '", words):
-            plain, _ = constructors("put" + words, "put")[0]
+            plain, _ = constructors("add" + words, "add")[0]
             found.append((unquoted(plain[1]), plain[2], unquoted(plain[3])))
         elif call in procedures and call != name:
             found += columns_of(call, procedures)
@@ -296,9 +296,9 @@ def column_tables():
             columns = columns_of(name, procedures)
             told |= {column for column, _, _ in columns}
             tables[name] = [(column + suffixes.get(quantity, ""), meaning) for column, quantity, meaning in columns]
-        put = set(re.findall(r"call put\w*\((?:row|list), '(\w+)'", text))
+        added = set(re.findall(r"call add\w*\((?:row|list), '(\w+)'", text))
         faults += [f"{file.relative_to(ROOT)}: {pathlib.Path(__file__).name} does not know what {name} is a column of"
-                   for name in sorted(put - told)]
+                   for name in sorted(added - told)]
     return tables, faults
 
 

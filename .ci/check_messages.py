@@ -13,7 +13,7 @@ import sys
 
 from check_docs import ROOT
 
-MAKER = re.compile(r"\bcall (\w*(?:fault|raise|refuse|tell|message|note|advise)\w*|append_text)\(", re.I)
+MAKER = re.compile(r"\bcall (\w*(?:fault|raise|refuse|report_line|message|note|advise)\w*|append_text)\(", re.I)
 LITERAL = re.compile(r"'((?:[^']|'')*)'|\"((?:[^\"]|\"\")*)\"")
 LENGTH, SHORTEST = 14, 10
 ALLOWED = 2
@@ -62,7 +62,7 @@ def literals(text):
 
 
 def messages():
-    """File, line and literals of each message that has words. The page calls things of its own tell."""
+    """File, line and literals of each message that has words."""
     for house in ("app", "src"):
         for path in sorted((ROOT / house).rglob("*.f90")):
             text = joined(path) if path.parent.name != "page" else ""

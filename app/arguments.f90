@@ -95,7 +95,7 @@ contains
                i = i + 1
                if (i <= command_argument_count()) value = argument(i)
             end if
-            call take_value()
+            call read_value()
          case ('--again', '--check', '--quiet', '--help', '--version', '-h', '-v')
             if (equals > 0) call refuse(option//' takes no value. Write '//option)
             if (option == '--again') arguments%again = .true.
@@ -116,8 +116,8 @@ contains
 
    contains
 
-      !> Takes the value of an option that has one.
-      subroutine take_value()
+      !> Read the value of an option that has one.
+      subroutine read_value()
          if (value == '') then
             call refuse(option//' needs a value, as in '//option//' '//sample_of(option))
             return
@@ -138,7 +138,7 @@ contains
          case default
             call read_threads(value)
          end select
-      end subroutine take_value
+      end subroutine read_value
 
       subroutine refuse(message)
          character(*), intent(in) :: message

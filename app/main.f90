@@ -4,7 +4,7 @@
 program main
    use dg_arguments, only: arguments_type, read_arguments, usage_lines
    use dg_deck_echo, only: echo_lines
-   use dg_diagnostic, only: tell, tell_lines
+   use dg_diagnostic, only: report_line, report_lines
    use dg_error, only: error_lines, error_list_type, error_type, status_bad_input, status_failure, status_ok
    use dg_job, only: is_divided, job_type
    use dg_model, only: model_type
@@ -32,7 +32,7 @@ program main
    call usage_lines(usage)
    call read_arguments(arguments, error)
    if (allocated(error)) then
-      call tell(error%message)
+      call report_line(error%message)
       status = error%status
    else if (arguments%help) then
       call print_lines(usage)
@@ -46,7 +46,7 @@ program main
       call work(arguments, status)
    end if
    if (output_failed()) then
-      call tell('not all could be written to standard output (is the disk full?)')
+      call report_line('not all could be written to standard output (is the disk full?)')
       status = status_failure
    end if
    call end_process(status)
@@ -69,7 +69,7 @@ contains
       allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call read_deck(arguments%deck, model, job, notes, faults, studies)
       if (faults%count > 0) then
-         call tell_lines(error_lines(faults))
+         call report_lines(error_lines(faults))
          status = status_bad_input
          return
       end if
@@ -89,7 +89,7 @@ contains
                    '--again out'
       end if
       if (refusal /= '') then
-         call tell(job%deck_path//refusal)
+         call report_line(job%deck_path//refusal)
          status = status_bad_input
          return
       end if
@@ -101,7 +101,7 @@ contains
          if (allocated(error)) exit
       end do
       if (allocated(error)) then
-         call tell(error%message)
+         call report_line(error%message)
          status = error%status
          return
       end if
@@ -137,7 +137,7 @@ contains
       type(text_type), intent(in) :: notes(:)
       integer :: i
       do i = 1, size(notes)
-         call tell('note: '//notes(i)%text)
+         call report_line('note: '//notes(i)%text)
       end do
    end subroutine print_notes
 end program main

@@ -8,7 +8,7 @@ module dg_run_action
    use dg_deck_schema, only: group_keys_type
    use dg_deck_source, only: read_source
    use dg_deck_template, only: deck_template
-   use dg_diagnostic, only: tell, tell_lines
+   use dg_diagnostic, only: report_line, report_lines
    use dg_error, only: add_fault, error_lines, error_list_type, status_bad_input, status_failure, status_ok
    use dg_import_case, only: import_case
    use dg_job, only: job_type
@@ -19,7 +19,7 @@ module dg_run_action
    use dg_process, only: someone_reads
    use dg_read_deck, only: build_deck
    use dg_registry, only: deck_groups
-   use dg_standard_output, only: put_line
+   use dg_standard_output, only: write_line
    use dg_text, only: append_text, lower_case, quoted, text_list, text_type
    use dg_unit_kind, only: unit_diameter, unit_label, unit_mass, unit_stress
    use dg_units, only: field_units, si_units, unit_system, unit_system_type
@@ -61,7 +61,7 @@ contains
             call build_deck(name, deck, model, job, notes, faults)
          end if
          if (faults%count > 0) then
-            call tell_lines(error_lines(faults))
+            call report_lines(error_lines(faults))
             status = status_bad_input
          else
             call deck_groups(groups)
@@ -77,7 +77,7 @@ contains
          if (failure == '') then
             call print_deck(lines)
          else
-            call tell(failure)
+            call report_line(failure)
             status = status_bad_input
          end if
       case default
@@ -94,7 +94,7 @@ contains
          return
       end if
       do i = 1, size(lines)
-         call put_line(lines(i)%text)
+         call write_line(lines(i)%text)
       end do
    end subroutine print_deck
 
@@ -112,7 +112,7 @@ contains
       call find_catalogue('', '', path)
       call read_catalogue(path, catalogue, faults)
       if (faults%count > 0) then
-         call tell_lines(error_lines(faults))
+         call report_lines(error_lines(faults))
          return
       end if
       allocate (lines(0))
@@ -134,7 +134,7 @@ contains
          call append_text(lines, entry_line(catalogue, i, grade))
       end do
       if (size(lines) == 0) then
-         call tell(path//' has nothing like '//quoted(pattern))
+         call report_line(path//' has nothing like '//quoted(pattern))
          return
       end if
       if (sought /= '' .and. place_of_name(catalogue, sought, .true.) > 0) &

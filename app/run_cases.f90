@@ -6,7 +6,7 @@ module dg_run_cases
    use dg_wear_files, only: write_casing_wear, write_fatigue
    use dg_solution_series, only: contact_series, history_series
    use dg_csv_table, only: write_series
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_type, status_failure, status_not_converged
    use dg_exit_status, only: graver, note_failure
    use dg_find_verdict, only: find_verdict
@@ -87,8 +87,9 @@ contains
       call run_phase(studies, phase_cases, run, '')
       call flush_output()
       if (is_interrupted()) then
-         call tell('ended by '//interruption_name()//': '//to_text(count(run%results%status /= result_not_converged))//' of '// &
-                   to_text(size(run%results))//' results are there, the others are marked not_converged')
+         call report_line('ended by '//interruption_name()//': '// &
+                          to_text(count(run%results%status /= result_not_converged))//' of '// &
+                          to_text(size(run%results))//' results are there, the others are marked not_converged')
          run%status = graver(run%status, status_failure)
       end if
    end subroutine run_cases
@@ -101,8 +102,9 @@ contains
       integer :: i
       call find_packer_loads(model, failed)
       do i = 1, size(failed)
-         call tell('load case '//quoted(model%cases(failed(i))%name)//': the force on the packer was not found; it is solved '// &
-                   'without one, and its lower end moves')
+         call report_line('load case '//quoted(model%cases(failed(i))%name)// &
+                          ': the force on the packer was not found; it is solved '// &
+                          'without one, and its lower end moves')
          status = graver(status, status_not_converged)
       end do
    end subroutine settle_packers
@@ -209,10 +211,10 @@ contains
       type(error_type), allocatable, intent(in) :: error
       integer, intent(inout) :: status
       if (allocated(error)) then
-         call tell(where//': '//error%message)
+         call report_line(where//': '//error%message)
          status = graver(status, error%status)
       else if (result%status == result_not_converged .and. .not. is_interrupted()) then
-         call tell(where//': did not converge; '//result%message)
+         call report_line(where//': did not converge; '//result%message)
          status = graver(status, status_not_converged)
       end if
    end subroutine note_outcome

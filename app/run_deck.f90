@@ -1,7 +1,7 @@
 !> Does all that a deck asks for: load cases, calibrations, sweeps, Monte Carlos, pictures and the page.
 module dg_run_deck
    use dg_along_string, only: along_string_type
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input
    use dg_exit_status, only: graver, note_ending, note_failure
    use dg_folder, only: make_folder
@@ -59,7 +59,7 @@ contains
          failed(i) = outcome == status_failure .or. outcome == status_bad_input
       end do
       if (size(chosen) > 1 .and. any(failed)) &
-         call tell('not finished: --part '//part_list_text(pack(chosen, failed))//'/'//to_text(job%parts))
+         call report_line('not finished: --part '//part_list_text(pack(chosen, failed))//'/'//to_text(job%parts))
    end subroutine run_deck
 
    !> Takes the output folder for this run, or part of one, alone.
@@ -75,7 +75,7 @@ contains
       call lock_folder(job%output_dir, job%part, job%parts, lock, note, error)
       call note_failure(error, status)
       if (allocated(error)) return
-      if (note /= '' .and. .not. job%quiet) call tell(note)
+      if (note /= '' .and. .not. job%quiet) call report_line(note)
       call run_in_folder(job, given, studies, status)
       call release_folder(lock)
    end subroutine run_alone
@@ -171,10 +171,10 @@ contains
          call raise(error, status_bad_input, faults_text(run%part_faults))
       if (.not. (allocated(error) .or. begun)) call begin_files(run%job, run%model, error)
       if (allocated(error)) then
-         call tell(error%message)
+         call report_line(error%message)
          run%status = error%status
          if (begun) call end_files(run%job, failure)
-         if (allocated(failure)) call tell(failure%message)
+         if (allocated(failure)) call report_line(failure%message)
          return
       end if
       if (.not. begun) call print_path(run%given)
@@ -188,8 +188,8 @@ contains
       allocate (names(0))   ! the compiler's flow analysis takes them for undefined otherwise
       call other_records(job, names)
       do i = 1, size(names)
-         call tell('note: '//job%output_dir//'/'//names(i)%text// &
-                   ' is unfinished work of an earlier run; remove it if it is not needed')
+         call report_line('note: '//job%output_dir//'/'//names(i)%text// &
+                          ' is unfinished work of an earlier run; remove it if it is not needed')
       end do
    end subroutine note_records
 end module dg_run_deck

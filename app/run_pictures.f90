@@ -2,7 +2,7 @@
 module dg_run_pictures
    use dg_along_string, only: along_string_type
    use dg_deck_echo, only: echo_lines
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_type, join_error, raise, status_failure
    use dg_html_report, only: write_html_report
    use dg_interruption, only: interruption_name, is_interrupted
@@ -40,7 +40,7 @@ contains
          if (.not. allocated(error)) call raise(error, status_failure, 'ended by '//interruption_name()//' before report.html')
          return
       end if
-      if (pictures%no_gnuplot .and. .not. run%job%quiet) call tell('note: no gnuplot here, so no pictures are drawn; '// &
+      if (pictures%no_gnuplot .and. .not. run%job%quiet) call report_line('note: no gnuplot here, so no pictures are drawn; '// &
          folder_in(run%job)//'/all.gp draws them where there is one')
       call echo_studies(studies, run%job, before, after)
       call echo_lines(run%job, run%model, before, after, echo)

@@ -17,7 +17,7 @@ module dg_sparse_matrix
 
 contains
 
-   !> Takes over a block matrix; `upper` leaves out what stands below the diagonal. Room is taken the first time.
+   !> Set a sparse matrix from a block matrix; `upper` leaves out what stands below the diagonal. Room is taken the first time.
    pure subroutine set_sparse_matrix(matrix, sparse, upper)
       type(block_matrix_type), intent(in) :: matrix
       type(sparse_matrix_type), intent(inout) :: sparse
@@ -36,9 +36,9 @@ contains
          do j = 1, block
             column = block*(n - 1) + j
             sparse%columns(column) = int(place, c_int)
-            if (n > 1) call put_block(matrix%upper(:, j, n - 1), block*(n - 2), sparse, place)
-            call put_block(matrix%diagonal(:merge(j, block, upper), j, n), block*(n - 1), sparse, place)
-            if (n < nodes .and. .not. upper) call put_block(matrix%lower(:, j, n), block*n, sparse, place)
+            if (n > 1) call copy_block(matrix%upper(:, j, n - 1), block*(n - 2), sparse, place)
+            call copy_block(matrix%diagonal(:merge(j, block, upper), j, n), block*(n - 1), sparse, place)
+            if (n < nodes .and. .not. upper) call copy_block(matrix%lower(:, j, n), block*n, sparse, place)
          end do
       end do
       sparse%columns(sparse%unknowns + 1) = int(place, c_int)
@@ -47,7 +47,7 @@ contains
 
    !> A column of a block below the first `above` rows, or the upper part of it, behind the `place` entries that there are; no
    !> zeros.
-   pure subroutine put_block(values, above, sparse, place)
+   pure subroutine copy_block(values, above, sparse, place)
       real(wp), intent(in) :: values(:)
       integer, intent(in) :: above
       type(sparse_matrix_type), intent(inout) :: sparse
@@ -59,5 +59,5 @@ contains
          sparse%rows(place) = int(above + i - 1, c_int)
          sparse%values(place) = values(i)
       end do
-   end subroutine put_block
+   end subroutine copy_block
 end module dg_sparse_matrix

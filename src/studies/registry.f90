@@ -15,7 +15,7 @@ module dg_registry
    use dg_steering_keys, only: steering_keys, steering_rule
    use dg_steering_study, only: steering_study_type
    use dg_sticking_study, only: sticking_study_type
-   use dg_line_list, only: line_list_type, take_lines
+   use dg_line_list, only: line_list_type, move_lines
    use dg_study, only: phase_cases, phase_points, run_type, study_type
    use dg_study_keys, only: study_keys, study_rule
    use dg_sweep_keys, only: sweep_keys, sweep_rule
@@ -114,8 +114,8 @@ contains
             end if
          end associate
       end do
-      call take_lines(first, before)
-      call take_lines(last, after)
+      call move_lines(first, before)
+      call move_lines(last, after)
    end subroutine echo_studies
 
    !> Runs the studies of a phase. What fails is printed and raises the exit status of the run; the next one goes on.

@@ -123,7 +123,7 @@ contains
       call execute_command_line(command, exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
-      call take_diagnostics(run)
+      call split_diagnostics(run)
       run%has_results = is_folder(results_path)
    end function run_program
 
@@ -156,12 +156,12 @@ contains
                                 exitstat=run%status, cmdstat=command_status)
       if (command_status /= 0) run%status = -1
       run%output = content(scratch//'/output.txt')
-      call take_diagnostics(run)
+      call split_diagnostics(run)
       run%has_results = is_folder(results_path)
    end function run_interrupted
 
    !> Takes what stands on standard error apart: how long work takes depends on the machine.
-   subroutine take_diagnostics(run)
+   subroutine split_diagnostics(run)
       type(run_type), intent(inout) :: run
       character(:), allocatable :: left, line
       integer :: length
@@ -178,7 +178,7 @@ contains
             run%diagnostics = run%diagnostics//line
          end if
       end do
-   end subroutine take_diagnostics
+   end subroutine split_diagnostics
 
    !> Empties the scratch folder.
    subroutine clear_scratch()

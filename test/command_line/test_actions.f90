@@ -293,9 +293,9 @@ contains
    subroutine test_convert_unsaid()
       type(run_type) :: run
       call clear_scratch()
-      call put('path.csv', [character(80) :: 'md,inc,azi', '0,0,0', '500,0,0', '900,30,0'])
-      call put('si.nml', [character(80) :: "&trajectory survey_file = 'path.csv' /", '&hole diameter = 215.9 /', &
-                          '&component od = 127 /', "&load_case name = 'u', operation = 'up', bit_depth = 900 /"])
+      call write_text('path.csv', [character(80) :: 'md,inc,azi', '0,0,0', '500,0,0', '900,30,0'])
+      call write_text('si.nml', [character(80) :: "&trajectory survey_file = 'path.csv' /", '&hole diameter = 215.9 /', &
+                                 '&component od = 127 /', "&load_case name = 'u', operation = 'up', bit_depth = 900 /"])
       run = run_program(scratch//'/si.nml --check')
       call assertEqual(0, run%status, message=run%diagnostics)
       run = run_program('--convert '//scratch//'/si.nml')
@@ -308,7 +308,7 @@ contains
    end subroutine test_convert_unsaid
 
    !> Writes a file into the scratch folder.
-   subroutine put(name, texts)
+   subroutine write_text(name, texts)
       character(*), intent(in) :: name, texts(:)
       type(text_type), allocatable :: lines(:)
       type(error_type), allocatable :: error
@@ -319,7 +319,7 @@ contains
       end do
       call write_text_file(scratch//'/'//name, lines, error)
       call assertFalse(allocated(error))
-   end subroutine put
+   end subroutine write_text
 
    !> Keeps what the program printed last.
    subroutine keep(name)

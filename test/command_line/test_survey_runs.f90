@@ -126,14 +126,15 @@ contains
       character(*), intent(in), optional :: above
       type(run_type) :: run
       call clear_scratch()
-      call put(scratch//'/survey.csv', table)
-      if (present(above)) call put(scratch//'/parent.csv', above)
-      call put(deck_path, "&trajectory survey_file = 'survey.csv'"//keys//' /;&hole diameter = 215.9 /;&component od = 127 /;'// &
-               "&load_case name = 'u', operation = 'up', bit_depth = 1390 /")
+      call write_text(scratch//'/survey.csv', table)
+      if (present(above)) call write_text(scratch//'/parent.csv', above)
+      call write_text(deck_path, "&trajectory survey_file = 'survey.csv'"//keys// &
+                      ' /;&hole diameter = 215.9 /;&component od = 127 /;'// &
+                      "&load_case name = 'u', operation = 'up', bit_depth = 1390 /")
       run = run_program('--check '//deck_path)
    end function check
 
-   subroutine put(path, text)
+   subroutine write_text(path, text)
       character(*), intent(in) :: path, text
       type(text_type), allocatable :: lines(:)
       type(error_type), allocatable :: error
@@ -147,7 +148,7 @@ contains
          first = first + length + 1
       end do
       call write_text_file(path, lines, error)
-   end subroutine put
+   end subroutine write_text
 
    !> Line of the check on the path, without the number of stations.
    function path_line(run) result(line)

@@ -124,19 +124,19 @@ contains
       select case (int(4.0_wp*draw(state)))
       case (0)
          allocate (model%strings(1)%components(1))
-         call put(1, 'coiled tubing', 0.0_wp, 0.0508_wp, 0.0429_wp, 4.6_wp, 0.0_wp)
+         call set_part(1, 'coiled tubing', 0.0_wp, 0.0508_wp, 0.0429_wp, 4.6_wp, 0.0_wp)
       case (1)
          allocate (model%strings(1)%components(2))
-         call put(1, 'collar', 10.0_wp + 120.0_wp*draw(state), 0.1651_wp, 0.0714_wp, 136.0_wp, 0.0_wp)
-         call put(2, 'tubing', 0.0_wp, 0.073_wp, 0.0548_wp, 15.5_wp, 0.0_wp)
+         call set_part(1, 'collar', 10.0_wp + 120.0_wp*draw(state), 0.1651_wp, 0.0714_wp, 136.0_wp, 0.0_wp)
+         call set_part(2, 'tubing', 0.0_wp, 0.073_wp, 0.0548_wp, 15.5_wp, 0.0_wp)
       case default
          allocate (model%strings(1)%components(3))
-         call put(1, 'collar', 5.0_wp + 100.0_wp*draw(state), 0.1651_wp, 0.0714_wp, 136.0_wp, 0.0_wp)
-         call put(2, 'heavy-weight', 5.0_wp + 100.0_wp*draw(state), 0.127_wp, 0.0762_wp, 73.4_wp, 0.165_wp)
-         call put(3, 'drill pipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.1_wp, 0.168_wp)
+         call set_part(1, 'collar', 5.0_wp + 100.0_wp*draw(state), 0.1651_wp, 0.0714_wp, 136.0_wp, 0.0_wp)
+         call set_part(2, 'heavy-weight', 5.0_wp + 100.0_wp*draw(state), 0.127_wp, 0.0762_wp, 73.4_wp, 0.165_wp)
+         call set_part(3, 'drill pipe', 0.0_wp, 0.127_wp, 0.1086_wp, 33.1_wp, 0.168_wp)
       end select
    contains
-      subroutine put(i, name, length, od, id, mass, joint_od)
+      subroutine set_part(i, name, length, od, id, mass, joint_od)
          integer, intent(in) :: i
          character(*), intent(in) :: name
          real(wp), intent(in) :: length, od, id, mass, joint_od   !< [m], [m], [m], [kg/m], [m]
@@ -149,7 +149,7 @@ contains
             part%mass = mass
             part%joint_od = joint_od
          end associate
-      end subroutine put
+      end subroutine set_part
    end subroutine draw_string
 
    !> Gives a model the path of a survey.

@@ -22,14 +22,14 @@ contains
    end function part_list_suite
 
    subroutine test_lists()
-      call take('2/4', [2], 4)
-      call take('3,7-9/40', [3, 7, 8, 9], 40)
-      call take('7-9,3/40', [3, 7, 8, 9], 40)
-      call take('5-5,01/0007', [1, 5], 7)
-      call take('9999/9999', [9999], 9999)
-      call take('1-2/2', [1, 2], 2)
+      call check_part('2/4', [2], 4)
+      call check_part('3,7-9/40', [3, 7, 8, 9], 40)
+      call check_part('7-9,3/40', [3, 7, 8, 9], 40)
+      call check_part('5-5,01/0007', [1, 5], 7)
+      call check_part('9999/9999', [9999], 9999)
+      call check_part('1-2/2', [1, 2], 2)
    contains
-      subroutine take(text, wanted, wanted_parts)
+      subroutine check_part(text, wanted, wanted_parts)
          character(*), intent(in) :: text
          integer, intent(in) :: wanted(:), wanted_parts
          integer, allocatable :: chosen(:)
@@ -39,7 +39,7 @@ contains
          call assertEqual('', failure, message=text)
          call assertEqual(wanted_parts, parts, message=text)
          call assertEqual(wanted, chosen, message=text)
-      end subroutine take
+      end subroutine check_part
    end subroutine test_lists
 
    subroutine test_refused()

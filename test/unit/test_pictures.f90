@@ -6,7 +6,7 @@ module dg_test_pictures
    use dg_assembly_picture, only: assembly_chart
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_chart, only: add_panel, chart_type, fit_range, new_chart
-   use dg_column, only: put, quantity_force, quantity_length, quantity_text, row_type
+   use dg_column, only: add, quantity_force, quantity_length, quantity_text, row_type
    use dg_component, only: component_type
    use dg_forces_picture, only: forces_chart
    use dg_gnuplot_script, only: chart_script, spelled
@@ -102,9 +102,9 @@ contains
       type(row_type) :: row
       type(job_type) :: job
       job = sample_job()
-      call put(row, 'case', quantity_text, 'its name', 'a<b')
-      call put(row, 'stretch', quantity_length, 'of the string', 1.25_wp)
-      call put(row, 'rig_limit', quantity_force, 'as in the deck', missing)
+      call add(row, 'case', quantity_text, 'its name', 'a<b')
+      call add(row, 'stretch', quantity_length, 'of the string', 1.25_wp)
+      call add(row, 'rig_limit', quantity_force, 'as in the deck', missing)
       call append_table(page, [character(12) :: 'case', 'rig_limit', 'stretch'], job%units, [row], [.true.])
       call assertEqual(3, page%count)
       call assertTrue(index(page%lines(1)%text, '>case<br>') > 0, message=page%lines(1)%text)

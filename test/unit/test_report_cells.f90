@@ -7,7 +7,7 @@ module dg_test_report_cells
    use dg_load_case, only: moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
       operation_static, operation_trip_out, rotates
    use dg_missing, only: given, is_shown, missing, optional_real
-   use dg_number_text, only: count_cell, csv_text, fixed_cell, left_aligned, put_csv_number, right_aligned, scientific_cell
+   use dg_number_text, only: count_cell, csv_text, fixed_cell, left_aligned, append_csv_number, right_aligned, scientific_cell
    use dg_ten_digits, only: longest_number
    use dg_text, only: text_type
    use dg_text_table, only: add_cell, add_instead, append_table, close_rows, end_row, text_table_type
@@ -130,7 +130,7 @@ contains
       character(longest_number) :: buffer
       integer :: filled
       filled = 0
-      call put_csv_number(buffer, filled, value)
+      call append_csv_number(buffer, filled, value)
       field = buffer(:filled)
    end function csv_number
 

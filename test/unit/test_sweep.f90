@@ -18,7 +18,7 @@ module dg_test_sweep
       sweep_type, with_depths
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_table, only: sweep_table
-   use dg_sweep_work, only: in_part, result_text, take_record, take_result
+   use dg_sweep_work, only: in_part, result_text, add_record, read_result
    use dg_task_record, only: difference_of, read_record, record_head, record_line, record_type
    use dg_text, only: append_text, text_type
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
@@ -161,7 +161,7 @@ contains
          point%hookload = 1.0e6_wp/3.0_wp
          point%torque = -1.0e-300_wp/7.0_wp
          if (i == 2) point%message = 'no; reason = at all ;'
-         call take_result(result_text(point), back, sound)
+         call read_result(result_text(point), back, sound)
          call assertTrue(sound)
          call assertEqual(point%status, back%status)
          call assertEqual(point%hookload, back%hookload, message='to the last bit')
@@ -169,11 +169,11 @@ contains
          call assertTrue(allocated(back%message) .eqv. allocated(point%message))
          if (allocated(back%message)) call assertEqual(point%message, back%message)
       end do
-      call take_result('', back, sound)
+      call read_result('', back, sound)
       call assertFalse(sound)
-      call take_result('converged 1.0', back, sound)
+      call read_result('converged 1.0', back, sound)
       call assertFalse(sound)
-      call take_result('solved'//repeat(' 1.0E+000', 10), back, sound)
+      call read_result('solved'//repeat(' 1.0E+000', 10), back, sound)
       call assertFalse(sound)
    end subroutine test_result_text
 
@@ -209,7 +209,7 @@ contains
       call assertEqual('', failure)
       call assertEqual([2, 3, 7], [record%part, record%parts, record%pieces])
       call assertEqual([5, 2], record%numbers)
-      call take_record(record, 2, 3, settings, points, failure)
+      call add_record(record, 2, 3, settings, points, failure)
       call assertEqual('', failure)
       call assertEqual([.false., .true., .false., .false., .true., .false., .false.], is_solved(points))
       call assertEqual(5.0_wp, points(5)%hookload)
@@ -276,7 +276,7 @@ contains
          lines(8)%text = line
          call set_settings(settings)
          call read_record(lines, record, failure)
-         if (failure == '') call take_record(record, 2, 3, settings, points, failure)
+         if (failure == '') call add_record(record, 2, 3, settings, points, failure)
          call assertEqual('line 8: the result of point 2 is damaged', failure, message=line)
          call assertFalse(any(is_solved(points)), message='nothing taken')
       end subroutine refuse
@@ -308,23 +308,23 @@ contains
       call set_record(lines)
       call set_settings(settings)
       call read_record(lines, record, failure)
-      call take_record(record, 3, 3, settings, points, failure)
+      call add_record(record, 3, 3, settings, points, failure)
       call assertEqual('it holds part 2 of 3 instead of part 3 of 3', failure)
-      call take_record(record, 2, 4, settings, points, failure)
+      call add_record(record, 2, 4, settings, points, failure)
       call assertEqual('it holds part 2 of 3 instead of part 2 of 4', failure)
-      call take_record(record, 2, 3, settings, fewer, failure)
+      call add_record(record, 2, 3, settings, fewer, failure)
       call assertEqual('it is of 7 points, the deck has 6', failure)
       settings(2)%text = 'b, m = 3'
-      call take_record(record, 2, 3, settings, points, failure)
+      call add_record(record, 2, 3, settings, points, failure)
       call assertEqual('it is of another deck: b, m was 2 and is 3', failure)
       settings(2)%text = 'b, m = 2'
       record%numbers(2) = 3
-      call take_record(record, 2, 3, settings, points, failure)
+      call add_record(record, 2, 3, settings, points, failure)
       call assertEqual('line 8: point 3 does not belong to part 2 of 3', failure)
       call assertFalse(any(is_solved(points)), message='nothing taken')
       record%numbers(2) = 2
       points(2)%status = result_converged
-      call take_record(record, 2, 3, settings, points, failure)
+      call add_record(record, 2, 3, settings, points, failure)
       call assertEqual('line 8: point 2 is there already', failure)
       call assertFalse(is_solved(points(5)), message='nothing taken')
    end subroutine test_foreign

@@ -3,7 +3,7 @@ module dg_test_ten_digits
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_ten_digits, only: longest_number, put_ten_digits
+   use dg_ten_digits, only: longest_number, append_ten_digits
    implicit none
    private
    public :: ten_digits_suite
@@ -140,7 +140,7 @@ contains
       integer :: filled
       row = 'md,'
       filled = 3
-      call put_ten_digits(row, filled, -12.5_wp)
+      call append_ten_digits(row, filled, -12.5_wp)
       call assertEqual('md,-12.50000000', row(:filled))
       call assertTrue(row(filled + 1:) == '', message='nothing behind')
    end subroutine test_behind_other_letters
@@ -151,7 +151,7 @@ contains
       character(longest_number) :: buffer
       integer :: filled
       filled = 0
-      call put_ten_digits(buffer, filled, value)
+      call append_ten_digits(buffer, filled, value)
       text = buffer(:filled)
    end function text_of
 

@@ -11,7 +11,7 @@ module dg_extreme_table
    use dg_text, only: to_text
    implicit none
    private
-   public :: row_type, begin_row, take, take_bent, take_short, take_straight, finish_row
+   public :: row_type, begin_row, add_row, add_bent, add_short, add_straight, finish_row
 
    !> One row of the table.
    type :: row_type
@@ -35,7 +35,7 @@ contains
    end subroutine begin_row
 
    !> A case in a straight hole, against closed forms.
-   subroutine take_straight(extreme, row)
+   subroutine add_straight(extreme, row)
       type(extreme_case_type), intent(in) :: extreme
       type(row_type), intent(inout) :: row
       type(extreme_case_type) :: free
@@ -43,22 +43,22 @@ contains
       free = extreme
       free%held = .false.
       call by_straight_hole(free, reference)
-      call take(free, reference, row)
-   end subroutine take_straight
+      call add_row(free, reference, row)
+   end subroutine add_straight
 
    !> A case against the independent beam.
-   subroutine take_bent(extreme, row)
+   subroutine add_bent(extreme, row)
       type(extreme_case_type), intent(in) :: extreme
       type(row_type), intent(inout) :: row
       type(answer_type) :: reference
       logical :: found
       call by_independent_beam(extreme, reference, found)
       call assertTrue(found, message=trim(extreme%label)//': reference')
-      if (found) call take(extreme, reference, row)
-   end subroutine take_bent
+      if (found) call add_row(extreme, reference, row)
+   end subroutine add_bent
 
    !> A case against the program on short elements, where nothing else is known.
-   subroutine take_short(extreme, row, element)
+   subroutine add_short(extreme, row, element)
       type(extreme_case_type), intent(in) :: extreme
       type(row_type), intent(inout) :: row
       real(wp), intent(in), optional :: element     !< longest of the reference [m], else that of by_short_elements
@@ -67,11 +67,11 @@ contains
       found = extreme%lock_up
       if (.not. found) call by_short_elements(extreme, reference, found, element)
       call assertTrue(found, message=trim(extreme%label)//': reference')
-      if (found) call take(extreme, reference, row)
-   end subroutine take_short
+      if (found) call add_row(extreme, reference, row)
+   end subroutine add_short
 
    !> Solves and judges one case.
-   subroutine take(extreme, reference, row)
+   subroutine add_row(extreme, reference, row)
       type(extreme_case_type), intent(in) :: extreme
       type(answer_type), intent(in) :: reference
       type(row_type), intent(inout) :: row
@@ -98,7 +98,7 @@ contains
       do i = 1, quantity_count
          row%worst(i) = max(row%worst(i), verdict%error(i))
       end do
-   end subroutine take
+   end subroutine add_row
 
    !> Prints a row. Errors are the worst of the cases that are right.
    subroutine finish_row(row)

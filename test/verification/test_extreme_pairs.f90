@@ -5,7 +5,7 @@ module dg_test_extreme_pairs
    use dg_constants, only: pi
    use dg_extreme_case, only: answer_type, contact, extreme_case_type, hookload, solve_extreme, verdict_type
    use dg_extreme_reference, only: by_independent_beam, by_short_elements
-   use dg_extreme_table, only: begin_row, finish_row, row_type, take, take_bent, take_short, take_straight
+   use dg_extreme_table, only: begin_row, finish_row, row_type, add_row, add_bent, add_short, add_straight
    use dg_extreme_wells, only: base_well, case_of, horizontal_well, straight_well, tubing_well
    use dg_independent_beam, only: independent_well_type
    use dg_kinds, only: wp
@@ -59,15 +59,15 @@ contains
             if (i == 1) well = with_clearance(well, wide)
             if (i == 3) well = with_clearance(well, tight)
             call find_reference(soft)
-            if (i == 2) call take_pair(', soft wall, short elements', soft, short)
-            if (i == 2) call take_pair(', soft wall, long elements', soft, long)
-            if (i /= 2) call take_pair(', soft wall', soft, 0.0_wp)
+            if (i == 2) call add_pair(', soft wall, short elements', soft, short)
+            if (i == 2) call add_pair(', soft wall, long elements', soft, long)
+            if (i /= 2) call add_pair(', soft wall', soft, 0.0_wp)
             call find_reference(0.0_wp)
-            if (i == 2) call take_pair(', hard wall, short elements', hard, short)
-            if (i == 2) call take_pair(', hard wall, long elements', hard, long)
-            if (i /= 2) call take_pair(', hard wall', hard, 0.0_wp)
-            if (i == 1 .or. (i == 3 .and. k == 1)) call take_pair(', short elements', 0.0_wp, short)
-            if (i /= 2) call take_pair(', long elements', 0.0_wp, long)
+            if (i == 2) call add_pair(', hard wall, short elements', hard, short)
+            if (i == 2) call add_pair(', hard wall, long elements', hard, long)
+            if (i /= 2) call add_pair(', hard wall', hard, 0.0_wp)
+            if (i == 1 .or. (i == 3 .and. k == 1)) call add_pair(', short elements', 0.0_wp, short)
+            if (i /= 2) call add_pair(', long elements', 0.0_wp, long)
          end do
       end do
       call finish_row(row)
@@ -82,15 +82,15 @@ contains
          call assertTrue(found, message=trim(extreme%label)//': reference')
       end subroutine find_reference
 
-      subroutine take_pair(label, wall, element)
+      subroutine add_pair(label, wall, element)
          character(*), intent(in) :: label
          real(wp), intent(in) :: wall, element      !< [N/m2, m]; 0: the default
          type(extreme_case_type) :: extreme
          extreme = case_of(well, operations(k), mu, trim(room(i))//label)
          extreme%wall = wall
          extreme%element = element
-         call take(extreme, reference, row)
-      end subroutine take_pair
+         call add_row(extreme, reference, row)
+      end subroutine add_pair
    end subroutine test_walls
 
    !> A sharp bend, with extremes of the other axes. Where the wall is soft the string lies 28 mm off the axis of the hole,
@@ -105,23 +105,23 @@ contains
       do k = 1, 2
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, soft wall')
          extreme%wall = soft
-         if (k == 1) call take_short(extreme, row, sixteenth)
-         if (k == 2) call take_bent(extreme, row)
+         if (k == 1) call add_short(extreme, row, sixteenth)
+         if (k == 2) call add_bent(extreme, row)
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, hard wall')
          extreme%wall = hard
-         call take_bent(extreme, row)
+         call add_bent(extreme, row)
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, short elements')
          extreme%element = short
-         call take_bent(extreme, row)
+         call add_bent(extreme, row)
          extreme = case_of(tubing_well(100.0_wp), operations(k), mu, 'sharp, long elements')
          extreme%element = long
-         call take_bent(extreme, row)
-         call take_short(case_of(with_clearance(tubing_well(100.0_wp), tight), operations(k), mu, 'sharp, tight hole'), row)
-         call take_short(case_of(with_clearance(tubing_well(100.0_wp), wide), operations(k), mu, 'sharp, wide hole'), row)
-         call take_short(case_of(tubing_well(100.0_wp), operations(k), 1.0_wp, 'sharp, friction 1'), row)
+         call add_bent(extreme, row)
+         call add_short(case_of(with_clearance(tubing_well(100.0_wp), tight), operations(k), mu, 'sharp, tight hole'), row)
+         call add_short(case_of(with_clearance(tubing_well(100.0_wp), wide), operations(k), mu, 'sharp, wide hole'), row)
+         call add_short(case_of(tubing_well(100.0_wp), operations(k), 1.0_wp, 'sharp, friction 1'), row)
          well = tubing_well(100.0_wp)
          well%wob = -3.0e5_wp
-         call take_bent(case_of(well, operations(k), mu, 'sharp, overpull'), row)
+         call add_bent(case_of(well, operations(k), mu, 'sharp, overpull'), row)
       end do
       call finish_row(row)
    end subroutine test_doglegs
@@ -148,26 +148,26 @@ contains
       do k = 1, 2
          well = base_well()
          well%wob = -1.0e6_wp
-         call take_bent(case_of(well, operations(k), 1.0_wp, 'overpull, friction 1'), row)
-         call take_short(case_of(with_clearance(well, tight), operations(k), mu, 'overpull, tight hole'), row)
-         call take_short(case_of(with_clearance(well, wide), operations(k), mu, 'overpull, wide hole'), row)
-         call take_short(case_of(with_clearance(base_well(), tight), operations(k), 1.0_wp, 'friction 1, tight hole'), row)
-         call take_short(case_of(with_clearance(base_well(), wide), operations(k), 1.0_wp, 'friction 1, wide hole'), row)
-         call take_straight(case_of(straight_well(15.0e3_wp, 80.0_wp), operations(k), 1.0_wp, '15 km, friction 1'), row)
+         call add_bent(case_of(well, operations(k), 1.0_wp, 'overpull, friction 1'), row)
+         call add_short(case_of(with_clearance(well, tight), operations(k), mu, 'overpull, tight hole'), row)
+         call add_short(case_of(with_clearance(well, wide), operations(k), mu, 'overpull, wide hole'), row)
+         call add_short(case_of(with_clearance(base_well(), tight), operations(k), 1.0_wp, 'friction 1, tight hole'), row)
+         call add_short(case_of(with_clearance(base_well(), wide), operations(k), 1.0_wp, 'friction 1, wide hole'), row)
+         call add_straight(case_of(straight_well(15.0e3_wp, 80.0_wp), operations(k), 1.0_wp, '15 km, friction 1'), row)
          well = straight_well(5.0_wp, 80.0_wp)
-         call take_straight(case_of(with_clearance(well, wide), operations(k), mu, '5 m, wide hole'), row)
-         call take_straight(case_of(with_clearance(well, tight), operations(k), mu, '5 m, tight hole'), row)
+         call add_straight(case_of(with_clearance(well, wide), operations(k), mu, '5 m, wide hole'), row)
+         call add_straight(case_of(with_clearance(well, tight), operations(k), mu, '5 m, tight hole'), row)
       end do
       well = straight_well(5.0_wp, 80.0_wp)
-      call take_bent(case_of(with_clearance(well, wide), operation_static, mu, '5 m held, wide hole'), row)
+      call add_bent(case_of(with_clearance(well, wide), operation_static, mu, '5 m held, wide hole'), row)
       well = horizontal_well()
       well%wob = 1.0e6_wp
       extreme = case_of(with_clearance(well, wide), operation_sliding_drilling, mu, 'hard push, wide hole')
       extreme%lock_up = .true.
-      call take_short(extreme, row)
+      call add_short(extreme, row)
       extreme = case_of(well, operation_sliding_drilling, 1.0_wp, 'hard push, friction 1')
       extreme%lock_up = .true.
-      call take_short(extreme, row)
+      call add_short(extreme, row)
       call finish_row(row)
    end subroutine test_loads
 
@@ -191,26 +191,26 @@ contains
       extreme%held = .false.
       reference%value(hookload) = -well%wob*exp(mu*0.5_wp*pi)
       reference%value(contact) = -well%wob*(exp(mu*0.5_wp*pi) - 1.0_wp)/mu
-      call take(extreme, reference, row)
+      call add_row(extreme, reference, row)
       well = straight_well(100.0_wp, 50.0_wp)
       well%mud = 0.0_wp
       well%mass = 1.0e-6_wp
-      call take_straight(case_of(well, operation_trip_out, mu, 'weightless, no load'), row)
+      call add_straight(case_of(well, operation_trip_out, mu, 'weightless, no load'), row)
       do k = 1, 2
          well = base_well()
          well%id = 0.0_wp
          well%joint = 0.0_wp
          well%mass = 99.4_wp
-         call take_bent(case_of(well, operations(k), mu, 'solid bar'), row)
+         call add_bent(case_of(well, operations(k), mu, 'solid bar'), row)
          well = base_well()
          well%length = [100.0_wp, 0.0_wp]
          well%od = [0.2_wp, 0.0381_wp]
          well%id = [0.0_wp, 0.0318_wp]
          well%joint = [0.0_wp, 0.0_wp]
          well%mass = [245.0_wp, 2.5_wp]
-         call take_bent(case_of(well, operations(k), mu, 'solid collars below thin tubing'), row)
+         call add_bent(case_of(well, operations(k), mu, 'solid collars below thin tubing'), row)
          well%length = [400.0_wp, 0.0_wp]
-         call take_bent(case_of(well, operations(k), mu, 'the same, joint in the build'), row)
+         call add_bent(case_of(well, operations(k), mu, 'the same, joint in the build'), row)
       end do
       call finish_row(row)
    end subroutine test_strings
@@ -228,13 +228,13 @@ contains
          do i = 1, 14
             extreme = case_of(base_well(), operation_trip_in, mu, merge('NaN     ', 'infinity', k == 1))
             extreme%refusal = .true.
-            call put(i, bad, extreme)
-            call take(extreme, answer_type(), row)
+            call set_value(i, bad, extreme)
+            call add_row(extreme, answer_type(), row)
          end do
       end do
       call finish_row(row)
    contains
-      subroutine put(place, value, changed)
+      subroutine set_value(place, value, changed)
          integer, intent(in) :: place
          real(wp), intent(in) :: value
          type(extreme_case_type), intent(inout) :: changed
@@ -270,6 +270,6 @@ contains
                changed%wall = value
             end select
          end associate
-      end subroutine put
+      end subroutine set_value
    end subroutine test_bad_numbers
 end module dg_test_extreme_pairs

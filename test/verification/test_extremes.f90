@@ -3,7 +3,7 @@ module dg_test_extremes
    use funit, only: assertTrue, TestMethod, TestSuite
    use dg_extreme_case, only: answer_type, extreme_case_type
    use dg_extreme_reference, only: by_independent_beam
-   use dg_extreme_table, only: begin_row, finish_row, row_type, take, take_bent, take_short, take_straight
+   use dg_extreme_table, only: begin_row, finish_row, row_type, add_row, add_bent, add_short, add_straight
    use dg_extreme_wells, only: add_stations, base_well, case_of, coil_condition, coil_lock_up, horizontal_well, straight_well, &
                                tubing_well
    use dg_independent_beam, only: independent_well_type
@@ -57,7 +57,7 @@ contains
             extreme%wall = wall
             if (wall <= rigid) call by_independent_beam(extreme, reference(k), found)
             call assertTrue(found, message=trim(extreme%label)//': reference')
-            call take(extreme, reference(k), row)
+            call add_row(extreme, reference(k), row)
          end do
       end do
       call finish_row(row)
@@ -77,7 +77,7 @@ contains
          do i = 1, size(length)
             extreme = case_of(base_well(), two(k), mu, 'elements '//to_text(length(i), 2)//' m')
             extreme%element = length(i)
-            call take(extreme, reference, row)
+            call add_row(extreme, reference, row)
          end do
       end do
       call finish_row(row)
@@ -95,7 +95,7 @@ contains
          if (clearance(i) < tight(1)) well%step = fine_step(1)
          do k = 1, 2
             if (clearance(i) < tight(2) .and. two(k) == operation_rotate_off_bottom) well%step = fine_step(2)
-            call take_bent(case_of(well, two(k), mu, 'clearance '//to_text(1.0e3_wp*clearance(i), 2)//' mm'), row)
+            call add_bent(case_of(well, two(k), mu, 'clearance '//to_text(1.0e3_wp*clearance(i), 2)//' mm'), row)
          end do
       end do
       call finish_row(row)
@@ -111,9 +111,9 @@ contains
       do i = 1, size(length)
          do k = 1, 3
             well = straight_well(length(i), 50.0_wp)
-            call take_straight(case_of(well, three(k), mu, 'length '//to_text(length(i), 2)//' m'), row)
+            call add_straight(case_of(well, three(k), mu, 'length '//to_text(length(i), 2)//' m'), row)
          end do
-         if (length(i) < 20.0_wp) call take_bent(case_of(well, operation_static, mu, 'held, '//to_text(length(i), 2)//' m'), row)
+         if (length(i) < 20.0_wp) call add_bent(case_of(well, operation_static, mu, 'held, '//to_text(length(i), 2)//' m'), row)
       end do
       do i = 1, 2
          well = base_well()
@@ -122,7 +122,7 @@ contains
          well%azimuth = spread(20.0_wp, 1, 4)
          well%bit = well%md(4)
          well%step = merge(0.5_wp, 0.75_wp, i == 1)
-         call take_bent(case_of(well, operation_trip_out, mu, 'built, '//to_text(well%bit, 2)//' m'), row)
+         call add_bent(case_of(well, operation_trip_out, mu, 'built, '//to_text(well%bit, 2)//' m'), row)
       end do
       call finish_row(row)
    end subroutine test_string_length
@@ -138,9 +138,9 @@ contains
          do k = 1, 2
             extreme = case_of(tubing_well(dogleg(i)), two(k), mu, 'dogleg '//to_text(dogleg(i), 2))
             if (dogleg(i) > sharp) then
-               call take_short(extreme, row)
+               call add_short(extreme, row)
             else
-               call take_bent(extreme, row)
+               call add_bent(extreme, row)
             end if
          end do
       end do
@@ -156,8 +156,8 @@ contains
       do i = 1, size(friction)
          label = 'friction '//to_text(friction(i), 2)
          do k = 1, 3
-            call take_bent(case_of(base_well(), three(k), friction(i), label), row)
-            call take_straight(case_of(straight_well(150.0_wp, 50.0_wp), three(k), friction(i), label//', straight'), row)
+            call add_bent(case_of(base_well(), three(k), friction(i), label), row)
+            call add_straight(case_of(straight_well(150.0_wp, 50.0_wp), three(k), friction(i), label//', straight'), row)
          end do
       end do
       call finish_row(row)
@@ -175,8 +175,8 @@ contains
          well = base_well()
          well%wob = wob(i)
          label = 'WOB '//to_text(1.0e-3_wp*wob(i), 4)//' kN'
-         call take_bent(case_of(well, merge(operation_trip_out, operation_static, wob(i) < 0.0_wp), mu, label), row)
-         call take_bent(case_of(well, operation_rotary_drilling, mu, label), row)
+         call add_bent(case_of(well, merge(operation_trip_out, operation_static, wob(i) < 0.0_wp), mu, label), row)
+         call add_bent(case_of(well, operation_rotary_drilling, mu, label), row)
       end do
       call finish_row(row)
    end subroutine test_weight_on_bit
@@ -195,7 +195,7 @@ contains
          extreme = case_of(well, operation_sliding_drilling, mu, 'push '//to_text(share(i), 3)//' of lock-up')
          extreme%lock_up = share(i) > 1.0_wp
          extreme%condition = coil_condition(well, mu)
-         call take_short(extreme, row)
+         call add_short(extreme, row)
       end do
       call finish_row(row)
    end subroutine test_push
@@ -222,7 +222,7 @@ contains
             if (i == 1) call by_independent_beam(extreme, reference, found)
             if (i > 1) call add_stations(extreme%well, spacing(i), min(1000.0_wp, 200.0_wp*spacing(i)))
             call assertTrue(found, message='stations: reference')
-            call take(extreme, reference, row)
+            call add_row(extreme, reference, row)
          end do
       end do
       call finish_row(row)
@@ -238,8 +238,8 @@ contains
       do i = 1, size(inclination)
          do k = 1, 3
             extreme = case_of(straight_well(60.0_wp, inclination(i)), three(k), mu, 'inclination '//to_text(inclination(i), 3))
-            if (inclination(i) < 180.0_wp) call take_straight(extreme, row)
-            if (.not. inclination(i) < 180.0_wp) call take_short(extreme, row)
+            if (inclination(i) < 180.0_wp) call add_straight(extreme, row)
+            if (.not. inclination(i) < 180.0_wp) call add_short(extreme, row)
          end do
       end do
       call finish_row(row)

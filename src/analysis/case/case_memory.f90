@@ -10,7 +10,7 @@ module dg_case_memory
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: need_type, add_cases, take_greater, elements_in, finer_text, check_case_memory, gigabyte, memory_digits
+   public :: need_type, add_cases, keep_larger, elements_in, finer_text, check_case_memory, gigabyte, memory_digits
 
    !> Memory of a case per element [bytes]: while it is solved, and of its result and files. Measured with 100 000 elements.
    real(wp), parameter :: bytes_solving = 5.0e3_wp, bytes_kept = 1.0e3_wp
@@ -72,12 +72,12 @@ contains
                    i=1, size(model%cases))]
       if (job%parts == 0) need%kept = need%kept + bytes_kept*size(job%models)*sum(elements)
       i = maxloc(elements, 1)
-      call take_greater(need, elements(i), threads, &
-                        'case '//quoted(model%cases(i)%name), finer_text(model, model%numerics%element_length))
+      call keep_larger(need, elements(i), threads, &
+                       'case '//quoted(model%cases(i)%name), finer_text(model, model%numerics%element_length))
    end subroutine add_cases
 
    !> Keep the work that needs most memory.
-   subroutine take_greater(need, elements, threads, what, remedy)
+   subroutine keep_larger(need, elements, threads, what, remedy)
       type(need_type), intent(inout) :: need
       real(wp), intent(in) :: elements
       integer, intent(in) :: threads
@@ -87,7 +87,7 @@ contains
       need%what = what//', '//to_text(elements, digits)//' elements'
       need%remedy = remedy
       if (threads > 1) need%remedy = remedy//' or fewer threads'
-   end subroutine take_greater
+   end subroutine keep_larger
 
    !> Settings that reduce the number of elements, in words.
    function finer_text(model, element_length) result(text)

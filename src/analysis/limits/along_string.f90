@@ -111,13 +111,13 @@ contains
             moment = profile%bending(i)
             if (.not. solved) moment = moment_between(components(part), profile%axial(i), moment, &
                                                       max(curvature, curvature_at(model, profile%md(i), arc(last))))
-            call put_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, along)
-            call put_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), curvature, solved, along)
+            call set_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, along)
+            call set_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), curvature, solved, along)
             do k = first, last
                if (k == first .or. arc(2) /= arc(1)) &
-                  call put_limits(model, i, profile%md(i), -profile%axial(i), components(part), weight, &
-                                  0.5_wp*(model%holes(hole)%diameter - contact_diameter(components(part), bit - tops(part))), &
-                                  arc(k), along)
+                  call lower_limits(model, i, profile%md(i), -profile%axial(i), components(part), weight, &
+                                    0.5_wp*(model%holes(hole)%diameter - contact_diameter(components(part), bit - tops(part))), &
+                                    arc(k), along)
             end do
             if (result%model == model_mcge) along%standoff(i) = standoff_of(components(part)%od, model%holes(hole)%diameter, &
                                                                             profile%displacement(i))
@@ -132,8 +132,8 @@ contains
                            along%inside_pressure(i) - along%pressure(i))
          end do
       end associate
-      if (.not. apart) call put_joint_loads(model%strings(string)%components, tops, bit, result, along)
-      if (apart .and. allocated(result%contacts)) call put_joint_forces(result, along)
+      if (.not. apart) call set_joint_loads(model%strings(string)%components, tops, bit, result, along)
+      if (apart .and. allocated(result%contacts)) call set_joint_forces(result, along)
 
    contains
 
@@ -159,7 +159,7 @@ contains
    !> Contact forces of tool joints whose pipe lies on the wall as a whole. Each carries the force on one joint_spacing of its
    !> component, half of it above and half below. That length ends with the component. In a shorter component it is the whole
    !> component.
-   pure subroutine put_joint_loads(components, tops, bit, result, along)
+   pure subroutine set_joint_loads(components, tops, bit, result, along)
       type(component_type), intent(in) :: components(:)
       real(wp), intent(in) :: tops(:)    !< from component_tops [m]
       real(wp), intent(in) :: bit        !< [m]
@@ -183,11 +183,11 @@ contains
       end do
       force = force_between(result%profile%md, result%profile%side_force, upper, lower)
       where (bears) along%joint_side_force = force
-   end subroutine put_joint_loads
+   end subroutine set_joint_loads
 
    !> Contact forces of tool joints that were solved one by one, each at the row nearest to it, and 0 at other rows with
    !> joints.
-   pure subroutine put_joint_forces(result, along)
+   pure subroutine set_joint_forces(result, along)
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(inout) :: along
       integer :: i, row
@@ -197,7 +197,7 @@ contains
          row = minloc(abs(result%profile%md - result%contacts(i)%md), dim=1, mask=.not. is_missing(along%magnification))
          if (row > 0) along%joint_side_force(row) = max(along%joint_side_force(row), result%contacts(i)%force)
       end do
-   end subroutine put_joint_forces
+   end subroutine set_joint_forces
 
    !> Largest moment next to tool joints, or between them, of a string that was not solved joint by joint [N.m]. It is the
    !> larger of its own moment and that of the hole's curvature, plus the magnification there. In tension the body's contact
@@ -222,7 +222,7 @@ contains
    end function moment_between
 
    !> Stresses at row `i`. Its pressures and yield strength must be set.
-   pure subroutine put_stress(i, part, axial, torque, moment, largest, along)
+   pure subroutine set_stress(i, part, axial, torque, moment, largest, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial     !< effective [N]
@@ -252,12 +252,12 @@ contains
       ! A string without any load has no factor.
       if (stress%von_mises > epsilon(1.0_wp)*yield) along%safety_factor(i) = yield/stress%von_mises
       along%envelope_margin(i) = 1.0_wp - stress%von_mises/yield
-   end subroutine put_stress
+   end subroutine set_stress
 
    !> Bending between tool joints and stress in them at row `i`, for a component with joints. If joints were solved one by one,
    !> the moments include the magnification. In compression bending is largest between joints, so that a joint has the mean
    !> one.
-   pure subroutine put_joint(i, part, axial, torque, moment, curvature, apart, along)
+   pure subroutine set_joint(i, part, axial, torque, moment, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
@@ -280,7 +280,7 @@ contains
                            along%inside_pressure(i))
       along%joint_bending(i) = stress%bending
       along%joint_von_mises(i) = stress%von_mises
-   end subroutine put_joint
+   end subroutine set_joint
 
    !> Curvature of one arc [1/m]. The depth is needed for a spline, whose curvature varies.
    pure function curvature_at(model, md, arc) result(curvature)
@@ -303,7 +303,7 @@ contains
    end function standoff_of
 
    !> Buckling limits at row `i` in one of the bends that meet there. The lower ones are kept.
-   pure subroutine put_limits(model, i, md, compression, part, weight, clearance, arc, along)
+   pure subroutine lower_limits(model, i, md, compression, part, weight, clearance, arc, along)
       type(model_type), intent(in) :: model
       integer, intent(in) :: i
       real(wp), intent(in) :: md        !< [m]
@@ -327,7 +327,7 @@ contains
       call keep_least(along%onset(i), max(curved_limit(ei, across, curvature, clearance), lubinski_first*vertical))
       call keep_least(along%helical(i), helical_limit(inclined, vertical, helical_low))
       call keep_least(along%helical_upper(i), helical_limit(inclined, vertical, helical_high))
-   end subroutine put_limits
+   end subroutine lower_limits
 
    !> The smaller of a number that may be missing and a given one.
    pure subroutine keep_least(number, candidate)

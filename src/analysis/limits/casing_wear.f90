@@ -104,7 +104,7 @@ contains
                groove%volume = hole%wear_factor*load_case%angular_speed*load_case%hours*hour* &
                                (value_at(work, lower) - value_at(work, upper))/(lower - upper)
                part = component_at(tops, bit - depths(i))
-               call put_strength(hole, 0.5_wp*contact_diameter(string%components(part), bit - tops(part)), groove)
+               call set_strength(hole, 0.5_wp*contact_diameter(string%components(part), bit - tops(part)), groove)
             end associate
             count = count + 1
             grooves(count) = groove
@@ -136,7 +136,7 @@ contains
    end subroutine find_casing_wear
 
    !> Depth of a groove from its volume, and the strengths that are left.
-   pure subroutine put_strength(hole, radius, groove)
+   pure subroutine set_strength(hole, radius, groove)
       type(hole_section_type), intent(in) :: hole
       real(wp), intent(in) :: radius       !< of the joint [m]
       type(groove_type), intent(inout) :: groove
@@ -155,7 +155,7 @@ contains
       groove%burst = burst_strength(casing)
       groove%collapse = 0.0_wp
       if (groove%depth < wall) groove%collapse = collapse_strength(casing, 0.0_wp)
-   end subroutine put_strength
+   end subroutine set_strength
 
    !> The groove that leaves the least part of its wall, not present if there are no grooves.
    pure function worst_groove(grooves) result(worst)

@@ -25,7 +25,7 @@ module dg_find_verdict
    use dg_utilisation, only: as_much, find_utilisation, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_left_out, &
-                         note_uncertain, take_name, verdict_type
+                         note_uncertain, set_name, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -87,7 +87,7 @@ contains
                call find_ways_down(model, result, verdict)
          end if
          if (verdict%part > 0) &
-            call take_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
+            call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate
    end subroutine find_verdict
 

@@ -8,7 +8,7 @@ module dg_passed_pressure
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_profile_rows, only: lay_rows
-   use dg_soft_string, only: take_profile
+   use dg_soft_string, only: set_profile
    use dg_string_piece, only: breakpoints
    use dg_utilisation, only: as_much, find_utilisation, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              utilisation_type
@@ -41,7 +41,7 @@ contains
       allocate (none(size(md)), source=0.0_wp)
       still%case_index = case_index
       still%model = model_soft
-      call take_profile(model, case_index, md, side, none, none, spread(none, 1, 3), still)
+      call set_profile(model, case_index, md, side, none, none, spread(none, 1, 3), still)
       call find_along_string(model, still, along)
       call find_utilisation(model, still, along, design, optional_real(), utilisation)
       limit = 0

@@ -7,7 +7,7 @@ module dg_verdict
    use dg_utilisation, only: limit_count, limit_name
    implicit none
    private
-   public :: verdict_type, note_uncertain, note_left_out, take_name, &
+   public :: verdict_type, note_uncertain, note_left_out, set_name, &
              is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
              answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
@@ -106,12 +106,12 @@ contains
       if (verdict%friction_reserve%present .and. verdict%friction_reserve%value < joints_reserve) verdict%joints_uncertain = .true.
    end subroutine note_left_out
 
-   !> Take the name of the component where the limit is used most.
-   pure subroutine take_name(part, verdict)
+   !> Set the name of the component where the limit is used most.
+   pure subroutine set_name(part, verdict)
       type(component_type), intent(in) :: part
       type(verdict_type), intent(inout) :: verdict
       if (allocated(part%name)) verdict%component = part%name
-   end subroutine take_name
+   end subroutine set_name
 
    !> True if a little more friction makes a yes a NO, and no limit is used as much as that says.
    elemental function is_near_by_friction(verdict) result(near)

@@ -125,7 +125,7 @@ contains
          i = maxloc(profile%bending, dim=1)
          whole%bending = profile%bending(i)
          whole%bending_md = profile%md(i)
-         call take(result%moment_error, whole%bending_error)
+         call copy_number(result%moment_error, whole%bending_error)
          if (whole%bending_error%present) whole%contact_difference = given(result%unlike_contact%share)
          i = maxloc(along%von_mises, dim=1)
          whole%von_mises = along%von_mises(i)
@@ -148,13 +148,13 @@ contains
             whole%fatigue = parts(i)
          end if
       end do
-      call take(result%stability_margin, whole%stability_margin)
-      call take(result%bit_side_force, whole%bit_side_force)
-      call take(result%bit_side_clock, whole%bit_side_clock)
-      call take(result%bit_tilt, whole%bit_tilt)
-      call take(result%bit_tilt_clock, whole%bit_tilt_clock)
-      call take(result%sag_correction, whole%sag_correction)
-      call take(result%sensor_md, whole%sensor_md)
+      call copy_number(result%stability_margin, whole%stability_margin)
+      call copy_number(result%bit_side_force, whole%bit_side_force)
+      call copy_number(result%bit_side_clock, whole%bit_side_clock)
+      call copy_number(result%bit_tilt, whole%bit_tilt)
+      call copy_number(result%bit_tilt_clock, whole%bit_tilt_clock)
+      call copy_number(result%sag_correction, whole%sag_correction)
+      call copy_number(result%sensor_md, whole%sensor_md)
       call add_margins(model, result, rig_limit, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
@@ -172,11 +172,11 @@ contains
    end function share_beyond
 
    !> Convert a number that may be missing to one that may be absent.
-   elemental subroutine take(number, optional)
+   elemental subroutine copy_number(number, optional)
       real(wp), intent(in) :: number
       type(optional_real), intent(out) :: optional
       if (.not. is_missing(number)) optional = given(number)
-   end subroutine take
+   end subroutine copy_number
 
    !> Stretch and wind-up: integrals over the string of T/(EA), M/(GJ) and, for the pressures, -(1 - 2 nu) p/E. By Hooke's law
    !> with axial, hoop and radial stress p = (p_o A_o - p_i A_i)/A, where T is the effective force. A pressure on all sides has

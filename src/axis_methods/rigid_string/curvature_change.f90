@@ -116,16 +116,16 @@ contains
       do i = 1, size(marks)
          do while (j <= size(model%trajectory%arcs))
             if (model%trajectory%arcs(j)%md >= marks(i) - beside) exit
-            call put(model%trajectory%arcs(j)%md, md, n)
+            call add_depth(model%trajectory%arcs(j)%md, md, n)
             j = j + 1
          end do
-         call put(marks(i), md, n)
+         call add_depth(marks(i), md, n)
       end do
       md = md(:n)
    end subroutine places
 
    !> Append a depth unless the list has it.
-   pure subroutine put(depth, md, n)
+   pure subroutine add_depth(depth, md, n)
       real(wp), intent(in) :: depth        !< [m]
       real(wp), intent(inout) :: md(:)     !< the first n are set, ascending [m]
       integer, intent(inout) :: n
@@ -134,7 +134,7 @@ contains
       end if
       n = n + 1
       md(n) = depth
-   end subroutine put
+   end subroutine add_depth
 
    !> Curvature and moment that the changes add to those of the hole at a depth, across the hole. Call `find_extents` first, so
    !> that changes are found fast. Otherwise every change is examined.

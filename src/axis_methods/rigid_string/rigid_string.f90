@@ -14,7 +14,7 @@ module dg_rigid_string
    use dg_model, only: model_type
    use dg_rigid_string_loads, only: rigid_string_at
    use dg_profile_rows, only: lay_rows
-   use dg_soft_string, only: check_string_case, subdivided, take_profile, take_totals
+   use dg_soft_string, only: check_string_case, subdivided, set_profile, set_totals
    use dg_soft_string_loads, only: soft_totals_type
    use dg_string_piece, only: breakpoints
    implicit none
@@ -55,8 +55,8 @@ contains
       md = md(from)
       allocate (axial(size(md)), torque(size(md)), contact(3, size(md)), across(2, size(md)))
       call rigid_string_at(model, case_index, changes, md, axial, torque, contact, across, totals)
-      call take_totals(model, case_index, md, axial, torque, totals, result)
-      call take_profile(model, case_index, md, side, axial, torque, contact, result)
+      call set_totals(model, case_index, md, axial, torque, totals, result)
+      call set_profile(model, case_index, md, side, axial, torque, contact, result)
       result%profile%bending = across(1, :)
       result%profile%shear = across(2, :)
       call finish_result(result)

@@ -24,7 +24,7 @@ module dg_soft_string
    private
    public :: solve_soft_string
    ! Public for the stiff string, which shares them.
-   public :: subdivided, check_string_case, take_totals, take_profile
+   public :: subdivided, check_string_case, set_totals, set_profile
 
    !> Contact force per metre below which a weightless or balanced string counts as free [N/m].
    real(wp), parameter :: contact_threshold = 1.0e-6_wp
@@ -60,10 +60,10 @@ contains
       end if
       allocate (axial(size(md)), torque(size(md)))
       call soft_string_at(model, case_index, md, axial, torque, contact, totals=totals)
-      call take_totals(model, case_index, md, axial, torque, totals, result)
+      call set_totals(model, case_index, md, axial, torque, totals, result)
       result%model = model_soft
       if (with_profile) then
-         call take_profile(model, case_index, md, side, axial, torque, contact, result)
+         call set_profile(model, case_index, md, side, axial, torque, contact, result)
          call system_clock(finish)
          result%seconds = seconds_between(start, finish)
       end if
@@ -104,7 +104,7 @@ contains
    end function subdivided
 
    !> Set the totals of a string on the hole axis. A bend in which friction grows without bound makes it `locked_up`.
-   pure subroutine take_totals(model, case_index, md, axial, torque, totals, result)
+   pure subroutine set_totals(model, case_index, md, axial, torque, totals, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)            !< from the top down [m]
@@ -133,10 +133,10 @@ contains
          end if
       end associate
       allocate (result%history(0))
-   end subroutine take_totals
+   end subroutine set_totals
 
    !> Set the profile of such a string, and count its points that touch. Two rows at one depth are one point.
-   pure subroutine take_profile(model, case_index, md, side, axial, torque, contact, result)
+   pure subroutine set_profile(model, case_index, md, side, axial, torque, contact, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(in) :: md(:)                                !< as in fill_profile [m]
@@ -147,7 +147,7 @@ contains
       result%states = 0
       result%states(state_elastic) = count(result%profile%gap_state == state_elastic .and. side /= side_above)
       result%states(state_free) = count(result%profile%gap_state == state_free .and. side /= side_above)
-   end subroutine take_profile
+   end subroutine set_profile
 
    !> Profile of a string that lies on the wall wherever it presses on it. Its bending moment is that of the body in the hole's
    !> curvature. A soft string has no moment, but a real one that follows the hole does.

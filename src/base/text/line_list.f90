@@ -3,7 +3,7 @@ module dg_line_list
    use dg_text, only: text_type
    implicit none
    private
-   public :: line_list_type, add_line, take_lines
+   public :: line_list_type, add_line, move_lines
 
    !> The first `count` of `lines` are there. Room doubles, for pictures have tens of thousands of lines.
    type :: line_list_type
@@ -15,7 +15,7 @@ module dg_line_list
 
 contains
 
-   !> Puts a line at the end.
+   !> Add a line at the end.
    pure subroutine add_line(list, text)
       type(line_list_type), intent(inout) :: list
       character(*), intent(in) :: text
@@ -34,7 +34,7 @@ contains
    end subroutine add_line
 
    !> Moves the lines into an array of their number; the list is empty afterwards.
-   pure subroutine take_lines(list, lines)
+   pure subroutine move_lines(list, lines)
       type(line_list_type), intent(inout) :: list
       type(text_type), allocatable, intent(out) :: lines(:)
       integer :: i
@@ -43,5 +43,5 @@ contains
          call move_alloc(list%lines(i)%text, lines(i)%text)
       end do
       list%count = 0
-   end subroutine take_lines
+   end subroutine move_lines
 end module dg_line_list

@@ -1,6 +1,6 @@
 !> Texts within HTML and XML.
 module dg_markup
-   use dg_text, only: plain_utf8, put_piece
+   use dg_text, only: plain_utf8, append_piece
    implicit none
    private
    public :: html_safe
@@ -21,11 +21,11 @@ contains
       filled = 0
       do i = 1, len(text)
          select case (plain(i:i))
-         case ('&'); call put_piece(room, filled, '&amp;')
-         case ('<'); call put_piece(room, filled, '&lt;')
-         case ('>'); call put_piece(room, filled, '&gt;')
-         case ('"'); call put_piece(room, filled, '&quot;')
-         case default; call put_piece(room, filled, plain(i:i))
+         case ('&'); call append_piece(room, filled, '&amp;')
+         case ('<'); call append_piece(room, filled, '&lt;')
+         case ('>'); call append_piece(room, filled, '&gt;')
+         case ('"'); call append_piece(room, filled, '&quot;')
+         case default; call append_piece(room, filled, plain(i:i))
          end select
       end do
       safe = room(:filled)

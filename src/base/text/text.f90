@@ -7,7 +7,7 @@ module dg_text
    use dg_printable, only: printable
    implicit none
    private
-   public :: text_type, append_text, text_list, put_piece, joined, either, text_or_nothing
+   public :: text_type, append_text, text_list, append_piece, joined, either, text_or_nothing
    public :: name_shown
    public :: lower_case, quoted, edit_distance, nearest_name, suggestion, to_text, is_separator_free, c_text, plain_utf8, letter_end
 
@@ -38,7 +38,7 @@ module dg_text
 
 contains
 
-   !> Puts one text at the end of a list; an unallocated list is an empty one.
+   !> Append one text to a list; an unallocated list is an empty one.
    pure subroutine append_text(list, text)
       type(text_type), allocatable, intent(inout) :: list(:)
       character(*), intent(in) :: text
@@ -68,13 +68,13 @@ contains
 
    !> Puts a piece behind the letters that a text has so far. For texts that are made letter by letter: `text = text//piece` copies
    !> all of it each time, which takes the square of its length.
-   pure subroutine put_piece(text, filled, piece)
+   pure subroutine append_piece(text, filled, piece)
       character(*), intent(inout) :: text     !< with room for the piece
       integer, intent(inout) :: filled        !< letters so far
       character(*), intent(in) :: piece
       text(filled + 1:filled + len(piece)) = piece
       filled = filled + len(piece)
-   end subroutine put_piece
+   end subroutine append_piece
 
    !> The texts of a list in one, with `separator` between them.
    pure function joined(list, separator) result(text)
@@ -332,37 +332,37 @@ contains
       integer, parameter :: least_plain = -4, most_plain = 6
       length = 0
       if (.not. ieee_is_finite(number)) then     ! of an iteration that ran away
-         call put_piece(text, length, 'beyond all numbers')
+         call append_piece(text, length, 'beyond all numbers')
          return
       else if (abs(number) <= 0.0_wp) then
-         call put_piece(text, length, '0')
+         call append_piece(text, length, '0')
          return
       end if
       n = max(1, min(digits, safe_digits))
-      call take_digits(abs(number), n, mantissa, exponent)
+      call find_leading_digits(abs(number), n, mantissa, exponent)
       do while (n > 1 .and. mantissa(n:n) == '0')     ! without noughts at their end
          n = n - 1
       end do
-      if (number < 0.0_wp) call put_piece(text, length, '-')
+      if (number < 0.0_wp) call append_piece(text, length, '-')
       if (exponent < least_plain .or. exponent > most_plain) then
-         call put_piece(text, length, mantissa(1:1))
-         if (n > 1) call put_piece(text, length, '.'//mantissa(2:n))
-         call put_piece(text, length, 'e'//integer_text(exponent))
+         call append_piece(text, length, mantissa(1:1))
+         if (n > 1) call append_piece(text, length, '.'//mantissa(2:n))
+         call append_piece(text, length, 'e'//integer_text(exponent))
       else if (exponent < 0) then
-         call put_piece(text, length, '0.'//repeat('0', -exponent - 1))
-         call put_piece(text, length, mantissa(:n))
+         call append_piece(text, length, '0.'//repeat('0', -exponent - 1))
+         call append_piece(text, length, mantissa(:n))
       else if (n <= exponent + 1) then
-         call put_piece(text, length, mantissa(:n))
-         call put_piece(text, length, repeat('0', exponent + 1 - n))
+         call append_piece(text, length, mantissa(:n))
+         call append_piece(text, length, repeat('0', exponent + 1 - n))
       else
-         call put_piece(text, length, mantissa(:exponent + 1))
-         call put_piece(text, length, '.')
-         call put_piece(text, length, mantissa(exponent + 2:n))
+         call append_piece(text, length, mantissa(:exponent + 1))
+         call append_piece(text, length, '.')
+         call append_piece(text, length, mantissa(exponent + 2:n))
       end if
    end subroutine write_real
 
    !> The first n digits of x > 0, without the point, and the exponent of the first.
-   pure subroutine take_digits(x, n, mantissa, exponent)
+   pure subroutine find_leading_digits(x, n, mantissa, exponent)
       real(wp), intent(in) :: x
       integer, intent(in) :: n
       character(safe_digits), intent(out) :: mantissa
@@ -385,7 +385,7 @@ contains
       point = index(buffer, 'E')
       read (buffer(point + 1:), *) exponent
       mantissa = buffer(1:1)//buffer(3:point - 1)
-   end subroutine take_digits
+   end subroutine find_leading_digits
 
    !> A text as C wants it: characters and a null.
    pure function c_text(text) result(chars)

@@ -35,46 +35,46 @@ contains
       call append_text(lines, '! Look for MISSING and GUESSED: values that the files do not have.')
       call append_text(lines, '')
       call append_text(lines, '&job')
-      call put_text(lines, 'title', case%well)
-      call put(lines, 'units', "'"//trim(units%name)//"'", '')
+      call write_text(lines, 'title', case%well)
+      call write_key(lines, 'units', "'"//trim(units%name)//"'", '')
       call append_text(lines, '/')
-      call put_survey(case, units, lines)
+      call write_survey(case, units, lines)
       bottom = case%md(size(case%md))
       call append_text(lines, '')
-      call put_notes(lines, [case%hole_notes, notes])
-      call put_holes(case, holes, units, bottom, lines)
+      call write_notes(lines, [case%hole_notes, notes])
+      call write_holes(case, holes, units, bottom, lines)
       call append_text(lines, '')
-      call put_notes(lines, case%fluid_notes)
+      call write_notes(lines, case%fluid_notes)
       call append_text(lines, '&fluid')
       if (case%density > 0.0_wp) then
-         call put_number(lines, 'density', case%density/units%density, '')
+         call write_number(lines, 'density', case%density/units%density, '')
       else
-         call put_number(lines, 'density', mud/units%density, 'GUESSED: no density of the mud in the files')
+         call write_number(lines, 'density', mud/units%density, 'GUESSED: no density of the mud in the files')
       end if
       call append_text(lines, '/')
-      call put_string(case, holes, units, lines)
-      call put_cases(case, units, bottom, lines)
+      call write_string(case, holes, units, lines)
+      call write_cases(case, units, bottom, lines)
    end subroutine case_deck
 
    !> The stations as arrays.
-   subroutine put_survey(case, units, lines)
+   subroutine write_survey(case, units, lines)
       type(imported_case_type), intent(in) :: case
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: lines(:)
       call append_text(lines, '')
-      call put_notes(lines, case%survey_notes)
+      call write_notes(lines, case%survey_notes)
       call append_text(lines, '&trajectory')
-      call put_array('md', case%md/units%length)
-      call put_array('inc', case%inclination/degree)
-      call put_array('azi', case%azimuth/degree)
+      call write_array('md', case%md/units%length)
+      call write_array('inc', case%inclination/degree)
+      call write_array('azi', case%azimuth/degree)
       if (case%md(1) > 0.0_wp .and. case%inclination(1) > 0.0_wp) &
-         call put(lines, 'tie_on', "'vertical'", 'GUESSED: hole above the first station is MISSING; a sidetrack needs '// &
-                  'the survey of its parent')
+         call write_key(lines, 'tie_on', "'vertical'", 'GUESSED: hole above the first station is MISSING; a sidetrack needs '// &
+                        'the survey of its parent')
       call append_text(lines, '/')
 
    contains
 
-      subroutine put_array(key, values)
+      subroutine write_array(key, values)
          character(*), intent(in) :: key
          real(wp), intent(in) :: values(:)
          character(:), allocatable :: line
@@ -87,11 +87,11 @@ contains
             call append_text(lines, trim(line))
             line = '    '
          end do
-      end subroutine put_array
-   end subroutine put_survey
+      end subroutine write_array
+   end subroutine write_survey
 
    !> Sections of the hole, down to the last station at most.
-   subroutine put_holes(case, holes, units, bottom, lines)
+   subroutine write_holes(case, holes, units, bottom, lines)
       type(imported_case_type), intent(in) :: case
       type(imported_hole_type), intent(in) :: holes(:)
       type(unit_system_type), intent(in) :: units
@@ -103,8 +103,8 @@ contains
          diameter = wider*max(pipe_od, maxval([0.0_wp, case%parts%od, case%parts%joint_od]))
          call append_text(lines, '! MISSING: sections of the hole, casing')
          call append_text(lines, '&hole')
-         call put_number(lines, 'diameter', diameter/units%diameter, 'GUESSED: 1.2 times the widest part')
-         call put_number(lines, 'friction', friction_open, 'GUESSED')
+         call write_number(lines, 'diameter', diameter/units%diameter, 'GUESSED: 1.2 times the widest part')
+         call write_number(lines, 'friction', friction_open, 'GUESSED')
          call append_text(lines, '/')
          return
       end if
@@ -112,43 +112,43 @@ contains
          associate (hole => holes(i))
             if (hole%top >= bottom) exit
             call append_text(lines, '&hole')
-            call put_text(lines, 'name', hole%name)
-            call put_number(lines, 'md_top', hole%top/units%length, '')
-            call put_number(lines, 'md_bottom', min(bottom, hole%bottom)/units%length, &
-                            either('end of the survey', '', hole%bottom > bottom))
-            call put_number(lines, 'diameter', hole%diameter/units%diameter, hole%remark)
+            call write_text(lines, 'name', hole%name)
+            call write_number(lines, 'md_top', hole%top/units%length, '')
+            call write_number(lines, 'md_bottom', min(bottom, hole%bottom)/units%length, &
+                              either('end of the survey', '', hole%bottom > bottom))
+            call write_number(lines, 'diameter', hole%diameter/units%diameter, hole%remark)
             if (hole%friction > 0.0_wp .and. hole%friction <= roughest) then
-               call put_number(lines, 'friction', hole%friction, '')
+               call write_number(lines, 'friction', hole%friction, '')
             else
-               call put_number(lines, 'friction', merge(friction_cased, friction_open, hole%cased), 'GUESSED')
+               call write_number(lines, 'friction', merge(friction_cased, friction_open, hole%cased), 'GUESSED')
             end if
-            if (hole%cased) call put(lines, 'cased', '.true.', '')
+            if (hole%cased) call write_key(lines, 'cased', '.true.', '')
             call append_text(lines, '/')
          end associate
       end do
       bottom = min(bottom, holes(size(holes))%bottom)
-   end subroutine put_holes
+   end subroutine write_holes
 
    !> Components from the bit upwards.
-   subroutine put_string(case, holes, units, lines)
+   subroutine write_string(case, holes, units, lines)
       type(imported_case_type), intent(in) :: case
       type(imported_hole_type), intent(in) :: holes(:)
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: lines(:)
       integer :: i
       call append_text(lines, '')
-      call put_notes(lines, case%string_notes)
+      call write_notes(lines, case%string_notes)
       if (size(case%parts) == 0) then
          call append_text(lines, '! MISSING: the string')
          call append_text(lines, '&component')
-         call put_number(lines, 'od', pipe_od/units%diameter, 'GUESSED')
-         call put_number(lines, 'id', pipe_id/units%diameter, 'GUESSED')
+         call write_number(lines, 'od', pipe_od/units%diameter, 'GUESSED')
+         call write_number(lines, 'id', pipe_id/units%diameter, 'GUESSED')
          call append_text(lines, '/')
       end if
       do i = 1, size(case%parts)
-         call put_part(fitted(case%parts(i), minval([widest, holes%diameter])), i == size(case%parts), units, lines)
+         call write_part(fitted(case%parts(i), minval([widest, holes%diameter])), i == size(case%parts), units, lines)
       end do
-   end subroutine put_string
+   end subroutine write_string
 
    !> A bit that is wider than the hole gets the hole's diameter, as 216 mm in a hole of 8 1/2 in. Any other component becomes
    !> 1 mm narrower. A remark says so.
@@ -169,63 +169,63 @@ contains
       part%joint_od = min(part%joint_od, limit)
    end function fitted
 
-   subroutine put_part(part, uppermost, units, lines)
+   subroutine write_part(part, uppermost, units, lines)
       type(imported_part_type), intent(in) :: part
       logical, intent(in) :: uppermost
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: lines(:)
       if (part%remark /= '') call append_text(lines, '! '//comment(part%remark))
       call append_text(lines, '&component')
-      call put_text(lines, 'name', part%name)
+      call write_text(lines, 'name', part%name)
       if (part%kind /= '') then
-         call put_text(lines, 'kind', part%kind)
+         call write_text(lines, 'kind', part%kind)
       else
-         call put_text(lines, 'kind', 'collar', 'GUESSED: not known by its name')
+         call write_text(lines, 'kind', 'collar', 'GUESSED: not known by its name')
       end if
       if (uppermost) then
-         call put_number(lines, 'length', 0.0_wp, 'to surface; the file: '//to_text(part%length/units%length, digits))
+         call write_number(lines, 'length', 0.0_wp, 'to surface; the file: '//to_text(part%length/units%length, digits))
       else
-         call put_known('length', part%length, units%length, part_length, 'GUESSED: MISSING in the file')
+         call write_known('length', part%length, units%length, part_length, 'GUESSED: MISSING in the file')
       end if
-      call put_known('od', part%od, units%diameter, max(pipe_od, part%id*wider), 'GUESSED: MISSING in the file')
-      call put_known('id', merge(part%id, 0.0_wp, part%id < part%od .or. part%od <= 0.0_wp), units%diameter, 0.0_wp, &
-                     'GUESSED: solid; the file: '//to_text(part%id/units%diameter, digits))
-      call put_known('mass', part%mass, units%mass_per_length)
+      call write_known('od', part%od, units%diameter, max(pipe_od, part%id*wider), 'GUESSED: MISSING in the file')
+      call write_known('id', merge(part%id, 0.0_wp, part%id < part%od .or. part%od <= 0.0_wp), units%diameter, 0.0_wp, &
+                       'GUESSED: solid; the file: '//to_text(part%id/units%diameter, digits))
+      call write_known('mass', part%mass, units%mass_per_length)
       if (part%mass <= 0.0_wp) call append_text(lines, '  ! mass MISSING: that of a steel tube of od and id')
       if (part%kind == 'stabilizer') then
-         call put_known('joint_od', part%joint_od, units%diameter, max(part%od, pipe_od), &
-                        'GUESSED: diameter of the blades is MISSING')
+         call write_known('joint_od', part%joint_od, units%diameter, max(part%od, pipe_od), &
+                          'GUESSED: diameter of the blades is MISSING')
       else
-         call put_known('joint_od', part%joint_od, units%diameter)
+         call write_known('joint_od', part%joint_od, units%diameter)
          if (part%joint_od <= 0.0_wp .and. (part%kind == 'drillpipe' .or. part%kind == 'hwdp')) &
             call append_text(lines, '  ! joint_od MISSING: the tool joints as wide as the body')
       end if
-      call put_known('joint_id', part%joint_id, units%diameter)
-      call put_known('joint_length', part%joint_length, units%length)
-      call put_known('yield', part%yield, units%stress)
-      call put_known('makeup_torque', part%makeup_torque, units%moment)
-      call put_known('bend', part%bend, degree)
-      if (part%bend > 0.0_wp) call put_known('bend_position', part%bend_position, units%length, 0.0_wp, 'MISSING: 0')
+      call write_known('joint_id', part%joint_id, units%diameter)
+      call write_known('joint_length', part%joint_length, units%length)
+      call write_known('yield', part%yield, units%stress)
+      call write_known('makeup_torque', part%makeup_torque, units%moment)
+      call write_known('bend', part%bend, degree)
+      if (part%bend > 0.0_wp) call write_known('bend_position', part%bend_position, units%length, 0.0_wp, 'MISSING: 0')
       call append_text(lines, '/')
 
    contains
 
-      !> Put a number of the files, or a guess; without a guess no line.
-      subroutine put_known(key, number, unit, guess, remark)
+      !> Write a number of the files, or a guess; without a guess no line.
+      subroutine write_known(key, number, unit, guess, remark)
          character(*), intent(in) :: key
          real(wp), intent(in) :: number, unit               !< [SI]
          real(wp), intent(in), optional :: guess            !< [SI]
          character(*), intent(in), optional :: remark       !< on the guess
          if (number > 0.0_wp) then
-            call put_number(lines, key, number/unit, '')
+            call write_number(lines, key, number/unit, '')
          else if (present(guess)) then
-            call put_number(lines, key, guess/unit, remark)
+            call write_number(lines, key, guess/unit, remark)
          end if
-      end subroutine put_known
-   end subroutine put_part
+      end subroutine write_known
+   end subroutine write_part
 
    !> Three operations at the depth of the string.
-   subroutine put_cases(case, units, bottom, lines)
+   subroutine write_cases(case, units, bottom, lines)
       type(imported_case_type), intent(in) :: case
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: bottom               !< of survey and hole [m]
@@ -245,27 +245,27 @@ contains
          call append_text(lines, '&load_case name = '''//trim(operations(i))//''', operation = '''//trim(operations(i))// &
                           ''', bit_depth = '//to_text(depth/units%length, digits)//' /')
       end do
-   end subroutine put_cases
+   end subroutine write_cases
 
    !> "  key = value", with a remark where there is one.
-   subroutine put(lines, key, value, remark)
+   subroutine write_key(lines, key, value, remark)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: key, value, remark
       character(:), allocatable :: line
       line = '  '//key//' = '//value
       if (remark /= '') line = line//repeat(' ', max(1, remark_column - len(line)))//'! '//comment(remark)
       call append_text(lines, line)
-   end subroutine put
+   end subroutine write_key
 
-   subroutine put_number(lines, key, number, remark)
+   subroutine write_number(lines, key, number, remark)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: key, remark
       real(wp), intent(in) :: number
-      call put(lines, key, to_text(number, digits), remark)
-   end subroutine put_number
+      call write_key(lines, key, to_text(number, digits), remark)
+   end subroutine write_number
 
    !> A text of the files as one of a deck; none where it is empty.
-   subroutine put_text(lines, key, text, remark)
+   subroutine write_text(lines, key, text, remark)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: key, text
       character(*), intent(in), optional :: remark
@@ -280,20 +280,20 @@ contains
          if (plain(i:i) == '''') value = value//''''
       end do
       if (present(remark)) then
-         call put(lines, key, ''''//value//'''', remark)
+         call write_key(lines, key, ''''//value//'''', remark)
       else
-         call put(lines, key, ''''//value//'''', '')
+         call write_key(lines, key, ''''//value//'''', '')
       end if
-   end subroutine put_text
+   end subroutine write_text
 
-   subroutine put_notes(lines, notes)
+   subroutine write_notes(lines, notes)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(text_type), intent(in) :: notes(:)
       integer :: i
       do i = 1, size(notes)
          call append_text(lines, '! '//comment(notes(i)%text))
       end do
-   end subroutine put_notes
+   end subroutine write_notes
 
    !> A text in one line of UTF-8, cut to a readable length between two letters.
    pure function comment(text, most) result(plain)

@@ -223,11 +223,11 @@ contains
       do i = 1, size(rows)
          if (failure == '') call read_part(tree, rows(i), case, failure)
       end do
-      call put_bit_first(lower_case(attribute(tree%elements(chosen), 'is_top_down')), case)
+      call order_from_bit(lower_case(attribute(tree%elements(chosen), 'is_top_down')), case)
    end subroutine read_string
 
    !> Components from the bit upwards, whichever way the export has them.
-   subroutine put_bit_first(top_down, case)
+   subroutine order_from_bit(top_down, case)
       character(*), intent(in) :: top_down         !< 'y', 'n' or ''
       type(imported_case_type), intent(inout) :: case
       integer :: n
@@ -237,7 +237,7 @@ contains
       if (case%parts(n)%kind == 'bit' .or. top_down /= 'n') case%parts = case%parts(n:1:-1)
       if (case%parts(1)%kind /= 'bit' .and. top_down == '') &
          call append_text(case%string_notes, 'GUESSED: the export lists the string from the top; it has no bit at either end')
-   end subroutine put_bit_first
+   end subroutine order_from_bit
 
    subroutine read_part(tree, row, case, failure)
       type(xml_tree_type), intent(in) :: tree

@@ -58,7 +58,7 @@ contains
       end do
    end function has_trajectory
 
-   !> Takes hole, string and mud of a well from one document, each once.
+   !> Read hole, string and mud of a well from one document, each once.
    subroutine read_witsml_case(tree, well, case, failure)
       type(xml_tree_type), intent(in) :: tree
       character(*), intent(in) :: well             !< ''; any

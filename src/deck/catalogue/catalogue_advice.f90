@@ -48,7 +48,7 @@ contains
       integer :: i, rank, best, distance, nearest
       advice = grade_advice(catalogue, name)
       if (advice /= '') return
-      call take_parts(catalogue, name, wanted)
+      call split_name(catalogue, name, wanted)
       grade = grade_name(catalogue, wanted%grade)
       if (grade /= '') grade = ' '//grade
       best = huge(best)
@@ -56,7 +56,7 @@ contains
       allocate (found(0), names(0))
       do i = 1, size(catalogue%entries)
          if (catalogue%entries(i)%kind == kind_of_grades) cycle
-         call take_parts(catalogue, catalogue%entries(i)%name, entry)
+         call split_name(catalogue, catalogue%entries(i)%name, entry)
          if (wanted%kind /= '' .and. entry%kind /= wanted%kind) cycle
          names = [character(longest) :: names, catalogue%entries(i)%name//grade]
          if (.not. wanted%size > 0.0_wp .or. abs(entry%size - wanted%size) > same) cycle
@@ -129,7 +129,7 @@ contains
    end function grade_advice
 
    !> Split a name: kind, size, weight, grade, and the rest.
-   subroutine take_parts(catalogue, name, parts)
+   subroutine split_name(catalogue, name, parts)
       type(catalogue_type), intent(in) :: catalogue
       character(*), intent(in) :: name
       type(parts_type), intent(out) :: parts
@@ -167,7 +167,7 @@ contains
          end if
       end do
       parts%rest = trim(adjustl(parts%rest))
-   end subroutine take_parts
+   end subroutine split_name
 
    !> First word of names that a word means; '' if no entry has it.
    pure function kind_of(catalogue, word) result(kind)

@@ -10,12 +10,12 @@ module dg_deck_centralizer
    use dg_text, only: name_shown, quoted, suggestion, to_text
    implicit none
    private
-   public :: take_centralizers
+   public :: read_centralizers
 
 contains
 
    !> All groups &centralizer; the draft has its components.
-   subroutine take_centralizers(groups, draft, faults)
+   subroutine read_centralizers(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
@@ -72,7 +72,7 @@ contains
          end do
       end subroutine check_on
 
-   end subroutine take_centralizers
+   end subroutine read_centralizers
 
    !> Values of one group.
    subroutine draft_centralizer(group, centralizer)

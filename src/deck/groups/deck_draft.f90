@@ -21,7 +21,7 @@ module dg_deck_draft
    implicit none
    private
    public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, find_case
-   public :: deck_type, string_use_type, lowest_of, note_use, sections_of, take_cases
+   public :: deck_type, string_use_type, lowest_of, note_use, sections_of, read_cases
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -164,7 +164,7 @@ contains
    end subroutine find_case
 
    !> Numbers of the load cases named; all where none is.
-   subroutine take_cases(draft, group, cases, faults)
+   subroutine read_cases(draft, group, cases, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
@@ -178,5 +178,5 @@ contains
          call find_case(draft, group%name, line_of(group, 'cases'), wanted(i)%text, found, faults)
          if (found > 0 .and. .not. any(cases == found)) cases = [cases, found]
       end do
-   end subroutine take_cases
+   end subroutine read_cases
 end module dg_deck_draft

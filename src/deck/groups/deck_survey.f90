@@ -59,12 +59,12 @@ contains
                              faults)
             return
          end do
-         call take_arrays(group, stations, sound, faults)
+         call read_arrays(group, stations, sound, faults)
       end if
       if (sound) call check_stations(group, units, stations, sound, faults)
       if (sound .and. is_given(group, 'survey_file')) call note_file(stations, units, notes, warnings)
       if (sound .and. is_given(group, 'parent_file')) &
-         call take_parent(group, units, stations, sound, notes, warnings, faults)
+         call add_parent(group, units, stations, sound, notes, warnings, faults)
       if (sound) call check_begin(group, units, stations, sound, faults)
    end subroutine read_stations
 
@@ -130,8 +130,8 @@ contains
       end if
    end subroutine note_file
 
-   !> Puts the stations of the parent above those of the survey.
-   subroutine take_parent(group, units, stations, sound, notes, warnings, faults)
+   !> Add the stations of the parent above those of the survey.
+   subroutine add_parent(group, units, stations, sound, notes, warnings, faults)
       type(checked_group_type), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(station_list_type), intent(inout) :: stations
@@ -148,7 +148,7 @@ contains
       sound = failure == ''
       if (.not. sound) call group_fault(group, 'parent_file', failure, faults)
       if (sound) call append_text(notes, 'group &trajectory: '//words)
-   end subroutine take_parent
+   end subroutine add_parent
 
    !> Refuses a survey that begins inclined below surface without tie_on or parent_file.
    subroutine check_begin(group, units, stations, sound, faults)
@@ -195,7 +195,7 @@ contains
    end subroutine station_fault
 
    !> The stations that the group itself lists.
-   subroutine take_arrays(group, stations, sound, faults)
+   subroutine read_arrays(group, stations, sound, faults)
       type(checked_group_type), intent(in) :: group
       type(station_list_type), intent(inout) :: stations
       logical, intent(out) :: sound
@@ -205,9 +205,9 @@ contains
       stations%inclination = reals_of(group, 'inc')
       stations%azimuth = reals_of(group, 'azi')
       sound = .true.
-      call take('md')
-      call take('inc')
-      if (is_given(group, 'azi')) call take('azi')
+      call check_given('md')
+      call check_given('inc')
+      if (is_given(group, 'azi')) call check_given('azi')
       if (.not. sound) return
       stations%has_azimuth = is_given(group, 'azi')
       call check_size('inc', size(stations%inclination))
@@ -217,11 +217,11 @@ contains
 
    contains
 
-      subroutine take(key)
+      subroutine check_given(key)
          character(*), intent(in) :: key
          sound = sound .and. is_sound(group, key)
          if (.not. is_given(group, key)) call group_fault(group, '', 'key '//key//absent, faults)
-      end subroutine take
+      end subroutine check_given
 
       subroutine check_size(key, found)
          character(*), intent(in) :: key
@@ -231,7 +231,7 @@ contains
                           '; give one for each station', faults)
          sound = .false.
       end subroutine check_size
-   end subroutine take_arrays
+   end subroutine read_arrays
 
    !> Check that stations of the deck or of its survey file are a path: two or more, from surface down, in range, with azimuths.
    subroutine check_stations(group, units, stations, sound, faults)

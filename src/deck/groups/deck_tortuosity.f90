@@ -11,7 +11,7 @@ module dg_deck_tortuosity
    use dg_unit_kind, only: in_units, unit_curvature, unit_length
    implicit none
    private
-   public :: take_tortuosity
+   public :: apply_tortuosity
 
    !> Least number of periods of a section: less is a bend of the plan.
    real(wp), parameter :: least_periods = 2.0_wp
@@ -23,7 +23,7 @@ contains
 
    !> Apply all groups &tortuosity, in the order of the deck, to the stations of the draft. `draft%path_notes` states them, and
    !> the additional turn of the hole.
-   subroutine take_tortuosity(groups, draft, faults)
+   subroutine apply_tortuosity(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
@@ -92,7 +92,7 @@ contains
          character(:), allocatable :: text
          text = in_units(draft%units, unit_length, md, digits)
       end function depth
-   end subroutine take_tortuosity
+   end subroutine apply_tortuosity
 
    !> Apply sections to the stations. A plan without a valid path stays, and building the model gives the reason.
    subroutine lay(sections, lines, draft)

@@ -105,24 +105,24 @@ contains
          mass = numbers_of(groups(i:i), 'component', 'mass')
          ! one whose density is given is not of steel
          if (min(size(od), size(id), size(mass)) > 0 .and. size(numbers_of(groups(i:i), 'component', 'density')) == 0) &
-            call tell(mass/(steel_density*tube_area(od(1)*inch, id(1)*inch)), mass_metric, mass_field, metric, field)
+            call note_systems(mass/(steel_density*tube_area(od(1)*inch, id(1)*inch)), mass_metric, mass_field, metric, field)
       end do
-      call tell(numbers_of(groups, 'component', 'joint_spacing'), spacing_metric, spacing_field, metric, field)
-      call tell(numbers_of(groups, 'component', 'yield'), yield_metric, yield_field, metric, field)
-      call tell(numbers_of(groups, 'component', 'youngs'), youngs_metric, youngs_field, metric, field)
-      call tell(numbers_of(groups, 'load_case', 'pump_pressure'), pump_metric, pump_field, metric, field)
+      call note_systems(numbers_of(groups, 'component', 'joint_spacing'), spacing_metric, spacing_field, metric, field)
+      call note_systems(numbers_of(groups, 'component', 'yield'), yield_metric, yield_field, metric, field)
+      call note_systems(numbers_of(groups, 'component', 'youngs'), youngs_metric, youngs_field, metric, field)
+      call note_systems(numbers_of(groups, 'load_case', 'pump_pressure'), pump_metric, pump_field, metric, field)
       system = 0
       if (metric .and. .not. field) system = system_metric
       if (field .and. .not. metric) system = system_field
    end function system_of_pipe
 
    !> Notes where numbers are within the range of a system.
-   pure subroutine tell(numbers, in_metric, in_field, metric, field)
+   pure subroutine note_systems(numbers, in_metric, in_field, metric, field)
       real(wp), intent(in) :: numbers(:), in_metric(2), in_field(2)
       logical, intent(inout) :: metric, field
       metric = metric .or. any(within(numbers, in_metric))
       field = field .or. any(within(numbers, in_field))
-   end subroutine tell
+   end subroutine note_systems
 
    !> True if one number at least is a mud weight of a range, and the others are gas.
    pure function are_muds(densities, range) result(are)

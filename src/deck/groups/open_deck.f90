@@ -6,7 +6,7 @@ module dg_open_deck
       places_of, real_of, text_of
    use dg_deck_advice, only: key_advice
    use dg_deck_catalogue, only: fill_from_catalogue
-   use dg_deck_centralizer, only: take_centralizers
+   use dg_deck_centralizer, only: read_centralizers
    use dg_deck_check, only: close_holes, check_draft
    use dg_deck_draft, only: deck_type, draft_type, lowest_of, sections_of
    use dg_deck_fluid, only: draft_fluid, note_fluids, place_fluids
@@ -18,7 +18,7 @@ module dg_open_deck
    use dg_deck_text, only: group_type, parse_groups
    use dg_deck_tie_on, only: tie_on
    use dg_deck_token, only: token_type, tokenize
-   use dg_deck_tortuosity, only: take_tortuosity
+   use dg_deck_tortuosity, only: apply_tortuosity
    use dg_deck_values, only: check_group
    use dg_drillstring, only: drillstring_type
    use dg_error, only: add_fault, error_list_type, error_type
@@ -70,13 +70,13 @@ contains
          end if
          deallocate (groups(i)%entries)
       end do
-      call take_job(path, deck%draft%units, deck%groups, job)
+      call read_job(path, deck%draft%units, deck%groups, job)
       job%deck_text = text_of_lines(lines)
       call fill_from_catalogue(path, deck%groups, catalogue, faults)
-      call take_draft(deck%groups, deck%draft, faults)
-      call take_tortuosity(deck%groups, deck%draft, faults)
-      call take_centralizers(deck%groups, deck%draft, faults)
-      call take_rig_limit(deck%groups, deck%draft, job, faults)
+      call read_draft(deck%groups, deck%draft, faults)
+      call apply_tortuosity(deck%groups, deck%draft, faults)
+      call read_centralizers(deck%groups, deck%draft, faults)
+      call read_rig_limit(deck%groups, deck%draft, job, faults)
       call close_holes(deck%draft, faults)
       call check_draft(deck%draft, faults)
       deck%inputs = inputs_of(path, deck%groups, catalogue)
@@ -197,7 +197,7 @@ contains
    end subroutine find_units
 
    !> Fills the job from &job, or from defaults where the deck has none.
-   subroutine take_job(path, units, groups, job)
+   subroutine read_job(path, units, groups, job)
       character(*), intent(in) :: path
       type(unit_system_type), intent(in) :: units
       type(checked_group_type), intent(in) :: groups(:)
@@ -226,10 +226,10 @@ contains
          if (is_sound(groups(i), 'models')) job%models = places_of(groups(i), 'models', model_name)
          return
       end do
-   end subroutine take_job
+   end subroutine read_job
 
-   !> Take the load that the rig may carry from &job or &rig.
-   subroutine take_rig_limit(groups, draft, job, faults)
+   !> Read the load that the rig may carry from &job or &rig.
+   subroutine read_rig_limit(groups, draft, job, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(job_type), intent(inout) :: job
@@ -244,7 +244,7 @@ contains
       end if
       if (draft%rig%max_hookload%present) job%rig_limit = draft%rig%max_hookload
       draft%rig%max_hookload = job%rig_limit
-   end subroutine take_rig_limit
+   end subroutine read_rig_limit
 
    !> The lines of a file in one text, in linear time.
    pure function text_of_lines(lines) result(text)
@@ -264,7 +264,7 @@ contains
    end function text_of_lines
 
    !> Fills the draft from all groups but &job.
-   subroutine take_draft(groups, draft, faults)
+   subroutine read_draft(groups, draft, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(error_list_type), intent(inout) :: faults
@@ -320,7 +320,7 @@ contains
             if (groups(k)%name == name) number = number + 1
          end do
       end function count_of
-   end subroutine take_draft
+   end subroutine read_draft
 
    !> Build the model. Remaining faults are stations without a valid path, and data of fluids that need the path.
    subroutine build_model(draft, model, faults)

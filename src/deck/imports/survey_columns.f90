@@ -8,7 +8,7 @@ module dg_survey_columns
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: layout_type, no_extent, column_names_type, choose_columns, take_unit, missing_columns
+   public :: layout_type, no_extent, column_names_type, choose_columns, set_unit, missing_columns
 
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type
@@ -77,10 +77,10 @@ contains
       end do
       do column = 1, size(layout%place)
          if (.not. named(column)) call choose(column)
-         if (layout%place(column) > 0) call take_unit(layout, column, headings(layout%place(column))%unit)
+         if (layout%place(column) > 0) call set_unit(layout, column, headings(layout%place(column))%unit)
       end do
       do column = 1, column_azi
-         if (layout%rival(column) > 0) call take_rival_unit(headings, column, layout)
+         if (layout%rival(column) > 0) call read_rival_unit(headings, column, layout)
       end do
 
    contains
@@ -129,7 +129,7 @@ contains
    end subroutine find_named
 
    !> The unit of a rival; a heading with an unknown unit is another quantity and no rival.
-   subroutine take_rival_unit(headings, wanted, layout)
+   subroutine read_rival_unit(headings, wanted, layout)
       type(heading_type), intent(in) :: headings(:)
       integer, intent(in) :: wanted
       type(layout_type), intent(inout) :: layout
@@ -142,7 +142,7 @@ contains
       else if (value > 0.0_wp) then
          layout%rival_factor(wanted) = value
       end if
-   end subroutine take_rival_unit
+   end subroutine read_rival_unit
 
    !> True if a heading is the one that was asked for, less strictly from attempt to attempt.
    pure function is_alike(heading, asked, attempt) result(alike)
@@ -175,7 +175,7 @@ contains
 
    !> Set the unit of a column, if the text names one ('MD (RKB)' does not). An unknown unit, or one that contradicts an
    !> earlier one, is kept for a fault if the column is needed. A position in such a unit is not compared.
-   pure subroutine take_unit(layout, column, name)
+   pure subroutine set_unit(layout, column, name)
       type(layout_type), intent(inout) :: layout
       integer, intent(in) :: column
       character(*), intent(in) :: name
@@ -198,7 +198,7 @@ contains
          layout%factor(column) = value
          layout%told(column) = .true.
       end if
-   end subroutine take_unit
+   end subroutine set_unit
 
    !> 'Headings seen: 'Foo', 'Inc'.'
    pure function seen_headings(headings) result(words)

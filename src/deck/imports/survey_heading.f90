@@ -56,7 +56,7 @@ contains
          if (words(1)%text == 'm' .and. roles(min(2, size(roles))) == role_depth) roles(1) = role_measured    ! M. Depth
       end if
       heading%unit = ''
-      call take_unit_words(words, roles, heading%unit)
+      call split_unit_words(words, roles, heading%unit)
       rest = unit_text(inside)
       if (rest /= '') heading%unit = trim(adjustl(heading%unit//' '//rest))
       heading%name = ''
@@ -167,7 +167,7 @@ contains
    end function unit_text
 
    !> Takes a unit at the end of the words of a heading away from them: 'md ft rkb', 'incl deg'.
-   pure subroutine take_unit_words(words, roles, unit)
+   pure subroutine split_unit_words(words, roles, unit)
       type(text_type), allocatable, intent(inout) :: words(:)
       integer, allocatable, intent(inout) :: roles(:)
       character(:), allocatable, intent(inout) :: unit
@@ -187,7 +187,7 @@ contains
       words = words(:first - 1)
       kept = pack(roles(first:), roles(first:) == role_md .or. roles(first:) == role_tvd .or. roles(first:) == role_sea)
       roles = [roles(:first - 1), kept]
-   end subroutine take_unit_words
+   end subroutine split_unit_words
 
    !> The quantity that words name; none where one of them is unknown, of another quantity, or against the others.
    subroutine classify(roles, words, from_vertical, heading)

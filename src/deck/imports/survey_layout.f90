@@ -5,7 +5,7 @@ module dg_survey_layout
    use dg_las_file, only: is_las, las_table
    use dg_deck_number, only: is_number, read_real
    use dg_survey_cells, only: split_cells
-   use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, take_unit
+   use dg_survey_columns, only: choose_columns, column_names_type, layout_type, missing_columns, set_unit
    use dg_survey_header, only: find_header
    use dg_survey_heading, only: column_inc, column_md, column_name, heading_type, loose_rank, read_heading
    use dg_table_text, only: content_length, without_comment
@@ -62,18 +62,18 @@ contains
       call fault(heading_fault(layout, names))
       call fault(layout%foreign)
       do line = 1, layout%first_header - 1
-         call take_unit_row()
+         call read_unit_row()
       end do
       do line = header + 1, size(lines)
          if (content_length(lines(line)%text) == 0) cycle
          if (is_rule(lines(line)%text)) cycle
          if (.not. is_unit_row(lines(line)%text, layout)) exit
-         call take_unit_row()
+         call read_unit_row()
          layout%first_row = line + 1
       end do
       first_station = min(line, size(lines) + 1)
       do line = 1, layout%first_header - 1
-         if (.not. layout%told(column_md)) call take_petrel_unit(lower_case(lines(line)%text), layout)
+         if (.not. layout%told(column_md)) call read_petrel_unit(lower_case(lines(line)%text), layout)
       end do
       do line = 4, size(layout%factor)       ! positions are in the unit of depth where they have none
          if (.not. layout%told(line)) layout%factor(line) = layout%factor(column_md)
@@ -85,12 +85,12 @@ contains
 
    contains
 
-      subroutine take_unit_row()
+      subroutine read_unit_row()
          if (.not. is_unit_row(lines(line)%text, layout)) return
          layout%foreign = ''
-         call take_units(lines(line)%text, layout)
+         call read_units(lines(line)%text, layout)
          call fault(layout%foreign)
-      end subroutine take_unit_row
+      end subroutine read_unit_row
 
       !> A title, comment or heading of another column that names another unit than the numbers would be read in.
       subroutine check_title(title)
@@ -205,7 +205,7 @@ contains
    end subroutine find_las_layout
 
    !> The unit of depth of a well trace by Petrel: 'DEPTH (Z, TVD) GIVEN IN ft-UNITS'.
-   pure subroutine take_petrel_unit(title, layout)
+   pure subroutine read_petrel_unit(title, layout)
       character(*), intent(in) :: title           !< in small letters
       type(layout_type), intent(inout) :: layout
       character(*), parameter :: before = 'depth (z, tvd) given in ', behind = '-units'
@@ -214,8 +214,8 @@ contains
       last = index(title, behind)
       if (first == 0 .or. last <= first) return
       first = first + len(before)
-      if (scan(title(first:last - 1), ' ') == 0) call take_unit(layout, column_md, title(first:last - 1))
-   end subroutine take_petrel_unit
+      if (scan(title(first:last - 1), ' ') == 0) call set_unit(layout, column_md, title(first:last - 1))
+   end subroutine read_petrel_unit
 
    !> The first lines of a file with blanks for # and for other marks of comments at their beginning.
    pure function bared(lines) result(bare)
@@ -264,7 +264,7 @@ contains
                              (filled == 1 .or. layout%separator /= ' ' .or. size(row) == layout%width))
    end function is_unit_row
 
-   pure subroutine take_units(line, layout)
+   pure subroutine read_units(line, layout)
       character(*), intent(in) :: line
       type(layout_type), intent(inout) :: layout
       type(text_type), allocatable :: row(:)
@@ -272,9 +272,9 @@ contains
       call split_cells(tight(line, layout), layout, row)
       do column = 1, size(layout%place)
          if (layout%place(column) == 0 .or. layout%place(column) > size(row)) cycle
-         call take_unit(layout, column, row(layout%place(column))%text)
+         call set_unit(layout, column, row(layout%place(column))%text)
       end do
-   end subroutine take_units
+   end subroutine read_units
 
    !> A row of units without its comment; where blanks separate its cells brackets hold none, and all letters keep their places.
    pure function tight(line, layout) result(text)

@@ -88,7 +88,7 @@ contains
                cycle
             end if
          end if
-         call take_vertical()
+         call read_vertical()
          if (any(null)) then
             call skipped(empty)%add(line)
             cycle
@@ -104,7 +104,7 @@ contains
          stations%azimuth(n) = missing
          if (.not. is_missing(numbers(column_azi))) stations%azimuth(n) = numbers(column_azi)*layout%factor(column_azi)
          stations%lines(n) = line
-         call take_others(row, layout, stations, n)
+         call read_others(row, layout, stations, n)
       end do
       call fill_azimuths(stations, n)
 
@@ -112,7 +112,7 @@ contains
 
       !> A station without azimuth in a vertical hole is sound. Its azimuth is `missing` until others are known, unless the
       !> inclination is zero.
-      subroutine take_vertical()
+      subroutine read_vertical()
          logical :: absent
          if (.not. needed(column_azi) .or. .not. legal(column_inc) .or. null(column_inc) .or. .not. legal(column_md)) return
          if (numbers(column_inc)*layout%factor(column_inc) >= vertical) return
@@ -127,7 +127,7 @@ contains
          legal(column_azi) = .true.
          numbers(column_azi) = 0.0_wp
          if (numbers(column_inc) > 0.0_wp) numbers(column_azi) = missing
-      end subroutine take_vertical
+      end subroutine read_vertical
 
       subroutine fault(message)
          character(*), intent(in) :: message        !< '': none
@@ -209,9 +209,9 @@ contains
       if (lacks) lacks = any(remarks == layout%headings(layout%width)%name)
    end function lacks_remark
 
-   !> Take the positions of a station from the file, and the values of other columns for md, inc and azi. They are `missing` if
+   !> Read the positions of a station from the file, and the values of other columns for md, inc and azi. They are `missing` if
    !> a cell has no number.
-   subroutine take_others(row, layout, stations, n)
+   subroutine read_others(row, layout, stations, n)
       type(text_type), intent(in) :: row(:)
       type(layout_type), intent(in) :: layout
       type(station_list_type), intent(inout) :: stations
@@ -239,7 +239,7 @@ contains
          end if
          if (.not. is_missing(number)) number = number*factor
       end function value_at
-   end subroutine take_others
+   end subroutine read_others
 
    !> Gives stations that are nearly vertical and without azimuth that of the next one below, or else above.
    pure subroutine fill_azimuths(stations, n)

@@ -58,12 +58,12 @@ contains
             call append_text(texts, '')
          end do
          do i = 1, size(row)
-            call put_beside(texts(i)%text, row(i)%text)
+            call place_beside(texts(i)%text, row(i)%text)
          end do
       end do
    end subroutine stack_by_count
 
-   pure subroutine put_beside(text, more)
+   pure subroutine place_beside(text, more)
       character(:), allocatable, intent(inout) :: text
       character(*), intent(in) :: more
       if (text /= '' .and. more /= '') then
@@ -71,7 +71,7 @@ contains
       else
          text = text//more
       end if
-   end subroutine put_beside
+   end subroutine place_beside
 
    !> Stack headings between blanks. If their number is that of the row below, they are taken in order, with blanks inside of
    !> names if two blanks separate them. Else each word goes by its place above the numbers.
@@ -98,27 +98,27 @@ contains
       if (data_line > 0) call find_extents(lines, data_line, size(row), layout%extent)
       if (first_line == last) then
          if (size(words) == size(row) .or. data_line == 0) then
-            call take(words)
+            call set_texts(words)
             return
          else if (size(phrases) == size(row)) then
-            call take(phrases)
+            call set_texts(phrases)
             return
          end if
          call join_words(words)
          if (size(words) == size(row)) then
-            call take(words)
+            call set_texts(words)
             return
          end if
          call split_row(header, ' ', words)
          if (size(phrases) == size(wide_row) .and. size(phrases) > 1) then
             layout%wide = .true.
             layout%extent = no_extent
-            call take(phrases)
+            call set_texts(phrases)
             return
          end if
       end if
       if (size(layout%extent, 2) == 0 .or. (first_line == last .and. size(phrases) < size(row) .and. size(words) < size(row))) then
-         call take(words)
+         call set_texts(words)
          return
       end if
       allocate (texts(size(row)))
@@ -126,20 +126,20 @@ contains
          texts(i)%text = ''
       end do
       do i = first_line, last
-         call put_above(lines(i)%text(:content_length(lines(i)%text)), layout%extent, texts)
+         call place_above(lines(i)%text(:content_length(lines(i)%text)), layout%extent, texts)
       end do
       ! single blanks everywhere and a column without heading: the header does not stand above the numbers
-      if (first_line == last .and. size(phrases) == 1 .and. any([(texts(i)%text == '', i=1, size(texts))])) call take(words)
+      if (first_line == last .and. size(phrases) == 1 .and. any([(texts(i)%text == '', i=1, size(texts))])) call set_texts(words)
 
    contains
 
-      subroutine take(fields)
+      subroutine set_texts(fields)
          type(text_type), intent(in) :: fields(:)
          texts = fields
          if (size(fields) /= size(layout%extent, 2)) then
             layout%extent = no_extent
          end if
-      end subroutine take
+      end subroutine set_texts
    end subroutine stack_by_place
 
    !> Joins words that make one heading: Measured Depth, Hole Angle, Inc deg.
@@ -170,7 +170,7 @@ contains
    end subroutine join_words
 
    !> Puts each word of a line, brackets with what they hold as one, to the column above which it stands.
-   pure subroutine put_above(text, extent, texts)
+   pure subroutine place_above(text, extent, texts)
       character(*), intent(in) :: text
       integer, intent(in) :: extent(:, :)
       type(text_type), intent(inout) :: texts(:)
@@ -200,8 +200,8 @@ contains
             if (apart < nearest) best = k
             nearest = min(nearest, apart)
          end do
-         call put_beside(texts(best)%text, text(first:last))
+         call place_beside(texts(best)%text, text(first:last))
          first = last + 1
       end do
-   end subroutine put_above
+   end subroutine place_above
 end module dg_survey_stack

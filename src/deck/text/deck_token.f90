@@ -108,11 +108,11 @@ contains
             call append(list, token_comma, line, ',')
             at = at + 1
          case ('''', '"')
-            call take_quoted(text, at, content, closed)
+            call read_quoted(text, at, content, closed)
             call append(list, merge(token_text, token_open_text, closed), line, content, repeats, first, at - 1)
             repeats = 1
          case default
-            call take_word(text, at, content)
+            call read_word(text, at, content)
             call split_count(content, repeats)
             ! the count of a repeated quoted text waits for it
             if (content == '' .and. at <= len(text)) then
@@ -125,7 +125,7 @@ contains
    end subroutine tokenize_line
 
    !> Reads a quoted text that starts at `at`; `at` then points behind it.
-   pure subroutine take_quoted(text, at, content, closed)
+   pure subroutine read_quoted(text, at, content, closed)
       character(*), intent(in) :: text
       integer, intent(inout) :: at
       character(:), allocatable, intent(out) :: content
@@ -153,10 +153,10 @@ contains
       end do
       content = held(:n)
       if (.not. closed) content = trim(content)
-   end subroutine take_quoted
+   end subroutine read_quoted
 
    !> Reads a word that starts at `at`, its subscript in brackets included; `at` then points behind it.
-   pure subroutine take_word(text, at, content)
+   pure subroutine read_word(text, at, content)
       character(*), intent(in) :: text
       integer, intent(inout) :: at
       character(:), allocatable, intent(out) :: content
@@ -192,7 +192,7 @@ contains
       end do
       content = held(:n)
       at = at + length
-   end subroutine take_word
+   end subroutine read_word
 
    !> Cuts the count off a word of the form 3*0.1.
    pure subroutine split_count(word, count)
@@ -220,7 +220,7 @@ contains
       if (length < 0) length = len(text)
    end function span
 
-   !> Puts one token at the end of the list.
+   !> Append one token at the end of the list.
    pure subroutine append(list, kind, line, text, repeats, first, last)
       type(token_list_type), intent(inout) :: list
       integer, intent(in) :: kind

@@ -64,7 +64,7 @@ contains
                            '; '//key_advice(group%name, group%entries(i)%key, keys, rules%meaning))
          else
             count_of(k) = count_of(k) + 1
-            call take_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
+            call read_entry(path, place, group%entries(i), rules(k), units, count_of(k), checked%values(k), faults)
          end if
       end do
       do k = 1, n
@@ -95,7 +95,7 @@ contains
    end function misspelt
 
    !> Reads the values of one entry; `times` counts the entries of this key so far.
-   subroutine take_entry(path, place, entry, rule, units, times, value, faults)
+   subroutine read_entry(path, place, entry, rule, units, times, value, faults)
       character(*), intent(in) :: path
       character(*), intent(in) :: place
       type(entry_type), intent(in) :: entry
@@ -160,7 +160,7 @@ contains
       do i = 1, size(entry%values)
          name = entry%key
          if (rule%array .and. rule%kind /= kind_text) name = name//'('//to_text(i + max(entry%first, 1) - 1)//')'
-         call take_value(entry%values(i), name, max(entry%first, 1) + i - 1, rule, units, value, message)
+         call read_value(entry%values(i), name, max(entry%first, 1) + i - 1, rule, units, value, message)
          if (message == '') cycle
          if (entry%values(i)%line /= entry%line) message = message//' [line '//to_text(entry%values(i)%line)//']'
          call fault(message)
@@ -173,10 +173,10 @@ contains
          value%sound = .false.
          call add_fault(faults, path, entry%line, place//text)
       end subroutine fault
-   end subroutine take_entry
+   end subroutine read_entry
 
    !> Reads one value and puts it to the others of its key; `message` is '' or says what is wrong.
-   subroutine take_value(item, name, place, rule, units, value, message)
+   subroutine read_value(item, name, place, rule, units, value, message)
       type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       integer, intent(in) :: place             !< of the value among those of its key
@@ -191,7 +191,7 @@ contains
       message = ''
       select case (rule%kind)
       case (kind_text)
-         call take_text(item, name, rule, value, message)
+         call read_text(item, name, rule, value, message)
       case (kind_logical)
          legal = item%kind == token_word
          if (legal) call read_logical(item%text, value%flag, legal)
@@ -221,10 +221,10 @@ contains
          end if
          value%content%numbers(place) = number
       end select
-   end subroutine take_value
+   end subroutine read_value
 
    !> Reads one text, as a name from a list where the key has one. Quotes alone are advised only where the text with them is legal.
-   subroutine take_text(item, name, rule, value, message)
+   subroutine read_text(item, name, rule, value, message)
       type(token_type), intent(in) :: item
       character(*), intent(in) :: name
       type(key_rule_type), intent(in) :: rule
@@ -266,7 +266,7 @@ contains
       if (message == '' .and. item%kind == token_word) &
          message = name//' = '//item%text//' is a text without quotes; write '//name//" = '"//item%text//"'"
       if (message == '') call append_text(value%content%texts, chosen)
-   end subroutine take_text
+   end subroutine read_text
 
    !> Sets the default of a key, which the table states in units of SI.
    subroutine set_default(rule, value)

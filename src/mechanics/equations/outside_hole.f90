@@ -18,7 +18,7 @@ module dg_outside_hole
    public :: outside_type, measure_outside, measure_rows, outside_message, outside_place
 
    !> Distance outside the hole, over the clearance [-], above which a message reports it: rock yields and elements sag.
-   real(wp), parameter :: tell_outside = 0.2_wp
+   real(wp), parameter :: least_outside = 0.2_wp
    !> If no point of an element can be outside by this part of that limit [-], the element is not examined closer. A cubic and
    !> an arc differ by far less.
    real(wp), parameter :: sure = 0.75_wp
@@ -134,7 +134,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: e
       real(wp) :: least
-      least = max(tell_outside, mesh%eps_nmax(e))
+      least = max(least_outside, mesh%eps_nmax(e))
    end function told_from
 
    !> Message on a string outside its hole: place, distance, advice.

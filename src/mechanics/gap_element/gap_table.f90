@@ -4,7 +4,8 @@ module dg_gap_table
    use dg_gap_state, only: gap_law_type, gap_thresholds_type, state_free
    implicit none
    private
-   public :: gap_table_type, new_gap_table, fix_gap, gain_to_move, move_gap, lone_contacts, count_states, keep_gaps, take_gaps_back
+   public :: gap_table_type, new_gap_table, fix_gap, gain_to_move, move_gap, lone_contacts, count_states, keep_gaps, &
+             restore_gap_table
 
    type :: gap_table_type
       type(gap_law_type), allocatable :: law(:)  !< of each element's gap
@@ -52,7 +53,7 @@ contains
    end subroutine keep_gaps
 
    !> Restore what keep_gaps saved.
-   pure subroutine take_gaps_back(kept, table)
+   pure subroutine restore_gap_table(kept, table)
       type(gap_table_type), intent(in) :: kept
       type(gap_table_type), intent(inout) :: table
       table%xi = kept%xi
@@ -60,7 +61,7 @@ contains
       table%flips = kept%flips
       table%moves = kept%moves
       table%followed = kept%followed
-   end subroutine take_gaps_back
+   end subroutine restore_gap_table
 
    !> Move a gap to the extremum x0 = xi L (Eq. 2) if the string is deeper there by more than gain_to_move.
    pure subroutine move_gap(table, e, xi, at_extremum, at_gap, threshold, moved)

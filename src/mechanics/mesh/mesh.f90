@@ -147,11 +147,11 @@ contains
             mesh%centralizer(e) = at_centralizer(component%centralizer, distance)
             mesh%radius(e) = 0.5_wp*merge(centralizer_diameter(component), contact_diameter(component, upper_end), &
                                           mesh%centralizer(e))
-            call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
+            call set_hole_data(model, load_case, component, part == 1, middle, e, mesh)
             mesh%lying(e) = mesh%clearance(e)
             mesh%load_factor(e) = 1.0_wp
             mesh%spacing(e) = 0.0_wp
-            if (component%centralizer%present) call put_centralizer(model, load_case, component, middle, e, mesh)
+            if (component%centralizer%present) call set_centralizer(model, load_case, component, middle, e, mesh)
             if (component%centralizer%present) cycle
             if (.not. (model%numerics%discrete_joints .and. has_joints(component))) cycle
             mesh%spacing(e) = component%joint_spacing
@@ -160,7 +160,7 @@ contains
             else
                mesh%load_factor(e) = 0.0_wp
                mesh%radius(e) = 0.5_wp*component%od
-               call put_in_hole(model, load_case, component, part == 1, middle, e, mesh)
+               call set_hole_data(model, load_case, component, part == 1, middle, e, mesh)
             end if
          end associate
       end do
@@ -231,7 +231,7 @@ contains
    end subroutine offset_blades
 
    !> Set the data of the hole at a depth [m] for an element whose contact radius is known.
-   pure subroutine put_in_hole(model, load_case, component, lowest, md, e, mesh)
+   pure subroutine set_hole_data(model, load_case, component, lowest, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(component_type), intent(in) :: component
@@ -251,10 +251,10 @@ contains
          call find_friction(hole, component, load_case, mesh%centralizer(e), mesh%radius(e), 1.0_wp, mesh%friction_along(e), &
                             mesh%friction_around(e))
       end associate
-   end subroutine put_in_hole
+   end subroutine set_hole_data
 
-   !> Set centralizers on an element of their component, after put_in_hole: they carry all of its load.
-   pure subroutine put_centralizer(model, load_case, component, md, e, mesh)
+   !> Set centralizers on an element of their component, after set_hole_data: they carry all of its load.
+   pure subroutine set_centralizer(model, load_case, component, md, e, mesh)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(component_type), intent(in) :: component
@@ -278,7 +278,7 @@ contains
             mesh%drag(e) = running_drag(hole, component, load_case)*mesh%length(e)/contact_length
          end if
       end associate
-   end subroutine put_centralizer
+   end subroutine set_centralizer
 
    !> Depths of the nodes [m], from the first station to the bit: all breaks, and equal parts no longer than `element_length`.
    pure function node_depths(model, load_case, element_length) result(depths)

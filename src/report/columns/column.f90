@@ -4,7 +4,7 @@ module dg_column
    use, intrinsic :: iso_fortran_env, only: error_unit
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, optional_real
-   use dg_number_text, only: csv_text, put_csv_number
+   use dg_number_text, only: csv_text, append_csv_number
    use dg_ten_digits, only: longest_number
    use dg_quantity, only: quantity_angle, quantity_curvature, quantity_force, quantity_length, quantity_line_load, &
       quantity_moment, quantity_none, quantity_percent, quantity_pressure, quantity_stress, quantity_text, quantity_time, &
@@ -15,7 +15,7 @@ module dg_column
    implicit none
    private
    public :: column_type, field_type, row_type, column_header, fields_of, unknown_column
-   public :: csv_header, csv_row, put_csv_value, put, put_filled
+   public :: csv_header, csv_row, append_csv_value, add, add_filled
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
              quantity_time, quantity_wall
@@ -47,10 +47,10 @@ module dg_column
       type(field_type), allocatable :: fields(:)     !< with room for more
    end type row_type
 
-   !> Puts the next column of a row with its value.
-   interface put
-      module procedure put_real, put_integer, put_text, put_optional
-   end interface put
+   !> Adds the next column to a row, with its value.
+   interface add
+      module procedure add_real, add_integer, add_text, add_optional
+   end interface add
 
 contains
 
@@ -122,7 +122,7 @@ contains
             case (field_integer); line = line//to_text(field%integer_value)
             case (field_real)
                filled = 0
-               call put_csv_value(number, filled, field%real_value, unit_factor(units, field%column%quantity))
+               call append_csv_value(number, filled, field%real_value, unit_factor(units, field%column%quantity))
                line = line//number(:filled)
             case default
             end select
@@ -132,15 +132,15 @@ contains
 
    !> Append a number in SI units, divided by the SI value of its unit, to the letters of a row. Nothing is appended if it is
    !> missing or not finite.
-   pure subroutine put_csv_value(row, filled, value, unit)
+   pure subroutine append_csv_value(row, filled, value, unit)
       character(*), intent(inout) :: row      !< with room for `longest_number` letters
       integer, intent(inout) :: filled        !< letters so far
       real(wp), intent(in) :: value, unit
-      if (.not. is_missing(value)) call put_csv_number(row, filled, value/unit)
-   end subroutine put_csv_value
+      if (.not. is_missing(value)) call append_csv_number(row, filled, value/unit)
+   end subroutine append_csv_value
 
    !> A column without a value.
-   pure subroutine put_none(row, name, quantity, meaning)
+   pure subroutine add_none(row, name, quantity, meaning)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
@@ -157,64 +157,64 @@ contains
       end if
       row%count = row%count + 1
       row%fields(row%count)%column = column_type(name, quantity, meaning)
-   end subroutine put_none
+   end subroutine add_none
 
-   pure subroutine put_real(row, name, quantity, meaning, value)
+   pure subroutine add_real(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
       real(wp), intent(in) :: value     !< in SI units, missing where there is none
-      call put_optional(row, name, quantity, meaning, optional_real(.not. is_missing(value), value))
-   end subroutine put_real
+      call add_optional(row, name, quantity, meaning, optional_real(.not. is_missing(value), value))
+   end subroutine add_real
 
-   pure subroutine put_optional(row, name, quantity, meaning, value)
+   pure subroutine add_optional(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
       type(optional_real), intent(in) :: value     !< in SI units
-      call put_none(row, name, quantity, meaning)
+      call add_none(row, name, quantity, meaning)
       if (.not. value%present) return
       row%fields(row%count)%kind = field_real
       row%fields(row%count)%real_value = value%value
-   end subroutine put_optional
+   end subroutine add_optional
 
-   pure subroutine put_integer(row, name, quantity, meaning, value)
+   pure subroutine add_integer(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
       integer, intent(in) :: value
-      call put_none(row, name, quantity, meaning)
+      call add_none(row, name, quantity, meaning)
       row%fields(row%count)%kind = field_integer
       row%fields(row%count)%integer_value = value
-   end subroutine put_integer
+   end subroutine add_integer
 
    !> A text, without blanks behind it; no value where it is not allocated.
-   pure subroutine put_text(row, name, quantity, meaning, value)
+   pure subroutine add_text(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
       character(*), intent(in), optional :: value
-      call put_none(row, name, quantity, meaning)
+      call add_none(row, name, quantity, meaning)
       if (.not. present(value)) return
       row%fields(row%count)%kind = field_text
       row%fields(row%count)%text = trim(value)
-   end subroutine put_text
+   end subroutine add_text
 
    !> A text, or no value where it is ''.
-   pure subroutine put_filled(row, name, quantity, meaning, value)
+   pure subroutine add_filled(row, name, quantity, meaning, value)
       type(row_type), intent(inout) :: row
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
       character(*), intent(in) :: meaning
       character(*), intent(in) :: value
       if (value == '') then
-         call put_none(row, name, quantity, meaning)
+         call add_none(row, name, quantity, meaning)
       else
-         call put_text(row, name, quantity, meaning, value)
+         call add_text(row, name, quantity, meaning, value)
       end if
-   end subroutine put_filled
+   end subroutine add_filled
 end module dg_column

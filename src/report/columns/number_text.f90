@@ -3,12 +3,12 @@ module dg_number_text
    use dg_kinds, only: wp
    use dg_missing, only: is_shown, optional_real
    use dg_printable, only: printable
-   use dg_ten_digits, only: put_ten_digits
-   use dg_text, only: append_text, put_piece, text_type, to_text
+   use dg_ten_digits, only: append_ten_digits
+   use dg_text, only: append_text, append_piece, text_type, to_text
    implicit none
    private
    public :: fixed_cell, fixed_text, scientific_cell, count_cell, right_aligned, left_aligned
-   public :: csv_text, put_csv_number
+   public :: csv_text, append_csv_number
    public :: append_wrapped, page_width
 
    !> A cell of a table, '-' where there is no value.
@@ -125,14 +125,14 @@ contains
       if (len(text) >= width) cell = text(:width - 4)//'...'
    end function left_aligned
 
-   !> Puts a number behind the letters that a row has so far; nothing where it is no number. Ten significant digits: users compare
+   !> Append a number to the letters that a row has so far; nothing where it is no number. Ten significant digits: users compare
    !> files to 1e-6 and better.
-   pure subroutine put_csv_number(row, filled, value)
+   pure subroutine append_csv_number(row, filled, value)
       character(*), intent(inout) :: row      !< with room for `longest_number` letters
       integer, intent(inout) :: filled        !< letters so far
       real(wp), intent(in) :: value
-      if (is_shown(value)) call put_ten_digits(row, filled, value + 0.0_wp) ! no negative zero
-   end subroutine put_csv_number
+      if (is_shown(value)) call append_ten_digits(row, filled, value + 0.0_wp) ! no negative zero
+   end subroutine append_csv_number
 
    !> Text, quoted where it holds a comma, a quote or a line break (RFC 4180); other control bytes become '?'.
    pure function csv_text(text) result(field)
@@ -149,8 +149,8 @@ contains
       allocate (character(2*len(text)) :: room)
       filled = 0
       do i = 1, len(text)
-         call put_piece(room, filled, plain(i:i))
-         if (plain(i:i) == '"') call put_piece(room, filled, '"')
+         call append_piece(room, filled, plain(i:i))
+         if (plain(i:i) == '"') call append_piece(room, filled, '"')
       end do
       field = '"'//room(:filled)//'"'
    end function csv_text

@@ -2,12 +2,12 @@
 !> quantity, meaning and values.
 module dg_series
    use dg_kinds, only: wp
-   use dg_column, only: column_type, put, put_filled, row_type, unknown_column
+   use dg_column, only: column_type, add, add_filled, row_type, unknown_column
    use dg_missing, only: is_missing, missing
    use dg_text, only: text_type
    implicit none
    private
-   public :: series_type, series_list_type, put, series_of, row_of, value_count
+   public :: series_type, series_list_type, add, series_of, row_of, value_count
 
    !> A column and its values: numbers, counts, or states by number.
    type :: series_type
@@ -24,10 +24,10 @@ module dg_series
       type(series_type), allocatable :: items(:)         !< with room for more
    end type series_list_type
 
-   !> Puts the next column of a list (or of a row).
-   interface put
-      module procedure put_numbers, put_counts, put_states, put_named
-   end interface put
+   !> Add the next column of a list (or of a row).
+   interface add
+      module procedure add_numbers, add_counts, add_states, add_named
+   end interface add
 
 contains
 
@@ -62,15 +62,15 @@ contains
       do i = 1, list%count
          associate (series => list%items(i), column => list%items(i)%column)
             if (allocated(series%states)) then
-               call put_filled(row, column%name, column%quantity, column%meaning, series%words(series%states(number))%text)
+               call add_filled(row, column%name, column%quantity, column%meaning, series%words(series%states(number))%text)
             else
-               call put(row, column%name, column%quantity, column%meaning, series%numbers(number))
+               call add(row, column%name, column%quantity, column%meaning, series%numbers(number))
             end if
          end associate
       end do
    end function row_of
 
-   !> Puts a column without values.
+   !> Add a column without values.
    pure subroutine add_column(list, name, quantity, meaning)
       type(series_list_type), intent(inout) :: list
       character(*), intent(in) :: name
@@ -90,7 +90,7 @@ contains
       list%items(list%count)%column = column_type(name, quantity, meaning)
    end subroutine add_column
 
-   pure subroutine put_numbers(list, name, quantity, meaning, values)
+   pure subroutine add_numbers(list, name, quantity, meaning, values)
       type(series_list_type), intent(inout) :: list
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
@@ -98,9 +98,9 @@ contains
       real(wp), intent(in) :: values(:)      !< in SI units, missing where there is none
       call add_column(list, name, quantity, meaning)
       list%items(list%count)%numbers = values
-   end subroutine put_numbers
+   end subroutine add_numbers
 
-   pure subroutine put_counts(list, name, quantity, meaning, values)
+   pure subroutine add_counts(list, name, quantity, meaning, values)
       type(series_list_type), intent(inout) :: list
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
@@ -109,9 +109,9 @@ contains
       call add_column(list, name, quantity, meaning)
       list%items(list%count)%is_whole = .true.
       list%items(list%count)%numbers = merge(missing, real(values, wp), is_missing(values))
-   end subroutine put_counts
+   end subroutine add_counts
 
-   pure subroutine put_states(list, name, quantity, meaning, values, words)
+   pure subroutine add_states(list, name, quantity, meaning, values, words)
       type(series_list_type), intent(inout) :: list
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
@@ -123,11 +123,11 @@ contains
       do i = 0, ubound(words, 1)
          texts(i)%text = trim(words(i))
       end do
-      call put_named(list, name, quantity, meaning, values, texts)
-   end subroutine put_states
+      call add_named(list, name, quantity, meaning, values, texts)
+   end subroutine add_states
 
    !> States by number, or names, as the numbers of components.
-   pure subroutine put_named(list, name, quantity, meaning, values, words)
+   pure subroutine add_named(list, name, quantity, meaning, values, words)
       type(series_list_type), intent(inout) :: list
       character(*), intent(in) :: name
       integer, intent(in) :: quantity
@@ -137,5 +137,5 @@ contains
       call add_column(list, name, quantity, meaning)
       list%items(list%count)%states = values
       allocate (list%items(list%count)%words(0:ubound(words, 1)), source=words)
-   end subroutine put_named
+   end subroutine add_named
 end module dg_series

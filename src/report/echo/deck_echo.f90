@@ -6,7 +6,7 @@ module dg_deck_echo
    use dg_fluid, only: collar_name, collar_none
    use dg_hole_section, only: hole_section_type
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: add_line, line_list_type, take_lines
+   use dg_line_list, only: add_line, line_list_type, move_lines
    use dg_load_case, only: operation_name
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing, optional_real
@@ -66,7 +66,7 @@ contains
       do i = 1, size(after)
          call add_line(list, after(i)%text)
       end do
-      call take_lines(list, lines)
+      call move_lines(list, lines)
    end subroutine echo_lines
 
    !> Line on the rig between string and weight indicator.

@@ -1,6 +1,6 @@
 !> CSV files: row after row, or columns with all their values.
 module dg_csv_table
-   use dg_column, only: csv_header, csv_row, put_csv_value, row_type
+   use dg_column, only: csv_header, csv_row, append_csv_value, row_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_line_list, only: add_line, line_list_type
@@ -8,7 +8,7 @@ module dg_csv_table
    use dg_missing, only: is_missing
    use dg_series, only: series_list_type, series_type, value_count
    use dg_ten_digits, only: longest_number
-   use dg_text, only: put_piece, text_type, to_text
+   use dg_text, only: append_piece, text_type, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_factor
    implicit none
@@ -38,7 +38,7 @@ contains
       begun = table%text%count > 0
    end function is_begun
 
-   !> Puts a row at the end, below the header of the first one.
+   !> Add a row at the end, below the header of the first one.
    pure subroutine add_row(table, row, units)
       type(csv_table_type), intent(inout) :: table
       type(row_type), intent(in) :: row
@@ -75,14 +75,14 @@ contains
          do j = 1, list%count
             associate (series => list%items(j))
                if (allocated(series%states)) then
-                  call put_piece(row, filled, csv_text(series%words(series%states(i))%text))
+                  call append_piece(row, filled, csv_text(series%words(series%states(i))%text))
                else if (series%is_whole) then
-                  if (.not. is_missing(series%numbers(i))) call put_piece(row, filled, to_text(nint(series%numbers(i))))
+                  if (.not. is_missing(series%numbers(i))) call append_piece(row, filled, to_text(nint(series%numbers(i))))
                else
-                  call put_csv_value(row, filled, series%numbers(i), unit_factor(units, series%column%quantity))
+                  call append_csv_value(row, filled, series%numbers(i), unit_factor(units, series%column%quantity))
                end if
             end associate
-            if (j < list%count) call put_piece(row, filled, ',')
+            if (j < list%count) call append_piece(row, filled, ',')
          end do
          lines(i)%text = row(:filled)
       end do

@@ -37,13 +37,13 @@ module dg_hdf5_file
       integer(hid_t) :: text = -1              !< type of a text in UTF-8 of any length
    end type hdf5_file_type
 
-   !> Puts numbers as a dataset at a path, of rank 1, or 2 with the rows of the file as second dimension here. Numbers
+   !> Write numbers as a dataset at a path, of rank 1, or 2 with the rows of the file as second dimension here. Numbers
    !> that are missing become NaN.
    interface write_data
       module procedure write_reals, write_vectors, write_integers, write_long_integers
    end interface write_data
 
-   !> Puts an attribute on the group or dataset at a path.
+   !> Write an attribute on the group or dataset at a path.
    interface write_attribute
       module procedure attribute_text, attribute_real, attribute_integer, attribute_reals, attribute_integers
    end interface write_attribute

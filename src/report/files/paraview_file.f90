@@ -52,9 +52,9 @@ contains
       integer :: j, n
       n = size(profile%md)
       offset = string_offsets(profile)
-      call put_grid(file, path, to_screen(axis_of(profile) + offset)/job%units%length)
-      call put_cells(file, line_cell, [0_int64, pack([(i, i=0_int64, n - 1_int64)], profile%side == side_below), int(n, int64)], &
-                     [(i, i=0_int64, n - 1_int64)])
+      call begin_grid(file, path, to_screen(axis_of(profile) + offset)/job%units%length)
+      call write_cells(file, line_cell, [0_int64, pack([(i, i=0_int64, n - 1_int64)], profile%side == side_below), int(n, int64)], &
+                       [(i, i=0_int64, n - 1_int64)])
       list = profile_series(profile, along)
       do j = 1, list%count
          associate (series => list%items(j), column => list%items(j)%column)
@@ -100,14 +100,14 @@ contains
             corners(2*n*(j - 1) + 2*k) = int(k - 1, int64)*sides + mod(j, sides)
          end do
       end do
-      call put_grid(file, path, to_screen(points)/job%units%length)
-      call put_cells(file, strip_cell, [(2*n*i, i=0_int64, int(sides, int64))], corners)
+      call begin_grid(file, path, to_screen(points)/job%units%length)
+      call write_cells(file, strip_cell, [(2*n*i, i=0_int64, int(sides, int64))], corners)
       call write_data(file, fields//'/md_'//trim(job%units%length_label), md, unit=job%units%length)
       call close_hdf5(file, error)
    end subroutine write_hole_view
 
    !> Begins a file with head and points of its grid, and the room for its fields.
-   subroutine put_grid(file, path, points)
+   subroutine begin_grid(file, path, points)
       type(hdf5_file_type), intent(out) :: file
       character(*), intent(in) :: path
       real(wp), intent(in) :: points(:, :)
@@ -118,10 +118,10 @@ contains
       call write_data(file, root//'/NumberOfPoints', [size(points, 2, kind=int64)])
       call write_data(file, root//'/Points', points)
       call make_group(file, fields)
-   end subroutine put_grid
+   end subroutine begin_grid
 
    !> The cells of a grid, all of one kind.
-   subroutine put_cells(file, kind_of_cells, offsets, connectivity)
+   subroutine write_cells(file, kind_of_cells, offsets, connectivity)
       type(hdf5_file_type), intent(inout) :: file
       integer, intent(in) :: kind_of_cells            !< line_cell, strip_cell
       integer(int64), intent(in) :: offsets(:)        !< of each cell in `connectivity`, from 0, and their end
@@ -133,7 +133,7 @@ contains
       call write_bytes(file, root//'/Types', kinds)
       call write_data(file, root//'/Offsets', offsets)
       call write_data(file, root//'/Connectivity', connectivity)
-   end subroutine put_cells
+   end subroutine write_cells
 
    !> Points of the hole axis, north-east-down [m].
    pure function axis_of(profile) result(axis)

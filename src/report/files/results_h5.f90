@@ -19,7 +19,7 @@ module dg_results_h5
    use dg_limits_file, only: limits_row
    use dg_model, only: model_type
    use dg_profile_file, only: profile_series
-   use dg_series, only: put, series_list_type, value_count
+   use dg_series, only: add, series_list_type, value_count
    use dg_summary_file, only: summary_row
    use dg_text, only: text_or_nothing, text_type, to_text
    use dg_trajectory, only: trajectory_type
@@ -46,23 +46,23 @@ contains
       character(:), allocatable :: group
       integer :: i, j
       call create_hdf5(file, path)
-      call put_provenance(file, job)
-      call put_survey(file, job%units, model)
+      call write_provenance(file, job)
+      call write_survey(file, job%units, model)
       call make_group(file, '/cases')
       do i = 1, size(model%cases)
          group = '/cases/'//model%cases(i)%name
          call make_group(file, group)
          do j = 1, size(results)
             if (results(j)%case_index == i) &
-               call put_result(file, group//'/'//trim(model_name(results(j)%model)), job%units, model%cases(i)%name, model, &
-                               results(j), alongs(j), wholes(j))
+               call write_result(file, group//'/'//trim(model_name(results(j)%model)), job%units, model%cases(i)%name, model, &
+                                 results(j), alongs(j), wholes(j))
          end do
       end do
       call close_hdf5(file, error)
    end subroutine write_results_h5
 
    !> Origin of the numbers, as attributes of the root.
-   subroutine put_provenance(file, job)
+   subroutine write_provenance(file, job)
       type(hdf5_file_type), intent(inout) :: file
       type(job_type), intent(in) :: job
       call write_attribute(file, '/', 'program', program_name)
@@ -74,31 +74,31 @@ contains
       call write_attribute(file, '/', 'deck_path', text_or_nothing(job%deck_path))
       call write_attribute(file, '/', 'deck', text_or_nothing(job%deck_text))
       call write_attribute(file, '/', 'unit_system', trim(job%units%name))
-   end subroutine put_provenance
+   end subroutine write_provenance
 
-   subroutine put_survey(file, units, model)
+   subroutine write_survey(file, units, model)
       type(hdf5_file_type), intent(inout) :: file
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       integer :: i
-      call put_table(file, '/survey', units, survey_series(model%trajectory))
+      call write_table(file, '/survey', units, survey_series(model%trajectory))
       if (.not. allocated(model%path_notes)) return
       do i = 1, size(model%path_notes)
          call write_attribute(file, '/survey', 'note_'//to_text(i), model%path_notes(i)%text)
       end do
-   end subroutine put_survey
+   end subroutine write_survey
 
    !> Stations of the hole.
    pure function survey_series(trajectory) result(list)
       type(trajectory_type), intent(in) :: trajectory
       type(series_list_type) :: list
-      call put(list, 'md', quantity_length, 'measured depth of the station', trajectory%md)
-      call put(list, 'inclination', quantity_angle, 'of the hole', trajectory%inclination)
-      call put(list, 'azimuth', quantity_angle, 'of the hole, from north', trajectory%azimuth)
+      call add(list, 'md', quantity_length, 'measured depth of the station', trajectory%md)
+      call add(list, 'inclination', quantity_angle, 'of the hole', trajectory%inclination)
+      call add(list, 'azimuth', quantity_angle, 'of the hole, from north', trajectory%azimuth)
    end function survey_series
 
    !> One result: its rows of tables as attributes, its columns, its history.
-   subroutine put_result(file, group, units, name, model, result, along, whole)
+   subroutine write_result(file, group, units, name, model, result, along, whole)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
       type(unit_system_type), intent(in) :: units
@@ -108,29 +108,29 @@ contains
       type(along_string_type), intent(in) :: along
       type(whole_string_type), intent(in) :: whole
       call make_group(file, group)
-      call put_row(file, group, units, summary_row(model%cases(result%case_index), result, whole%verdict, units), 1)
-      call put_row(file, group, units, limits_row(name, result, whole), 4)    ! case, model and status stand there already
-      if (allocated(result%gaps)) call put_table(file, group//'/gaps', units, gap_series(result%gaps))
-      if (allocated(result%history)) call put_table(file, group//'/history', units, history_series(result%history))
+      call write_row(file, group, units, summary_row(model%cases(result%case_index), result, whole%verdict, units), 1)
+      call write_row(file, group, units, limits_row(name, result, whole), 4)    ! case, model and status stand there already
+      if (allocated(result%gaps)) call write_table(file, group//'/gaps', units, gap_series(result%gaps))
+      if (allocated(result%history)) call write_table(file, group//'/history', units, history_series(result%history))
       if (.not. allocated(result%profile%md)) return
       call write_attribute(file, group, 'neutral_point_'//trim(units%length_label), whole%neutral_points/units%length)
-      call put_columns(file, group, units, profile_series(result%profile, along))
-      if (allocated(result%contacts)) call put_table(file, group//'/contacts', units, contact_series(result%contacts))
-   end subroutine put_result
+      call write_columns(file, group, units, profile_series(result%profile, along))
+      if (allocated(result%contacts)) call write_table(file, group//'/contacts', units, contact_series(result%contacts))
+   end subroutine write_result
 
    !> Columns in a group of their own, where there are any rows.
-   subroutine put_table(file, group, units, list)
+   subroutine write_table(file, group, units, list)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
       type(unit_system_type), intent(in) :: units
       type(series_list_type), intent(in) :: list
       if (value_count(list) == 0) return
       call make_group(file, group)
-      call put_columns(file, group, units, list)
-   end subroutine put_table
+      call write_columns(file, group, units, list)
+   end subroutine write_table
 
    !> Columns with their units and descriptions. States with quantity_text are stored with their words, others as numbers.
-   subroutine put_columns(file, group, units, list)
+   subroutine write_columns(file, group, units, list)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
       type(unit_system_type), intent(in) :: units
@@ -152,10 +152,10 @@ contains
             if (column%quantity == quantity_text) call write_attribute(file, path, 'values', words_text(series%words))
          end associate
       end do
-   end subroutine put_columns
+   end subroutine write_columns
 
    !> A row of a table as attributes, from its column `first` on; values that are absent are left out.
-   subroutine put_row(file, group, units, row, first)
+   subroutine write_row(file, group, units, row, first)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
       type(unit_system_type), intent(in) :: units
@@ -175,7 +175,7 @@ contains
             end select
          end associate
       end do
-   end subroutine put_row
+   end subroutine write_row
 
    !> '0 free, 1 elastic, 2 rigid'; a word that is empty in CSV files is '(empty)'.
    pure function words_text(words) result(text)

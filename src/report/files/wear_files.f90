@@ -10,7 +10,7 @@ module dg_wear_files
    use dg_error, only: error_type
    use dg_job, only: job_type
    use dg_model, only: model_type, string_index
-   use dg_series, only: put, series_list_type
+   use dg_series, only: add, series_list_type
    use dg_text, only: text_type
    use dg_along_string, only: along_string_type
    use dg_fatigue, only: fatigue_type, find_fatigue
@@ -42,14 +42,14 @@ contains
       type(groove_type), intent(in) :: grooves(:)
       type(text_type), intent(in) :: names(:)      !< of hole sections
       type(series_list_type) :: list
-      call put(list, 'md', quantity_length, 'measured depth', grooves%md)
-      call put(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
-      call put(list, 'side_force', quantity_line_load, &
+      call add(list, 'md', quantity_length, 'measured depth', grooves%md)
+      call add(list, 'hole', quantity_text, 'name of the hole section', grooves%hole - 1, names)
+      call add(list, 'side_force', quantity_line_load, &
                'mean side force on the length from one tool joint to the next', grooves%side_force)
-      call put(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
-      call put(list, 'wall_left', quantity_percent, 'remaining wall, of the new wall', percent_of(grooves%wall_left))
-      call put(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
-      call put(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
+      call add(list, 'groove', quantity_width, 'depth of the groove', grooves%depth)
+      call add(list, 'wall_left', quantity_percent, 'remaining wall, of the new wall', percent_of(grooves%wall_left))
+      call add(list, 'burst_left', quantity_pressure, 'burst strength left; empty where casing_yield is not given', grooves%burst)
+      call add(list, 'collapse_left', quantity_pressure, 'collapse strength left, without tension', grooves%collapse)
    end function wear_series
 
    !> Write the fatigue of the components of a string that turns to `path`.
@@ -81,21 +81,21 @@ contains
       type(text_type) :: sections(2)
       sections(1)%text = 'body'
       sections(2)%text = 'joint'
-      call put(list, 'component', quantity_text, 'its name', parts%part - 1, names)
-      call put(list, 'md', quantity_length, 'depth where bending is largest against the permitted bending', parts%md)
-      call put(list, 'tension', quantity_stress, 'stress of the effective axial force', parts%tension)
-      call put(list, 'amplitude', quantity_stress, &
+      call add(list, 'component', quantity_text, 'its name', parts%part - 1, names)
+      call add(list, 'md', quantity_length, 'depth where bending is largest against the permitted bending', parts%md)
+      call add(list, 'tension', quantity_stress, 'stress of the effective axial force', parts%tension)
+      call add(list, 'amplitude', quantity_stress, &
                'amplitude of the bending stress; of the body the largest between tool joints', parts%amplitude)
-      call put(list, 'permitted', quantity_stress, 'endurance limit at that tension', parts%permitted)
-      call put(list, 'used', quantity_percent, 'amplitude in percent of permitted', percent_of(parts%used))
-      call put(list, 'turns', quantity_none, &
+      call add(list, 'permitted', quantity_stress, 'endurance limit at that tension', parts%permitted)
+      call add(list, 'used', quantity_percent, 'amplitude in percent of permitted', percent_of(parts%used))
+      call add(list, 'turns', quantity_none, &
                'turns until failure; empty below the endurance limit, or without fatigue_exponent', parts%turns)
-      call put(list, 'damage', quantity_percent, &
+      call add(list, 'damage', quantity_percent, &
                'part of its life used by the hours of rotation; empty without hours', percent_of(parts%damage))
-      call put(list, 'dogleg', quantity_curvature, 'dogleg of the hole at this depth', parts%curvature)
-      call put(list, 'permitted_dogleg', quantity_curvature, &
+      call add(list, 'dogleg', quantity_curvature, 'dogleg of the hole at this depth', parts%curvature)
+      call add(list, 'permitted_dogleg', quantity_curvature, &
                'largest dogleg for rotation without fatigue at that tension', parts%dogleg)
-      call put(list, 'section', quantity_text, &
+      call add(list, 'section', quantity_text, &
                'body, or joint: connections, with the stress at their outside', merge(1, 0, parts%joint), sections)
    end function fatigue_series
 end module dg_wear_files

@@ -120,13 +120,13 @@ contains
             reference(i) = percent_error(results(i)%hookload, load_case%reference_hookload)
          end associate
       end do
-      call tell('Measured hook loads'//either('', ' (weight indicator, block included)', &
-                                              all(is_missing(results%weight_indicator))), measured)
+      call write_errors('Measured hook loads'//either('', ' (weight indicator, block included)', &
+                                                      all(is_missing(results%weight_indicator))), measured)
       question = block_question(units, model%cases(results%case_index), results)
       if (question /= '') call add_line(lines, '<li>'//html_safe(question)//'.</li>')
-      call tell('Reference hook loads', reference)
+      call write_errors('Reference hook loads', reference)
    contains
-      subroutine tell(what, errors)
+      subroutine write_errors(what, errors)
          character(*), intent(in) :: what
          type(optional_real), intent(in) :: errors(:)
          integer :: worst
@@ -135,7 +135,7 @@ contains
          call add_line(lines, '<li>'//what//': '//to_text(count(errors%present))//', met within '// &
                        to_text(errors(worst)%value, fewer)//' %; the worst is '// &
                        html_safe(model%cases(results(worst)%case_index)%name)//'.</li>')
-      end subroutine tell
+      end subroutine write_errors
    end subroutine append_errors
 
    !> Append the difference of hook loads of other models from these.

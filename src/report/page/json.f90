@@ -1,7 +1,7 @@
 !> Texts of the page's data, which is JSON within an element of HTML.
 module dg_json
    use dg_quantity, only: quantity_force, quantity_length, quantity_width
-   use dg_text, only: plain_utf8, put_piece, to_text
+   use dg_text, only: plain_utf8, append_piece, to_text
    implicit none
    private
    public :: json_string, quantity_key
@@ -33,18 +33,18 @@ contains
       plain = plain_utf8(text)
       allocate (character(len(code)*len(text) + 2) :: room)
       filled = 0
-      call put_piece(room, filled, '"')
+      call append_piece(room, filled, '"')
       do i = 1, len(text)
          if (scan(plain(i:i), '"\') == 1) then
-            call put_piece(room, filled, '\'//plain(i:i))
+            call append_piece(room, filled, '\'//plain(i:i))
          else if (scan(plain(i:i), '<>&') == 1 .or. iachar(plain(i:i)) <= last_control) then
             write (code, '(a, z4.4)') '\u', iachar(plain(i:i))
-            call put_piece(room, filled, code)
+            call append_piece(room, filled, code)
          else
-            call put_piece(room, filled, plain(i:i))
+            call append_piece(room, filled, plain(i:i))
          end if
       end do
-      call put_piece(room, filled, '"')
+      call append_piece(room, filled, '"')
       json = room(:filled)
    end function json_string
 end module dg_json

@@ -109,14 +109,14 @@ function ticks(low, high, most) {
    const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)
    return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))
 }
-function put_marks(parent, places, {mark, look: {stroke}}) {
+function draw_marks(parent, places, {mark, look: {stroke}}) {
    const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('')
    if (mark) make(parent, 'path', {d, 'stroke-width': 1.6, fill: mark > 4 && mark % 2 ? stroke : 'none', stroke})
 }
 function draw_key(parent, key) {                             // a piece of a line, or a mark
    const svg = make(parent, 'svg', {viewBox: '0 -4 28 16', class: 'key'})
    if (!key.marks) make(svg, 'line', {x1: 0, x2: 28, y1: 4, y2: 4, 'stroke-width': 3, ...key.look})
-   put_marks(svg, ['M14 4'], key)
+   draw_marks(svg, ['M14 4'], key)
 }
 
 // ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels`
@@ -186,7 +186,7 @@ function block(S, address) {
       const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))
       const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}      // on a line for print without colours
       const there = [...d.keys()].filter(i => isFinite(v[i]))
-      put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)
+      draw_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)
    }
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
@@ -281,7 +281,7 @@ function block(S, address) {
       draw_panels()
       view.well?.draw()
    }
-   function put_list(parent, key, text) {                       // of which several may be chosen
+   function add_list(parent, key, text) {                       // of which several may be chosen
       const more = {multiple: '', size: Math.min(1 + choices[key].length, 16)}
       const list = make(make(parent, 'h:label', {}, text), 'h:select', more)
       for (const name of choices[key]) make(list, 'h:option', {}, name).selected = state[key].includes(name)
@@ -364,14 +364,14 @@ function block(S, address) {
       draw()
    }
    S.charts?.forEach((c, i) => button(c.title, () => choose(i), {'aria-pressed': i === state.chart, class: 'tab'}))
-   put_switch(bar)
+   add_switch(bar)
    if (!S.rows) button('whole depth', whole)
    if (S.charts) button(lowest(), () => zoom(Math.max(0, end_of() - shown_length), end_of()))
    const main = make(S.root, 'h:div', {class: S.charts ? 'main' : 'alone'})
    if (S.charts) {
       const side = make(main, 'h:div', {class: 'side'})
-      put_list(side, 'case', 'Load cases, several with Ctrl')
-      if (choices.model.length > 1) put_list(side, 'model', 'Models')
+      add_list(side, 'case', 'Load cases, several with Ctrl')
+      if (choices.model.length > 1) add_list(side, 'model', 'Models')
    }
    const right = make(main, 'h:div', {class: 'right'})
    view.legend = make(right, 'h:div', {class: 'legend'})
@@ -398,7 +398,7 @@ function block(S, address) {
 }
 
 // ---- the page
-function put_switch(parent) {
+function add_switch(parent) {
    const turn = () => { units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]; draw_all() }
    make(parent, 'h:button', {type: 'button', class: 'units', onclick: turn})
 }
@@ -451,7 +451,7 @@ const of_figure = (f, place) => f.blocks.map((b, i) => ({
 }))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
 document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The CSV files have all points.`)
-put_switch(document.querySelector('h1 + p'))
+add_switch(document.querySelector('h1 + p'))
 follow_address()
 document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand
 if (location.hash) active.root.scrollIntoView()               // without them it stands higher

@@ -10,7 +10,7 @@
 module dg_page_code
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_text, only: put_piece, to_text
+   use dg_text, only: append_piece, to_text
    implicit none
    private
    public :: scale_type, coded_curve, coded_depths, per_unit, rounded, scale_within
@@ -98,7 +98,7 @@ contains
       integer :: i, filled
       filled = 0
       do i = 1, size(values)
-         call put_piece(levels, filled, number_text(level_of(scale, values(i)), base, scale%digits, 0))
+         call append_piece(levels, filled, number_text(level_of(scale, values(i)), base, scale%digits, 0))
       end do
       json = '['//to_text(scale%first, digits)//','//to_text(scale%step, digits)//','//depths//',"'//levels//'"]'
    end function coded_curve
@@ -121,7 +121,7 @@ contains
             length = length + 1
             rest = rest/half
          end do
-         call put_piece(room, filled, number_text(number, half, length, half))
+         call append_piece(room, filled, number_text(number, half, length, half))
          last = place
       end do
       json = '"'//room(:filled)//'"'

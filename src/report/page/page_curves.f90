@@ -18,7 +18,7 @@ module dg_page_curves
    use dg_page_code, only: coded_curve, coded_depths, per_unit, rounded, scale_type, scale_within
    use dg_profile_file, only: profile_series
    use dg_rounding, only: rounded_nearest
-   use dg_series, only: put, series_list_type
+   use dg_series, only: add, series_list_type
    use dg_text, only: text_type, to_text
    use dg_units, only: unit_system_type
    use dg_unit_kind, only: unit_factor
@@ -82,7 +82,7 @@ contains
          list%count = list%count + 1
          list%items(list%count) = all%items(i)
       end do
-      call put(list, joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint', profile%side_force)
+      call add(list, joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint', profile%side_force)
    end function curve_series
 
    !> A text for each of `curve_series`; '' where a column has no value or is left out. `rows`: depths that curves share; '' where

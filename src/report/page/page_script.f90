@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'z24agetVA/Rc8CJQbbnN9xHZtL69CQtHwrV7/HO2HHc='
+   character(*), parameter :: script_hash = 'b9Vhw3txlquVYU9kcU9Y+mZJBSdZFLGy72S0Hr2Q8Sk='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -117,7 +117,7 @@ module dg_page_script
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
       'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
       '}', &
-      'function put_marks(parent, places, {mark, look: {stroke}}) {', &
+      'function draw_marks(parent, places, {mark, look: {stroke}}) {', &
       'const d = places.map(place => place + shapes[mark < 4 ? mark - 1 : (mark >> 1) + 1]).join('''')', &
       'if (mark) make(parent, ''path'', {d, ''stroke-width'': 1.6, fill: mark > 4 && mark % 2 ? stroke : ''none'', st'// &
       'roke})', &
@@ -125,7 +125,7 @@ module dg_page_script
       'function draw_key(parent, key) {', &
       'const svg = make(parent, ''svg'', {viewBox: ''0 -4 28 16'', class: ''key''})', &
       'if (!key.marks) make(svg, ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, ''stroke-width'': 3, ...key.look})', &
-      'put_marks(svg, [''M14 4''], key)', &
+      'draw_marks(svg, [''M14 4''], key)', &
       '}', &
       'function block(S, address) {', &
       'const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Se'// &
@@ -202,7 +202,7 @@ module dg_page_script
       'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
       'const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}', &
       'const there = [...d.keys()].filter(i => isFinite(v[i]))', &
-      'put_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
+      'draw_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
       '}', &
       'function draw_panel(panel, index, width) {', &
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
@@ -307,7 +307,7 @@ module dg_page_script
       'draw_panels()', &
       'view.well?.draw()', &
       '}', &
-      'function put_list(parent, key, text) {', &
+      'function add_list(parent, key, text) {', &
       'const more = {multiple: '''', size: Math.min(1 + choices[key].length, 16)}', &
       'const list = make(make(parent, ''h:label'', {}, text), ''h:select'', more)', &
       'for (const name of choices[key]) make(list, ''h:option'', {}, name).selected = state[key].includes(name)', &
@@ -395,14 +395,14 @@ module dg_page_script
       '}', &
       'S.charts?.forEach((c, i) => button(c.title, () => choose(i), {''aria-pressed'': i === state.chart, class: ''ta'// &
       'b''}))', &
-      'put_switch(bar)', &
+      'add_switch(bar)', &
       'if (!S.rows) button(''whole depth'', whole)', &
       'if (S.charts) button(lowest(), () => zoom(Math.max(0, end_of() - shown_length), end_of()))', &
       'const main = make(S.root, ''h:div'', {class: S.charts ? ''main'' : ''alone''})', &
       'if (S.charts) {', &
       'const side = make(main, ''h:div'', {class: ''side''})', &
-      'put_list(side, ''case'', ''Load cases, several with Ctrl'')', &
-      'if (choices.model.length > 1) put_list(side, ''model'', ''Models'')', &
+      'add_list(side, ''case'', ''Load cases, several with Ctrl'')', &
+      'if (choices.model.length > 1) add_list(side, ''model'', ''Models'')', &
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
@@ -428,7 +428,7 @@ module dg_page_script
       'state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2', &
       'return {S, state, draw}', &
       '}', &
-      'function put_switch(parent) {', &
+      'function add_switch(parent) {', &
       'const turn = () => { units = D.systems[(D.systems.indexOf(units) + 1) % D.systems.length]; draw_all() }', &
       'make(parent, ''h:button'', {type: ''button'', class: ''units'', onclick: turn})', &
       '}', &
@@ -485,7 +485,7 @@ module dg_page_script
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
       'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The '// &
       'CSV files have all points.`)', &
-      'put_switch(document.querySelector(''h1 + p''))', &
+      'add_switch(document.querySelector(''h1 + p''))', &
       'follow_address()', &
       'document.documentElement.classList.add(''scripted'')', &
       'if (location.hash) active.root.scrollIntoView()', &

@@ -2,7 +2,7 @@
 module dg_printed_text
    use dg_printable, only: printable
    use dg_run_outcome, only: outcome_type
-   use dg_standard_output, only: put_line
+   use dg_standard_output, only: write_line
    use dg_text, only: append_text, text_type
    implicit none
    private
@@ -18,7 +18,7 @@ contains
    !> One line to standard output. Names and titles in it may hold what commands a terminal: that does not reach it.
    subroutine print_line(line)
       character(*), intent(in) :: line
-      call put_line(printable(line, ''))
+      call write_line(printable(line, ''))
    end subroutine print_line
 
    !> Lines to standard output.

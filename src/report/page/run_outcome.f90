@@ -2,7 +2,7 @@
 !> headline of the page shows it, and agrees with the exit status.
 module dg_run_outcome
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged, result_status_name
-   use dg_column, only: put, quantity_length, quantity_none, quantity_text, row_type
+   use dg_column, only: add, quantity_length, quantity_none, quantity_text, row_type
    use dg_job, only: model_name
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: given, optional_real
@@ -99,28 +99,28 @@ contains
    pure function part_row(part) result(row)
       type(part_type), intent(in) :: part
       type(row_type) :: row
-      call put(row, 'part', quantity_text, 'of the run', part%name)
-      call put(row, 'solutions', quantity_none, 'that it asks for', part%solutions)
-      call put(row, 'converged', quantity_none, 'are solutions', part%solutions - part%locked_up - part%not_converged)
-      call put(row, 'locked_up', quantity_none, 'the string cannot be brought there: an answer, no failure', part%locked_up)
-      call put(row, 'not_converged', quantity_none, 'failed: the exit status tells of them', part%not_converged)
+      call add(row, 'part', quantity_text, 'of the run', part%name)
+      call add(row, 'solutions', quantity_none, 'that it asks for', part%solutions)
+      call add(row, 'converged', quantity_none, 'are solutions', part%solutions - part%locked_up - part%not_converged)
+      call add(row, 'locked_up', quantity_none, 'the string cannot be brought there: an answer, no failure', part%locked_up)
+      call add(row, 'not_converged', quantity_none, 'failed: the exit status tells of them', part%not_converged)
    end function part_row
 
    !> Row of a missing solution, in the columns of the page.
    pure function lost_row(lost) result(row)
       type(lost_type), intent(in) :: lost
       type(row_type) :: row
-      call put(row, 'part', quantity_text, 'of the run', lost%part)
-      call put(row, 'case', quantity_text, 'load case', text_or_nothing(lost%case))
-      call put(row, 'model', quantity_text, 'as in summary.csv', text_or_nothing(lost%model))
-      call put(row, 'operation', quantity_text, 'long name of the operation', text_or_nothing(lost%operation))
-      call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', lost%bit_depth)
-      call put(row, 'down_to', quantity_length, 'last of neighbouring depths', lost%down_to)
-      call put(row, 'friction', quantity_none, 'coefficient along the hole; none: those of the hole sections', lost%friction)
-      call put(row, 'friction_cased', quantity_none, 'coefficient in cased sections', lost%friction_cased)
-      call put(row, 'solutions', quantity_none, 'points or samples that are told here', lost%solutions)
-      call put(row, 'status', quantity_text, 'as in the files of results', result_status_name(lost%status))
-      call put(row, 'message', quantity_text, 'reason of the first', text_or_nothing(lost%message))
+      call add(row, 'part', quantity_text, 'of the run', lost%part)
+      call add(row, 'case', quantity_text, 'load case', text_or_nothing(lost%case))
+      call add(row, 'model', quantity_text, 'as in summary.csv', text_or_nothing(lost%model))
+      call add(row, 'operation', quantity_text, 'long name of the operation', text_or_nothing(lost%operation))
+      call add(row, 'bit_depth', quantity_length, 'measured depth of the bit', lost%bit_depth)
+      call add(row, 'down_to', quantity_length, 'last of neighbouring depths', lost%down_to)
+      call add(row, 'friction', quantity_none, 'coefficient along the hole; none: those of the hole sections', lost%friction)
+      call add(row, 'friction_cased', quantity_none, 'coefficient in cased sections', lost%friction_cased)
+      call add(row, 'solutions', quantity_none, 'points or samples that are told here', lost%solutions)
+      call add(row, 'status', quantity_text, 'as in the files of results', result_status_name(lost%status))
+      call add(row, 'message', quantity_text, 'reason of the first', text_or_nothing(lost%message))
    end function lost_row
 
    !> Solutions that all parts ask for.

@@ -7,11 +7,11 @@ module dg_gnuplot_script
    use dg_curve_look, only: band_look, colour_of, letter_width
    use dg_depth_curve, only: bands_of, kept_points
    use dg_missing, only: is_missing
-   use dg_number_text, only: put_csv_number
+   use dg_number_text, only: append_csv_number
    use dg_quantity, only: quantity_none
    use dg_readable, only: cut_text
    use dg_ten_digits, only: longest_number
-   use dg_text, only: append_text, either, plain_utf8, put_piece, text_type, to_text
+   use dg_text, only: append_text, either, plain_utf8, append_piece, text_type, to_text
    use dg_unit_kind, only: unit_label
    use dg_units, only: unit_system_type
    implicit none
@@ -47,7 +47,7 @@ contains
       allocate (lines(0), panels(0))
       banded = .false.
       do i = 1, size(chart%panels)
-         call put_panel(panels, chart%panels(i), chart%units, chart%width, banded)
+         call write_panel(panels, chart%panels(i), chart%units, chart%width, banded)
       end do
       associate (name => chart%name)
          call append_text(lines, '# Draws '//name//'.svg again: gnuplot '//name//'.gp')
@@ -58,14 +58,14 @@ contains
          call append_text(lines, 'set output '//spelled(name//'.svg')//'.'//ending_variable)
       end associate
       call append_text(lines, "set encoding utf8; set datafile separator ','; set multiplot")
-      call put_legend(lines, chart, banded)
+      call write_legend(lines, chart, banded)
       lines = [lines, panels]
       call append_text(lines, 'unset multiplot')
       call append_text(lines, 'unset output')
    end subroutine chart_script
 
    !> Title and legend in a strip of their own, so that they never cover a curve.
-   pure subroutine put_legend(lines, chart, banded)
+   pure subroutine write_legend(lines, chart, banded)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(chart_type), intent(in) :: chart
       logical, intent(in) :: banded           !< a curve is drawn as a band
@@ -91,10 +91,10 @@ contains
          character(:), allocatable :: line
          line = '     NaN '//look//' title '//spelled(text)//', \'
       end function entry_of
-   end subroutine put_legend
+   end subroutine write_legend
 
    !> A panel with all that is in it.
-   pure subroutine put_panel(lines, panel, units, width, banded)
+   pure subroutine write_panel(lines, panel, units, width, banded)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(panel_type), intent(in) :: panel
       type(unit_system_type), intent(in) :: units
@@ -107,7 +107,7 @@ contains
       allocate (plots(0))
       known = .false.
       do i = 1, size(panel%curves)
-         call put_curve(lines, plots, panel, panel%curves(i), '$c'//to_text(i), banded)
+         call write_curve(lines, plots, panel, panel%curves(i), '$c'//to_text(i), banded)
          known = known .or. .not. all(is_missing(panel%curves(i)%points))
       end do
       call append_text(lines, 'unset label; unset arrow; set autoscale; '//margins(panel%place))
@@ -122,8 +122,8 @@ contains
                              to_text(note%at(2), digits)//' '//note%look)
          end associate
       end do
-      call put_axis(lines, panel%x, 'x', units, width)
-      call put_axis(lines, panel%y, 'y', units, width)
+      call write_axis(lines, panel%x, 'x', units, width)
+      call write_axis(lines, panel%y, 'y', units, width)
       if (panel%logarithmic) then
          call append_text(lines, "set logscale xy; set format xy '%g'")
          ! gnuplot fails at a panel without a number
@@ -140,9 +140,9 @@ contains
       lines = [lines, plots]
       ! so it does where data lack, all of them, unless a function is among the curves
       call append_text(lines, '     NaN notitle')
-   end subroutine put_panel
+   end subroutine write_panel
 
-   pure subroutine put_axis(lines, axis, letter, units, width)
+   pure subroutine write_axis(lines, axis, letter, units, width)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(axis_type), intent(in) :: axis
       character, intent(in) :: letter            !< x or y
@@ -171,11 +171,11 @@ contains
          text = '*'
          if (.not. is_missing(value)) text = to_text(value, digits)
       end function ending
-   end subroutine put_axis
+   end subroutine write_axis
 
    !> Points of a curve as a block of data, and the command that plots it. Along the depth only visible points are kept. A
    !> curve that alternates too often becomes a band from least to greatest with the mean in it.
-   pure subroutine put_curve(lines, plots, panel, curve, block, banded)
+   pure subroutine write_curve(lines, plots, panel, curve, block, banded)
       type(text_type), allocatable, intent(inout) :: lines(:), plots(:)
       type(panel_type), intent(in) :: panel
       type(curve_type), intent(in) :: curve
@@ -193,20 +193,20 @@ contains
             banded = .true.
             call bands_of(y, x, least, mean, greatest)
             middle = y(1) + (y(n) - y(1))*[(real(i, wp) - 0.5_wp, i=1, band_parts)]/band_parts
-            call put_points(lines, block//'b', reshape([least, greatest(band_parts:1:-1), middle, middle(band_parts:1:-1)], &
-                                                       [2, 2*band_parts], order=[2, 1]))
+            call write_points(lines, block//'b', reshape([least, greatest(band_parts:1:-1), middle, middle(band_parts:1:-1)], &
+                                                         [2, 2*band_parts], order=[2, 1]))
             call append_text(plots, '     '//block//'b '//band_look(curve%band)//' notitle, \')
-            call put_points(lines, block, reshape([mean, middle], [2, band_parts], order=[2, 1]))
+            call write_points(lines, block, reshape([mean, middle], [2, band_parts], order=[2, 1]))
          else
             shown = pack([(i, i=1, n)], kept)
-            call put_points(lines, block, curve%points(:, shown))
+            call write_points(lines, block, curve%points(:, shown))
          end if
       end associate
       if (n > 0) call append_text(plots, '     '//block//' '//curve%look//' notitle, \')
-   end subroutine put_curve
+   end subroutine write_curve
 
    !> A block of data within the script.
-   pure subroutine put_points(lines, block, points)
+   pure subroutine write_points(lines, block, points)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: block       !< name, with its $
       real(wp), intent(in) :: points(:, :)    !< a row of the block a column
@@ -216,19 +216,19 @@ contains
       filled = 0
       do i = 1, size(points, 2)
          do k = 1, size(points, 1)
-            if (k > 1) call put_piece(room, filled, ',')
+            if (k > 1) call append_piece(room, filled, ',')
             if (is_missing(points(k, i))) then
-               call put_piece(room, filled, 'NaN')
+               call append_piece(room, filled, 'NaN')
             else
-               call put_csv_number(room, filled, points(k, i))
+               call append_csv_number(room, filled, points(k, i))
             end if
          end do
-         call put_piece(room, filled, new_line('a'))
+         call append_piece(room, filled, new_line('a'))
       end do
       call append_text(lines, block//' << EOD')
       if (filled > 0) call append_text(lines, room(:filled - 1))
       call append_text(lines, 'EOD')
-   end subroutine put_points
+   end subroutine write_points
 
    !> Ends of a panel, in parts of the picture.
    pure function margins(place) result(text)

@@ -225,18 +225,18 @@ contains
       do i = 1, size(model%holes) - 1
          associate (md => model%holes(i)%md_bottom, units => chart%units)
             if (md >= load_case%bit_depth .or. md <= views%md(1)) cycle
-            call put_name(model%holes(i)%name//', '//in_units(units, unit_length, md, 6), &
+            call add_name(model%holes(i)%name//', '//in_units(units, unit_length, md, 6), &
                           place_at(views, section, md), 'right offset -1.2,-0.8')
          end associate
       end do
       names = 0
       associate (string => model%strings(string_index(model%strings, load_case%string)))
          do i = size(joins), 1, -1
-            call put_name(string%components(i)%name, place_at(views, section, joins(i)), 'left offset 0.8,0.8')
+            call add_name(string%components(i)%name, place_at(views, section, joins(i)), 'left offset 0.8,0.8')
          end do
       end associate
    contains
-      subroutine put_name(text, at, where_to)
+      subroutine add_name(text, at, where_to)
          character(*), intent(in) :: text, where_to
          real(wp), intent(in) :: at(2)
          real(wp), parameter :: row = 14.0_wp          ! height of a name [px]
@@ -246,7 +246,7 @@ contains
          names = names + 1
          taken(:, names) = at
          call add_label(chart, cut_text(text, longest), at/chart%units%length, where_to//" font ',10'", [.false., .false.])
-      end subroutine put_name
+      end subroutine add_name
    end subroutine name_places
 
    !> Where depths [m] stand in a view [m], a place a column.

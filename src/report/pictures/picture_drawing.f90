@@ -101,7 +101,7 @@ contains
             if (drawings(k)%suspect) then
                call delete_file(unfinished_path(folder, names(i)%text))
             else
-               call take_picture(folder, names(i)%text, drawn(i), reason)
+               call rename_picture(folder, names(i)%text, drawn(i), reason)
             end if
          end do
       end do
@@ -195,7 +195,7 @@ contains
       reason = ''
       do i = drawing%first, drawing%last
          if (drawing%child%exit_status == 0 .and. .not. drawing%suspect) then
-            call take_picture(folder, names(i)%text, drawn(i), reason)
+            call rename_picture(folder, names(i)%text, drawn(i), reason)
             cycle
          end if
          call note_reason(unfinished_path(folder, names(i)%text), reason)
@@ -207,7 +207,7 @@ contains
    end subroutine end_drawing
 
    !> Gives a picture its own name if it is whole.
-   subroutine take_picture(folder, name, drawn, reason)
+   subroutine rename_picture(folder, name, drawn, reason)
       character(*), intent(in) :: folder, name
       logical, intent(inout) :: drawn
       character(:), allocatable, intent(inout) :: reason     !< see note_reason
@@ -219,7 +219,7 @@ contains
          call note_reason(unfinished_path(folder, name), reason)
       end if
       if (.not. drawn) call delete_file(unfinished_path(folder, name))
-   end subroutine take_picture
+   end subroutine rename_picture
 
    !> Find the system's reason why a started picture ends early, which gnuplot does not report. `reason` stays if there is
    !> room.

@@ -18,7 +18,7 @@ module dg_picture_files
    use dg_picture_data, only: picked_rows, picture_data_type, rows_along, rows_of_contacts
    use dg_picture_drawing, only: complaint_file, draw_pictures, usual_patience
    use dg_picture_list, only: add_picture, folder_in, picture_list_type
-   use dg_picture_title, only: put_title
+   use dg_picture_title, only: write_title
    use dg_result_name, only: case_file, contacts_file, picture_folder, profile_file
    use dg_strength_picture, only: strength_chart
    use dg_summary_file, only: summary_row
@@ -160,7 +160,7 @@ contains
       list%pictures%drawn = drawn
       do i = 1, size(drawn)
          if (allocated(error)) return
-         if (drawn(i)) call put_title(folder_in(job)//'/'//names(i)%text//'.svg', list%pictures(i)%title, error)
+         if (drawn(i)) call write_title(folder_in(job)//'/'//names(i)%text//'.svg', list%pictures(i)%title, error)
       end do
    end subroutine draw
 end module dg_picture_files

@@ -7,7 +7,7 @@ module dg_picture_title
    use dg_text, only: text_type
    implicit none
    private
-   public :: put_title
+   public :: write_title
 
    character(*), parameter :: opening = '<title>', closing = '</title>'
 
@@ -15,7 +15,7 @@ contains
 
    !> Writes a picture anew with `title` as that of the whole, and without titles of its curves. A file that cannot be read, or has
    !> no title, stays as it is. `error` where the new one cannot be written.
-   subroutine put_title(path, title, error)
+   subroutine write_title(path, title, error)
       character(*), intent(in) :: path
       character(*), intent(in) :: title
       type(error_type), allocatable, intent(out) :: error
@@ -33,5 +33,5 @@ contains
          own = ''
       end do
       if (own == '') call write_text_file(path, lines, error)
-   end subroutine put_title
+   end subroutine write_title
 end module dg_picture_title

@@ -13,7 +13,7 @@ module dg_zero_crossing
 
 contains
 
-   !> Puts a row with a moment of zero between rows where its sign changes.
+   !> Add a row with a moment of zero between rows where its sign changes.
    pure subroutine add_zeros(md, moment, shear)
       real(wp), allocatable, intent(inout) :: md(:), moment(:)   !< [m], magnitudes [N.m]; longer by the rows that are new
       real(wp), intent(in) :: shear(:)                           !< magnitudes, one a row [N]

@@ -61,7 +61,7 @@ contains
       if (any(marked)) call append_text(lines, mark_meaning)
    end function model_table
 
-   !> Puts the cells of a result; differences are against `reference`.
+   !> Add the cells of a result; differences are against `reference`.
    pure subroutine add_row(table, units, model, result, reference, is_reference)
       type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units

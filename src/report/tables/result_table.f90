@@ -103,7 +103,7 @@ contains
       if (any(results%element_lengths(2) > 0.0_wp)) call append_text(lines, mesh_line(results, units))
    end subroutine append_costs
 
-   !> Puts the cells that have a sum, of one result or of several.
+   !> Add the cells that have a sum, of one result or of several.
    pure subroutine add_sums(table, name, status, results, iterates)
       type(text_table_type), intent(inout) :: table
       character(*), intent(in) :: name, status

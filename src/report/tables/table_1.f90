@@ -143,7 +143,7 @@ contains
       if (layout%name < least_name) layout%name = 0
    end function layout_of
 
-   !> Puts the cells of a case behind its section label.
+   !> Add the cells of a case behind its section label.
    subroutine add_case(table, units, load_case, result, verdict, layout)
       type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units

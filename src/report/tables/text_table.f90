@@ -30,7 +30,7 @@ module dg_text_table
       type(line_list_type) :: rows
    end type text_table_type
 
-   !> Puts the next cell of a row.
+   !> Add the next cell of a row.
    interface add_cell
       module procedure add_words, add_count, add_number, add_optional
    end interface add_cell
@@ -90,7 +90,7 @@ contains
       table%at_number = .true.
    end subroutine add_right
 
-   !> Puts a cell, and the head of its column where this is the first row.
+   !> Add a cell, and the head of its column where this is the first row.
    pure subroutine add_aligned(table, head, cell, at_left)
       type(text_table_type), intent(inout) :: table
       character(*), intent(in) :: head
@@ -123,7 +123,7 @@ contains
       table%width = table%width + width
    end subroutine add_head
 
-   !> Puts words in place of the other cells of the row, behind one at least.
+   !> Add words in place of the other cells of the row, behind one at least.
    pure subroutine add_instead(table, words)
       type(text_table_type), intent(inout) :: table
       character(*), intent(in) :: words

@@ -16,7 +16,7 @@ module dg_checked_model
    use dg_numerics, only: settings_of
    use dg_opening_check, only: set_opened_depth
    use dg_range_check, only: check_case_ranges, check_centralizer_ranges, check_component_ranges, check_fluid_ranges, &
-      check_numerics, check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, take_ranges
+      check_numerics, check_numerics_ranges, check_range, check_rig_ranges, check_section_ranges, is_zero, ranges_type, set_ranges
    use dg_string_check, only: check_centralizer, check_component, check_in_string
    use dg_survey_check, only: begins_below, begins_vertical, check_station_numbers, check_station_order
    use dg_text, only: name_shown, quoted, to_text
@@ -47,10 +47,10 @@ contains
       model%gravity = parts%gravity
       model%numerics = settings_of('auto')
       if (allocated(parts%numerics)) model%numerics = parts%numerics
-      call take_survey(parts%survey, model, report, sound_survey)
-      call take_holes(parts, sound_survey, model, report, sound_holes)
-      call take_fluids(parts, sound_survey, model, report, sound_fluids)
-      call take_strings(parts, sound_fluids, model, report)
+      call set_survey(parts%survey, model, report, sound_survey)
+      call check_holes(parts, sound_survey, model, report, sound_holes)
+      call check_fluids(parts, sound_survey, model, report, sound_fluids)
+      call check_strings(parts, sound_fluids, model, report)
       if (report%count == 0) call set_openings(model, report)
       call check_settings(model, report)
       allocate (model%cases(0))
@@ -99,7 +99,7 @@ contains
    end subroutine check_load_case
 
    !> Set the path. A vertical hole is added above a survey that begins below surface.
-   subroutine take_survey(survey, model, report, sound)
+   subroutine set_survey(survey, model, report, sound)
       type(survey_type), intent(in) :: survey
       type(model_type), intent(inout) :: model
       type(error_list_type), intent(inout) :: report
@@ -140,9 +140,9 @@ contains
       call new_trajectory(model%trajectory, md, inclination, azimuth, survey%interpolation, error)
       sound = .not. allocated(error)
       if (.not. sound) call add_fault(report, 'survey', 0, error%message)
-   end subroutine take_survey
+   end subroutine set_survey
 
-   subroutine take_holes(parts, sound_survey, model, report, sound)
+   subroutine check_holes(parts, sound_survey, model, report, sound)
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_survey
       type(model_type), intent(inout) :: model
@@ -180,9 +180,9 @@ contains
          end if
          call check_section_ranges(model%holes(i), i, base_units(), found)
       end subroutine check_section_ranges_of
-   end subroutine take_holes
+   end subroutine check_holes
 
-   subroutine take_fluids(parts, sound_survey, model, report, sound)
+   subroutine check_fluids(parts, sound_survey, model, report, sound)
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_survey
       type(model_type), intent(inout) :: model
@@ -205,9 +205,9 @@ contains
       if (.not. (sound .and. sound_survey)) return
       call check_fluid_order(model%mud%fluids, bottom_md(model%trajectory), found)
       call report_each(found, 'fluids', report)
-   end subroutine take_fluids
+   end subroutine check_fluids
 
-   subroutine take_strings(parts, sound_fluids, model, report)
+   subroutine check_strings(parts, sound_fluids, model, report)
       type(model_parts_type), intent(in) :: parts
       logical, intent(in) :: sound_fluids
       type(model_type), intent(inout) :: model
@@ -232,14 +232,14 @@ contains
             if (size(string%components) == 0) call add_fault(report, where, 0, &
                'it has no components; give them from the bit upwards')
             do j = 1, size(string%components)
-               call take_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
+               call check_one_component(parts%fluids, sound_fluids, string%name, i, j, string%components, report)
             end do
          end associate
       end do
-   end subroutine take_strings
+   end subroutine check_strings
 
    !> Check one component, and set its missing names.
-   subroutine take_component(fluids, sound_fluids, name, string, place, components, report)
+   subroutine check_one_component(fluids, sound_fluids, name, string, place, components, report)
       type(fluid_type), allocatable, intent(in) :: fluids(:)
       logical, intent(in) :: sound_fluids
       character(*), intent(in) :: name                    !< of the string
@@ -277,7 +277,7 @@ contains
          end if
          call report_all(found, where, string, report)
       end associate
-   end subroutine take_component
+   end subroutine check_one_component
 
    !> Set the depth of tools that open. All else of holes and strings must be right.
    subroutine set_openings(model, report)
@@ -303,10 +303,10 @@ contains
       call report_all(found, 'numerics', 0, report)
       call check_rig_ranges(model%rig, base_units(), found)
       call report_all(found, 'rig', 0, report)
-      call take_ranges('boundary', 0, base_units(), ranges)
+      call set_ranges('boundary', 0, base_units(), ranges)
       call check_range(ranges, 'packer_bore', model%boundary%packer_bore, found)
       call report_all(found, 'boundary', 0, report)
-      call take_ranges('job', 0, base_units(), ranges)
+      call set_ranges('job', 0, base_units(), ranges)
       call check_range(ranges, 'gravity', model%gravity, found)
       call report_all(found, 'model', 0, report)
    end subroutine check_settings

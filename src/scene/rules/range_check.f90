@@ -20,7 +20,7 @@ module dg_range_check
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: ranges_type, take_ranges, check_range, is_zero
+   public :: ranges_type, set_ranges, check_range, is_zero
    public :: check_section_ranges, check_component_ranges, check_centralizer_ranges, check_fluid_ranges, check_case_ranges, &
              check_numerics_ranges, check_numerics, check_rig_ranges
 
@@ -58,7 +58,7 @@ contains
    end subroutine check_visited
 
    !> Set the ranges of the group `part`.
-   subroutine take_ranges(part, place, units, ranges)
+   subroutine set_ranges(part, place, units, ranges)
       character(*), intent(in) :: part              !< name of a group, and of one of its keys
       integer, intent(in) :: place
       type(unit_system_type), intent(in) :: units   !< of messages
@@ -67,7 +67,7 @@ contains
       ranges%place = place
       ranges%units = units
       allocate (ranges%rules, source=keys_of(part))
-   end subroutine take_ranges
+   end subroutine set_ranges
 
    !> Check one number against the ranges of its group.
    subroutine check_range(ranges, key, number, found, called)
@@ -130,7 +130,7 @@ contains
       type(hole_section_type) :: visited
       visited = hole
       checker%found => found
-      call take_ranges('hole', place, units, checker%ranges)
+      call set_ranges('hole', place, units, checker%ranges)
       call visit_hole(visited, checker)
    end subroutine check_section_ranges
 
@@ -144,7 +144,7 @@ contains
       type(component_type) :: visited
       visited = component
       checker%found => found
-      call take_ranges('component', place, units, checker%ranges)
+      call set_ranges('component', place, units, checker%ranges)
       call visit_forces(visited, checker)
       call visit_ratings(visited, checker)
       call check_fatigue_ranges(checker%ranges, '', component%fatigue, found)
@@ -173,7 +173,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
-      call take_ranges('centralizer', place, units, ranges)
+      call set_ranges('centralizer', place, units, ranges)
       call check_range(ranges, 'od', centralizer%od, found)
       call check_range(ranges, 'spacing', centralizer%spacing, found)
       call check_range(ranges, 'first', centralizer%first, found)
@@ -193,7 +193,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
-      call take_ranges('fluid', place, units, ranges)
+      call set_ranges('fluid', place, units, ranges)
       call check_range(ranges, 'density', fluid%density, found)
       call check_range(ranges, 'md_top', fluid%md_top, found)
       if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
@@ -215,7 +215,7 @@ contains
          to_text(operation_count))
       visited = load_case
       checker%found => found
-      call take_ranges('load_case', place, units, checker%ranges)
+      call set_ranges('load_case', place, units, checker%ranges)
       call visit_case(visited, checker)
    end subroutine check_case_ranges
 
@@ -230,7 +230,7 @@ contains
          trim(numerics%unknown_fidelity)//') is unknown; legal: '//joined(fidelity_name, ', '))
       visited = numerics
       checker%found => found
-      call take_ranges('solver', 0, units, checker%ranges)
+      call set_ranges('solver', 0, units, checker%ranges)
       call visit_numerics(visited, checker)
       call check_choice('gap_location', numerics%gap_location, gap_location_count)
       call check_choice('linear_solver', numerics%linear_solver, size(solver_name))
@@ -268,7 +268,7 @@ contains
       type(rig_type) :: visited
       visited = rig
       checker%found => found
-      call take_ranges('rig', 0, units, checker%ranges)
+      call set_ranges('rig', 0, units, checker%ranges)
       call visit_rig(visited, checker)
    end subroutine check_rig_ranges
 

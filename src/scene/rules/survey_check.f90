@@ -4,7 +4,7 @@ module dg_survey_check
    use dg_kinds, only: wp
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words
-   use dg_range_check, only: check_range, ranges_type, take_ranges
+   use dg_range_check, only: check_range, ranges_type, set_ranges
    use dg_text, only: to_text
    use dg_units, only: unit_system_type
    implicit none
@@ -34,7 +34,7 @@ contains
       call count_of('inclination', size(inclination))
       call count_of('azimuth', size(azimuth))
       if (found%count > 0) return
-      call take_ranges('trajectory', 0, units, ranges)
+      call set_ranges('trajectory', 0, units, ranges)
       do i = 1, size(md)
          ranges%place = i
          call check_range(ranges, 'md', md(i), found)

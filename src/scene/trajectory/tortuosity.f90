@@ -88,14 +88,14 @@ contains
       end do
       do i = 0, n - 1
          upper = section%md_top + i*step
-         call put(upper)
+         call add_depth(upper)
          do while (md(next) < upper + step .and. next < size(md))
-            if (md(next) > upper + near*step .and. md(next) < upper + (1.0_wp - near)*step) call put(md(next))
+            if (md(next) > upper + near*step .and. md(next) < upper + (1.0_wp - near)*step) call add_depth(md(next))
             next = next + 1
          end do
       end do
       upper = lower_end(section)
-      call put(upper)
+      call add_depth(upper)
       do i = next, size(md)
          if (md(i) > upper + near*step .or. (md(i) > upper .and. i == size(md))) call keep(i)
       end do
@@ -115,14 +115,14 @@ contains
       end subroutine keep
 
       !> Add a station with the direction of plan and tortuosity.
-      subroutine put(depth)
+      subroutine add_depth(depth)
          real(wp), intent(in) :: depth
          k = k + 1
          tangent = tortuous_tangent(plan, section, depth)
          new_md(k) = depth
          new_inclination(k) = inclination_of(tangent)
          new_azimuth(k) = azimuth_of(tangent)
-      end subroutine put
+      end subroutine add_depth
    end subroutine lay_tortuosity
 
    !> Direction of the hole with its tortuosity.

@@ -31,7 +31,7 @@ module dg_equilibrium
    use dg_equations, only: equations_type
    use dg_gap_state, only: state_free
    use dg_gap_survey, only: move_rule_type
-   use dg_gap_table, only: keep_gaps, take_gaps_back
+   use dg_gap_table, only: keep_gaps, restore_gap_table
    use dg_held_coils, only: holder_type, start_to_hold
    use dg_iteration_state, only: equilibrium_type, go_back, judge_gaps, margin_of, measure, move_gaps, new_equilibrium, &
                                  place_and_survey, rigid
@@ -168,7 +168,7 @@ contains
          moved = it%row%moves > 0
          if (.not. moved) return
          if (it%rounds == tuning%most_moves + tuning%more_moves) then      ! moving did not help
-            call take_back(it, trajectory, solution)
+            call restore_gaps(it, trajectory, solution)
             return
          end if
          if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
@@ -194,11 +194,11 @@ contains
       it%outcome = ending(it, solution)
       if (it%rounds == 0 .or. solution%equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
       if (it%outcome /= outcome_open .and. it%rounds > it%numerics%tuning%most_moves) then
-         call take_back(it, trajectory, solution)
+         call restore_gaps(it, trajectory, solution)
          if (is_within(it, solution%equations, 0.0_wp)) it%outcome = outcome_converged
       else if (it%outcome == outcome_open .and. &
                solution%equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
-         call take_back(it, trajectory, solution)
+         call restore_gaps(it, trajectory, solution)
       end if
    end subroutine judge_progress
 
@@ -250,22 +250,22 @@ contains
    end function may_move
 
    !> Restore the string before its gaps last moved. From here on no gap moves.
-   subroutine take_back(it, trajectory, solution)
+   subroutine restore_gaps(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       solution%state = it%settled
       solution%work%normal = it%settled_force
       solution%work%held = it%settled_held
-      call take_gaps_back(it%settled_gaps, solution%gaps)
-      call take_gaps_back(it%settled_gaps, it%kept)
+      call restore_gap_table(it%settled_gaps, solution%gaps)
+      call restore_gap_table(it%settled_gaps, it%kept)
       solution%equations%gaps_taken_back = .true.
       it%growth = rigid
       call place_and_survey(trajectory, solution)
       call judge_gaps(it, trajectory, .false., solution)
       it%before = huge(it%before)      ! the iteration goes on from there, and needs the tangent
       call measure_here(it, trajectory, .false., solution)
-   end subroutine take_back
+   end subroutine restore_gaps
 
    !> True if the string is in equilibrium within `part` of the force scale. The residual and the forces of gaps that opened or
    !> closed count, with walls at their own stiffness.

@@ -8,7 +8,7 @@ module dg_iteration_state
    use dg_followed_gaps, only: add_place_forces, add_place_stiffness, measure_followers
    use dg_gap_state, only: depth_of, next_state, state_free
    use dg_gap_survey, only: move_rule_type, relocate_gaps, survey_gaps
-   use dg_gap_table, only: gap_table_type, take_gaps_back
+   use dg_gap_table, only: gap_table_type, restore_gap_table
    use dg_held_coils, only: holder_type
    use dg_largest, only: largest_of_rows
    use dg_mesh, only: is_vertical, mesh_type
@@ -228,7 +228,7 @@ contains
       solution%state = it%old
       solution%work%normal = it%old_force
       if (it%holder%holding) solution%work%held = it%holder%before
-      call take_gaps_back(it%kept, solution%gaps)
+      call restore_gap_table(it%kept, solution%gaps)
       call place_and_survey(trajectory, solution)
    end subroutine go_back
 

@@ -7,7 +7,7 @@ module dg_line_search
    use dg_followed_gaps, only: follow_extrema
    use dg_gap_state, only: depth_of, state_elastic, state_free
    use dg_gap_survey, only: survey_gaps
-   use dg_gap_table, only: keep_gaps, take_gaps_back
+   use dg_gap_table, only: keep_gaps, restore_gap_table
    use dg_held_coils, only: hold_sideways
    use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, stiffen_walls
    use dg_node_moves, only: move_across, slide_along, slide_on
@@ -52,7 +52,7 @@ contains
       else
          call move_and_survey(it, trajectory, solution)
       end if
-      call take_step(it, trajectory, solution)
+      call move_contacts(it, trajectory, solution)
       if (it%damped) call stiffen_walls(it, it%trial, solution)
    end subroutine search_along
 
@@ -176,14 +176,14 @@ contains
    end subroutine move_in_space
 
    !> Change contact forces of a moved string by the taken share of their change in the linear problem, and judge the gaps.
-   pure subroutine take_step(it, trajectory, solution)
+   pure subroutine move_contacts(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       logical :: whole
       integer :: e
       associate (mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
-         call take_gaps_back(it%kept, gaps)
+         call restore_gap_table(it%kept, gaps)
          call follow_extrema(it%problem%followers, solution%equations%step, it%share, it%kept%xi, gaps%xi)
          whole = .not. it%share < 1.0_wp
          do e = 1, mesh%elements
@@ -197,5 +197,5 @@ contains
          call judge_gaps(it, trajectory, it%growth < it%numerics%tuning%stiff, solution)
          if (it%holder%holding) call hold_sideways(it%holder, it%numerics%tuning%most_held, solution)
       end associate
-   end subroutine take_step
+   end subroutine move_contacts
 end module dg_line_search

@@ -119,8 +119,8 @@ contains
       result%beam_nodes = size(beam%md)
       if (are_worth_fitting(model%trajectory, mesh, result%coiled, result%unlike_contact%share)) &
          call fit_gaps(mesh, solved%bends, beam, bent, gaps, work%normal, fitted)
-      call take_bit(model%trajectory, mesh, beam, bent, result)
-      call take_sag(model, beam, bent, result)
+      call set_bit(model%trajectory, mesh, beam, bent, result)
+      call set_sag(model, beam, bent, result)
       result%shortening = shortening_of(beam%place, bent%y)
       scale = contact_scale(solved%bends, work%normal, beam, bent)
       call list_contacts(model, mesh, work, beam, bent, scale, result)
@@ -129,7 +129,7 @@ contains
 
    !> Set side force of the bit, if it is held, and tilt of the bit to those of the beam. In the last element of the analysis
    !> the place of contact is only as exact as its gap.
-   pure subroutine take_bit(trajectory, mesh, beam, bent, result)
+   pure subroutine set_bit(trajectory, mesh, beam, bent, result)
       type(trajectory_type), intent(in) :: trajectory
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -145,11 +145,11 @@ contains
          result%bit_side_force = length_of(push)
          result%bit_side_clock = clock_in_hole(trajectory, arc, beam%place(n), push)
       end associate
-   end subroutine take_bit
+   end subroutine set_bit
 
    !> Inclination of the hole axis less that of the string at its lowest survey sensor. The string's direction is that of the hole
    !> and the slopes y' across it: t + y_1' n_1 + y_2' n_2 (convention 3).
-   pure subroutine take_sag(model, beam, bent, result)
+   pure subroutine set_sag(model, beam, bent, result)
       type(model_type), intent(in) :: model
       type(bending_beam_type), intent(in) :: beam
       type(bent_type), intent(in) :: bent
@@ -164,7 +164,7 @@ contains
       along = t + shape(3, 1)*n_1 + shape(4, 1)*n_2
       result%sag_correction = inclination_of(t) - inclination_of(along/norm2(along))
       result%sensor_md = md
-   end subroutine take_sag
+   end subroutine set_sag
 
    !> Measured depth of the lowest survey sensor of a load case's string [m]; missing without one.
    pure function sensor_depth(model, case_index) result(md)

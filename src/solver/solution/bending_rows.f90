@@ -51,7 +51,7 @@ contains
          o = beam%owner(min(n, size(beam%owner)))
          share = (beam%md(n) - mesh%md(o))/mesh%length(o)
          profile%md(row) = beam%md(n)
-         call put_place(model%trajectory, mesh%arc(o), row, profile)
+         call set_place(model%trajectory, mesh%arc(o), row, profile)
          weight = mesh%weight(o)*mesh%chord(3, o)
          profile%axial(row) = own%axial(o) - share*weight - above(n)*(own%axial(o) - own%axial(o + 1) - weight)
          profile%torque(row) = (1.0_wp - above(n))*own%torque(o) + above(n)*own%torque(o + 1)
@@ -68,14 +68,14 @@ contains
             profile%shear(row) = length_of(bent%forces(1:2, n) + beam%axial(n)*bent%y(3:4, n))
          end if
       end do
-      call put_contact(model, mesh, gaps, beam, rows, contact_at_rows(mesh, work, beam, bent, scale, rows), result%case_index, &
+      call set_contact(model, mesh, gaps, beam, rows, contact_at_rows(mesh, work, beam, bent, scale, rows), result%case_index, &
                        profile)
       result%profile = profile
    end subroutine merge_rows
 
    !> Double the rows where something changes, and set side force and state of contact in all rows. The area under straight
    !> lines between the rows of a part of the string is the contact force of that part.
-   pure subroutine put_contact(model, mesh, gaps, beam, rows, force, case_index, profile)
+   pure subroutine set_contact(model, mesh, gaps, beam, rows, force, case_index, profile)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(gap_table_type), intent(in) :: gaps
@@ -108,7 +108,7 @@ contains
          end do
          profile%gap_state(i) = maxval(state, mask=share > 0.0_wp)
       end do
-   end subroutine put_contact
+   end subroutine set_contact
 
    !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments
    !> are alike, those of the analysis are kept.
@@ -328,7 +328,7 @@ contains
    end function sum_over_sum
 
    !> Set position and direction of the hole axis at a row.
-   pure subroutine put_place(trajectory, near, row, profile)
+   pure subroutine set_place(trajectory, near, row, profile)
       type(trajectory_type), intent(in) :: trajectory
       integer, intent(in) :: near, row
       type(profile_type), intent(inout) :: profile
@@ -342,7 +342,7 @@ contains
       profile%tvd(row) = position(3)
       profile%inclination(row) = inclination_of(tangent)
       profile%azimuth(row) = azimuth_of(tangent)
-   end subroutine put_place
+   end subroutine set_place
 
    !> Clock angle [rad] of an offset in the frame of the hole.
    pure function clock_in_hole(trajectory, near, md, offset) result(clock)

@@ -52,7 +52,7 @@ contains
       kind = kinds_of(model, result%case_index, mesh)
       if (allocated(result%contacts)) deallocate (result%contacts)
       allocate (result%contacts(0))
-      call put_groups(model, mesh, beam, kind, stretches, result%contacts)
+      call add_groups(model, mesh, beam, kind, stretches, result%contacts)
       associate (force => merge(stretches%force, 0.0_wp, stretches%spread .and. kind(stretches%owner) == 0))
          call find_edges(stretches%md, stretches%length, force, stretches%load, result%normal_force, edges)
       end associate
@@ -168,7 +168,7 @@ contains
 
    !> Add contacts for each run of touching elements of one kind: a joint, or a stabilizer. A tilted one has two, where its
    !> upper and its lower edge press different sides. The force of a contact is the sum of its vectors.
-   pure subroutine put_groups(model, mesh, beam, kind, stretches, contacts)
+   pure subroutine add_groups(model, mesh, beam, kind, stretches, contacts)
       type(model_type), intent(in) :: model
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -200,7 +200,7 @@ contains
          point%clock = clock_near(model, mesh, beam, point%md, pushed)
          call insert(point, contacts)
       end do
-   end subroutine put_groups
+   end subroutine add_groups
 
    !> Insert a contact by its depth.
    pure subroutine insert(point, contacts)

@@ -33,7 +33,7 @@ module dg_static_analysis
    use dg_outcome, only: outcome_converged, outcome_outside, outcome_stopped
    use dg_predictor, only: predict, start_type
    use dg_profile_rows, only: part_rows
-   use dg_refinement, only: take_over
+   use dg_refinement, only: transfer_solution
    use dg_solution, only: solution_type
    use dg_solution_result, only: coiled, make_result, solve_fitted, wanted_type
    use dg_soft_string_loads, only: soft_totals_type
@@ -287,7 +287,7 @@ contains
       call find_sideways(model, case_index, finer%mesh, solution%compressed, finer%work%sideways)
       call lay_out_gaps(numerics, finer%mesh, finer%gaps)
       allocate (finer%state(6, finer%mesh%nodes))
-      call take_over(model%trajectory, solution, finer)
+      call transfer_solution(model%trajectory, solution, finer)
       solution%mesh = finer%mesh
       solution%gaps = finer%gaps
       solution%work = finer%work

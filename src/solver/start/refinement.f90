@@ -7,7 +7,7 @@ module dg_refinement
    use dg_workspace, only: dof_axial, dof_lateral_1, dof_lateral_2, dof_slope_1, dof_slope_2, dof_twist
    implicit none
    private
-   public :: take_over
+   public :: transfer_solution
 
    !> Least length of an element over its earlier length at which it keeps the place of its gap [-]. It is 1 but for round-off.
    real(wp), parameter :: whole = 0.999_wp
@@ -16,7 +16,7 @@ contains
 
    !> Transfer a solution to a finer mesh. The state gives the string the same shape, slide and twist. Gaps keep their states,
    !> and each element gets its share of the contact forces.
-   pure subroutine take_over(trajectory, solution, finer)
+   pure subroutine transfer_solution(trajectory, solution, finer)
       type(trajectory_type), intent(in) :: trajectory
       type(solution_type), intent(in) :: solution
       type(solution_type), intent(inout) :: finer    !< with all its arrays allocated
@@ -63,5 +63,5 @@ contains
          state(dof_axial, 1) = 0.0_wp
          state(dof_twist, 1) = 0.0_wp
       end associate
-   end subroutine take_over
+   end subroutine transfer_solution
 end module dg_refinement

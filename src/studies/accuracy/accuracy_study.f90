@@ -3,10 +3,10 @@
 module dg_accuracy_study
    use dg_column, only: fields_of
    use dg_kinds, only: wp
-   use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
+   use dg_case_memory, only: elements_in, finer_text, need_type, keep_larger
    use dg_case_result, only: case_result_type
    use dg_deck_draft, only: deck_type
-   use dg_deck_study, only: take_study
+   use dg_deck_study, only: read_study
    use dg_error, only: error_list_type, error_type
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type
@@ -64,7 +64,7 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       associate (not_needed => notes)
-         call take_study(deck%draft, deck%groups, job%models, self%plan, faults)
+         call read_study(deck%draft, deck%groups, job%models, self%plan, faults)
       end associate
       self%asked = allocated(self%plan)
       self%files = text_list(file)
@@ -168,8 +168,8 @@ contains
       end do
       do i = 1, size(self%plan%cases)
          associate (case => model%cases(self%plan%cases(i)))
-            call take_greater(need, elements_in(model, case%string, case%bit_depth, shortest), 1, &
-                              'study, case '//quoted(case%name), finer_text(model, shortest))
+            call keep_larger(need, elements_in(model, case%string, case%bit_depth, shortest), 1, &
+                             'study, case '//quoted(case%name), finer_text(model, shortest))
          end associate
       end do
    end subroutine add_need

@@ -2,7 +2,7 @@
 module dg_deck_study
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, places_of, reals_of
-   use dg_deck_draft, only: draft_type, take_cases
+   use dg_deck_draft, only: draft_type, read_cases
    use dg_error, only: error_list_type
    use dg_job, only: model_name
    use dg_numerics, only: fidelity_name, gap_location_name, solver_name
@@ -10,13 +10,13 @@ module dg_deck_study
    use dg_text, only: to_text
    implicit none
    private
-   public :: take_study
+   public :: read_study
 
 contains
 
    !> Read the plan of the deck's study; not allocated without one. Lists that are not given are empty, except that cases are
    !> then all, and models those of the job.
-   subroutine take_study(draft, groups, models, plan, faults)
+   subroutine read_study(draft, groups, models, plan, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       integer, intent(in) :: models(:)       !< of the job
@@ -26,19 +26,19 @@ contains
       do i = 1, size(groups)
          if (groups(i)%name /= 'study') cycle
          allocate (plan)
-         call take_one(draft, groups(i), models, plan, faults)
+         call read_one(draft, groups(i), models, plan, faults)
          return
       end do
-   end subroutine take_study
+   end subroutine read_study
 
-   subroutine take_one(draft, group, models, plan, faults)
+   subroutine read_one(draft, group, models, plan, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: models(:)
       type(study_plan_type), intent(out) :: plan
       type(error_list_type), intent(inout) :: faults
       real(wp) :: solutions
-      call take_cases(draft, group, plan%cases, faults)
+      call read_cases(draft, group, plan%cases, faults)
       plan%models = places_of(group, 'models', model_name)
       if (size(plan%models) == 0) plan%models = models
       plan%element_lengths = without_repeats(reals_of(group, 'element_lengths'))
@@ -57,7 +57,7 @@ contains
          call group_fault(group, '', 'nothing to compare; give two values or more of '// &
             'element_lengths, fidelities, models, tolerances, wall_stiffnesses, gap_locations or linear_solvers', faults)
       end if
-   end subroutine take_one
+   end subroutine read_one
 
    !> Numbers in their order, each once.
    pure function without_repeats(numbers) result(once)

@@ -1,7 +1,7 @@
 !> study.csv: accuracy and cost, one row per load case and variant.
 module dg_study_file
    use dg_case_result, only: has_numbers, result_status_name
-   use dg_column, only: put, put_filled, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
+   use dg_column, only: add, add_filled, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, quantity_time, quantity_wall, row_type
    use dg_comparison, only: percent_of
    use dg_job, only: model_mcge, model_name
@@ -35,49 +35,49 @@ contains
       if (variant%fidelity > 0) fidelity = fidelity_name(variant%fidelity)
       if (beams) gap_location = gap_location_name(variant%numerics%gap_location)
       if (beams) linear_solver = solver_name(variant%numerics%linear_solver)
-      call put(row, 'case', quantity_text, 'name of the load case', name)
-      call put(row, 'model', quantity_text, 'name of the model', model_name(variant%model))
-      call put_filled(row, 'fidelity', quantity_text, 'name of the fidelity, if it sets the element length', fidelity)
-      call put(row, 'element_length', quantity_length, 'longest element asked for', variant%numerics%element_length)
-      call put(row, 'tolerance', quantity_none, &
+      call add(row, 'case', quantity_text, 'name of the load case', name)
+      call add(row, 'model', quantity_text, 'name of the model', model_name(variant%model))
+      call add_filled(row, 'fidelity', quantity_text, 'name of the fidelity, if it sets the element length', fidelity)
+      call add(row, 'element_length', quantity_length, 'longest element asked for', variant%numerics%element_length)
+      call add(row, 'tolerance', quantity_none, &
                'tolerance of the variant; this and the next three: only for mcge', &
                optional_real(beams, variant%numerics%tolerance))
-      call put(row, 'wall_stiffness', quantity_wall, &
+      call add(row, 'wall_stiffness', quantity_wall, &
                'stiffness of every wall; empty: that of the deck', optional_real(beams .and. variant%wall > 0.0_wp, variant%wall))
-      call put_filled(row, 'gap_location', quantity_text, 'extremum or nodes', gap_location)
-      call put_filled(row, 'linear_solver', quantity_text, 'its name', linear_solver)
-      call put(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
-      call put(row, 'reference', quantity_text, &
+      call add_filled(row, 'gap_location', quantity_text, 'extremum or nodes', gap_location)
+      call add_filled(row, 'linear_solver', quantity_text, 'its name', linear_solver)
+      call add(row, 'status', quantity_text, 'as in summary.csv: only converged is a solution', result_status_name(record%status))
+      call add(row, 'reference', quantity_text, &
                'yes: finest converged variant of the case, the reference for errors', either('yes', 'no', record%is_reference))
-      call put(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
-      call put(row, 'hookload_error', quantity_percent, 'difference from the reference', percent_of(record%errors(error_hookload)))
-      call put(row, 'torque', quantity_moment, 'at the top', number(record%torque))
-      call put(row, 'torque_error', quantity_percent, &
+      call add(row, 'hookload', quantity_force, 'as in summary.csv', number(record%hookload))
+      call add(row, 'hookload_error', quantity_percent, 'difference from the reference', percent_of(record%errors(error_hookload)))
+      call add(row, 'torque', quantity_moment, 'at the top', number(record%torque))
+      call add(row, 'torque_error', quantity_percent, &
                'difference from the reference; empty if the reference is zero', percent_of(record%errors(error_torque)))
-      call put(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', number(record%normal_force))
-      call put(row, 'normal_force_error', quantity_percent, 'difference from the reference', &
+      call add(row, 'normal_force', quantity_force, 'sum of the contact forces along the string', number(record%normal_force))
+      call add(row, 'normal_force_error', quantity_percent, 'difference from the reference', &
                percent_of(record%errors(error_normal_force)))
-      call put(row, 'bending', quantity_moment, 'greatest bending moment along the string', number(record%bending))
-      call put(row, 'bending_error', quantity_percent, &
+      call add(row, 'bending', quantity_moment, 'greatest bending moment along the string', number(record%bending))
+      call add(row, 'bending_error', quantity_percent, &
                'largest difference along the string, of the largest moment of reference', percent_of(record%errors(error_bending)))
-      call put(row, 'iterations', quantity_none, 'Newton iterations; 0 for the other models', record%iterations)
-      call put(row, 'elements', quantity_none, 'elements of the mesh, or steps of integration', record%elements)
-      call put(row, 'seconds', quantity_time, &
+      call add(row, 'iterations', quantity_none, 'Newton iterations; 0 for the other models', record%iterations)
+      call add(row, 'elements', quantity_none, 'elements of the mesh, or steps of integration', record%elements)
+      call add(row, 'seconds', quantity_time, &
                'wall time of the solution alone, on one core; median of three where short', record%seconds)
-      call put(row, 'memory_MB', quantity_none, &
+      call add(row, 'memory_MB', quantity_none, &
                'largest use of memory; empty if unknown', &
                merge(missing, record%memory/megabyte, is_missing(record%memory)))
-      call put(row, 'cost', quantity_none, 'time divided by that of the reference', record%cost)
-      call put(row, 'pareto', quantity_text, &
+      call add(row, 'cost', quantity_none, 'time divided by that of the reference', record%cost)
+      call add(row, 'pareto', quantity_text, &
                'yes: no variant of this case is both more accurate (hook load and torque, the worse) and faster', &
                either('yes', 'no', record%in_pareto_set))
-      call put(row, 'hookload_order', quantity_none, &
+      call add(row, 'hookload_order', quantity_none, &
                'order of convergence of hook load, from rows that differ in element length only; empty if there is none', &
                record%orders(error_hookload))
-      call put(row, 'torque_order', quantity_none, 'the same', record%orders(error_torque))
-      call put(row, 'normal_force_order', quantity_none, 'the same', record%orders(error_normal_force))
-      call put(row, 'bending_order', quantity_none, 'the same', record%orders(error_bending))
-      call put(row, 'bending_rms', quantity_percent, &
+      call add(row, 'torque_order', quantity_none, 'the same', record%orders(error_torque))
+      call add(row, 'normal_force_order', quantity_none, 'the same', record%orders(error_normal_force))
+      call add(row, 'bending_order', quantity_none, 'the same', record%orders(error_bending))
+      call add(row, 'bending_rms', quantity_percent, &
                'root mean square of the difference of bending moments along the string, of the largest moment of reference', &
                percent_of(record%errors(error_bending_rms)))
    contains

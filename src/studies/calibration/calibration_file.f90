@@ -3,7 +3,7 @@ module dg_calibration_file
    use dg_kinds, only: wp
    use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
-   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
+   use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
                         row_type
    use dg_csv_table, only: add_row, csv_table_type, is_begun, write_table
    use dg_comparison, only: percent_error
@@ -111,25 +111,25 @@ contains
       hooks = calibration%data(number)%kind == hookload_datum
       associate (datum => calibration%data(number), before => result%before(number), &
                  case => model%cases(calibration%cases(calibration%data(number)%case)))
-         call put(row, 'calibration', quantity_text, 'its name', calibration%name)
-         call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
-         call put(row, 'case', quantity_text, 'load case that was measured', case%name)
-         call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(case%operation))
-         call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', case%bit_depth)
-         call put(row, 'measured_hookload', quantity_force, 'empty in rows of a torque', optional_real(hooks, datum%measured))
-         call put(row, 'before_hookload', quantity_force, 'calculated with the friction of the deck', optional_real(hooks, before))
-         call put(row, 'after_hookload', quantity_force, 'calculated with the factors found', optional_real(hooks, after))
-         call put(row, 'measured_torque', quantity_moment, 'empty in rows of a hook load', &
+         call add(row, 'calibration', quantity_text, 'its name', calibration%name)
+         call add(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
+         call add(row, 'case', quantity_text, 'load case that was measured', case%name)
+         call add(row, 'operation', quantity_text, 'long name of the operation', operation_name(case%operation))
+         call add(row, 'bit_depth', quantity_length, 'measured depth of the bit', case%bit_depth)
+         call add(row, 'measured_hookload', quantity_force, 'empty in rows of a torque', optional_real(hooks, datum%measured))
+         call add(row, 'before_hookload', quantity_force, 'calculated with the friction of the deck', optional_real(hooks, before))
+         call add(row, 'after_hookload', quantity_force, 'calculated with the factors found', optional_real(hooks, after))
+         call add(row, 'measured_torque', quantity_moment, 'empty in rows of a hook load', &
                   optional_real(.not. hooks, datum%measured))
-         call put(row, 'before_torque', quantity_moment, 'calculated with the friction of the deck', &
+         call add(row, 'before_torque', quantity_moment, 'calculated with the friction of the deck', &
                   optional_real(.not. hooks, before))
-         call put(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
-         call put(row, 'before_error', quantity_percent, '100 |before - measured| / measured', &
+         call add(row, 'after_torque', quantity_moment, 'calculated with the factors found', optional_real(.not. hooks, after))
+         call add(row, 'before_error', quantity_percent, '100 |before - measured| / measured', &
                   percent_error(before, given(datum%measured)))
-         call put(row, 'after_error', quantity_percent, '100 |after - measured| / measured', &
+         call add(row, 'after_error', quantity_percent, '100 |after - measured| / measured', &
                   percent_error(after, given(datum%measured)))
          if (.not. is_missing(after)) residual = given((after - datum%measured)/datum%deviation)
-         call put(row, 'residual', quantity_none, '(after - measured) / standard deviation', residual)
+         call add(row, 'residual', quantity_none, '(after - measured) / standard deviation', residual)
       end associate
    end function datum_row
 end module dg_calibration_file

@@ -8,9 +8,9 @@ module dg_calibration_study
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: calibration_table
    use dg_case_result, only: result_not_converged
-   use dg_deck_calibrate, only: take_calibrations
+   use dg_deck_calibrate, only: read_calibration_groups
    use dg_deck_draft, only: deck_type
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_csv_table, only: begin_table
@@ -61,7 +61,7 @@ contains
       type(friction_estimate_type), allocatable :: longer(:)
       integer :: i
       associate (not_needed => job, nor => notes)
-         call take_calibrations(deck%draft, deck%groups, self%calibrations, faults)
+         call read_calibration_groups(deck%draft, deck%groups, self%calibrations, faults)
       end associate
       self%estimates = size(deck%estimates)
       allocate (longer(self%estimates + size(self%calibrations)))
@@ -136,8 +136,8 @@ contains
                      lost = lost + 1
                      call note_lost(run%printed%outcome, 'calibration '//calibration%name, result%model, &
                                     result_not_converged, result%message)
-                     call tell('calibration '//quoted(calibration%name)//', model '//trim(model_name(result%model))// &
-                               ': no fit; '//result%message)
+                     call report_line('calibration '//quoted(calibration%name)//', model '//trim(model_name(result%model))// &
+                                      ': no fit; '//result%message)
                   else
                      if (calibration%apply) then
                         call apply_factors(calibration, result%fit%unknowns, .not. result%fit%unfelt, run%model%cases, &

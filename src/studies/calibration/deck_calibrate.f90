@@ -8,13 +8,13 @@ module dg_deck_calibrate
    use dg_deck_draft, only: draft_type, find_case
    use dg_error, only: error_list_type
    use dg_hole_section, only: hole_section_type
-   use dg_measured_cases, only: take_measured_cases, take_models
+   use dg_measured_cases, only: list_measured_cases, list_models
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: given
    use dg_text, only: name_shown, quoted, suggestion, text_type, to_text
    implicit none
    private
-   public :: take_calibrations
+   public :: read_calibration_groups
 
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
@@ -26,7 +26,7 @@ module dg_deck_calibrate
 contains
 
    !> All calibrations of a deck, in its order, and the faults of each.
-   subroutine take_calibrations(draft, groups, calibrations, faults)
+   subroutine read_calibration_groups(draft, groups, calibrations, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(calibration_type), allocatable, intent(out) :: calibrations(:)
@@ -41,14 +41,14 @@ contains
       allocate (calibrations(size(mine)))
       do n = 1, size(mine)
          associate (group => groups(mine(n)))
-            call take_one(draft, group, n, calibrations(n), faults)
+            call read_one(draft, group, n, calibrations(n), faults)
             call check_apply(draft, group, calibrations(:n), faults)
             call claim_name(group, 'name', calibrations(n)%name, taken, faults)
          end associate
       end do
-   end subroutine take_calibrations
+   end subroutine read_calibration_groups
 
-   subroutine take_one(draft, group, number, calibration, faults)
+   subroutine read_one(draft, group, number, calibration, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number            !< of the calibration in the deck
@@ -79,19 +79,19 @@ contains
             quoted(trim(parameter_name(calibration%parameter)))//'; leave it out', faults)
       end do
       calibration%apply = logical_of(group, 'apply', .false.)
-      call take_models(group, calibration%models)
+      call list_models(group, calibration%models)
       calibration%hookload_deviation = optional_of(group, 'hookload_deviation')
       calibration%torque_deviation = optional_of(group, 'torque_deviation')
-      call take_predicted(draft, group, calibration%predicted, faults)
-      call take_measured_cases(draft, group, calibration%cases, faults, calibration%predicted)
-      call take_holes(draft, group, calibration%holes, faults)
+      call read_predicted(draft, group, calibration%predicted, faults)
+      call list_measured_cases(draft, group, calibration%cases, faults, calibration%predicted)
+      call read_holes(draft, group, calibration%holes, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (all(draft%cases(calibration%cases)%sound) .and. all(draft%holes%sound))) return
       call lay_out(draft, group, calibration, faults)
-   end subroutine take_one
+   end subroutine read_one
 
    !> Numbers of the load cases that are to be predicted, each once; none where none is named.
-   subroutine take_predicted(draft, group, cases, faults)
+   subroutine read_predicted(draft, group, cases, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
@@ -111,10 +111,10 @@ contains
             cases = [cases, found]
          end if
       end do
-   end subroutine take_predicted
+   end subroutine read_predicted
 
    !> Numbers of the hole sections named; all if none is. No fault if the name of a section is at fault itself.
-   subroutine take_holes(draft, group, holes, faults)
+   subroutine read_holes(draft, group, holes, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: holes(:)
@@ -137,7 +137,7 @@ contains
             call group_fault(group, 'holes', 'there is no hole section '//quoted(wanted(i)%text)//'; '// &
                suggestion(wanted(i)%text, names), faults)
       end do
-   end subroutine take_holes
+   end subroutine read_holes
 
    !> List unknowns and data, and refuse unknowns that these data cannot determine.
    subroutine lay_out(draft, group, calibration, faults)

@@ -4,7 +4,7 @@ module dg_prediction_table
    use dg_kinds, only: wp
    use dg_calibration, only: ahead_of, calibration_type, hookload_datum
    use dg_calibration_result, only: calibration_result_type
-   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_percent, quantity_text, row_type
+   use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_percent, quantity_text, row_type
    use dg_csv_table, only: add_row, begin_table, csv_table_type
    use dg_comparison, only: difference, percent_error
    use dg_job, only: job_type, model_name
@@ -116,7 +116,7 @@ contains
                                        text(len('; ') + 1:))
    end subroutine append_verdict
 
-   !> Puts the rows of a calibration at the end of calibration_prediction.csv, which is begun where it is not.
+   !> Add the rows of a calibration at the end of calibration_prediction.csv, which is begun where it is not.
    subroutine add_predictions(job, model, calibration, result, table)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -150,26 +150,26 @@ contains
       lower = difference(value, half)
       upper = difference(value, difference(0.0_wp, half))
       error = percent_error(value, measured)
-      call put(row, 'calibration', quantity_text, 'its name', calibration%name)
-      call put(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
-      call put(row, 'case', quantity_text, 'load case that is predicted', load_case%name)
-      call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(load_case%operation))
-      call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
-      call put(row, 'predicted_hookload', quantity_force, &
+      call add(row, 'calibration', quantity_text, 'its name', calibration%name)
+      call add(row, 'model', quantity_text, 'as in summary.csv', model_name(result%model))
+      call add(row, 'case', quantity_text, 'load case that is predicted', load_case%name)
+      call add(row, 'operation', quantity_text, 'long name of the operation', operation_name(load_case%operation))
+      call add(row, 'bit_depth', quantity_length, 'measured depth of the bit', load_case%bit_depth)
+      call add(row, 'predicted_hookload', quantity_force, &
                'by the factors found; with &rig: weight indicator; empty in rows of a torque', merge(value, missing, hooks))
-      call put(row, 'lower_hookload', quantity_force, &
+      call add(row, 'lower_hookload', quantity_force, &
                'lower end of the interval in which one measurement lies with 95 %', merge(lower, missing, hooks))
-      call put(row, 'upper_hookload', quantity_force, 'upper end', merge(upper, missing, hooks))
-      call put(row, 'measured_hookload', quantity_force, &
+      call add(row, 'upper_hookload', quantity_force, 'upper end', merge(upper, missing, hooks))
+      call add(row, 'measured_hookload', quantity_force, &
                'as in the deck; the calibration has not used it', optional_real(hooks .and. measured%present, measured%value))
-      call put(row, 'predicted_torque', quantity_moment, &
+      call add(row, 'predicted_torque', quantity_moment, &
                'the same of torque; empty in rows of a hook load', merge(missing, value, hooks))
-      call put(row, 'lower_torque', quantity_moment, 'lower end', merge(missing, lower, hooks))
-      call put(row, 'upper_torque', quantity_moment, 'upper end', merge(missing, upper, hooks))
-      call put(row, 'measured_torque', quantity_moment, &
+      call add(row, 'lower_torque', quantity_moment, 'lower end', merge(missing, lower, hooks))
+      call add(row, 'upper_torque', quantity_moment, 'upper end', merge(missing, upper, hooks))
+      call add(row, 'measured_torque', quantity_moment, &
                'as in the deck', optional_real(.not. hooks .and. measured%present, measured%value))
-      call put(row, 'error', quantity_percent, '100 |predicted - measured| / measured', error)
-      call put(row, 'within', quantity_text, &
+      call add(row, 'error', quantity_percent, '100 |predicted - measured| / measured', error)
+      call add(row, 'within', quantity_text, &
                'yes or no: the measured value lies in the interval; empty without a measured value', &
                within(value, half, measured))
    end function prediction_row

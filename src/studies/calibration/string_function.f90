@@ -77,7 +77,7 @@ contains
          self%known_solved = sound(:, 1)
       end if
       do p = 1, size(points, 2)
-         call take_data(self, points(:, p), found(:, :, p), sound(:, p), values(:, p), solved(:, p))
+         call list_data(self, points(:, p), found(:, :, p), sound(:, p), values(:, p), solved(:, p))
       end do
    end subroutine evaluate
 
@@ -92,7 +92,7 @@ contains
       tasks(1, :) = [(i, i=1, size(sound))]
       tasks(2, :) = 1
       call solve_tasks(self, no_points, tasks, found, sound)
-      call take_data(self, no_points(:, 1), found(:, :, 1), sound(:, 1), values, solved)
+      call list_data(self, no_points(:, 1), found(:, :, 1), sound(:, 1), values, solved)
       where (.not. solved) values = missing
    end subroutine as_given
 
@@ -156,8 +156,8 @@ contains
       end subroutine share_tasks
    end subroutine solve_tasks
 
-   !> Puts hook loads, as the indicator of the rig shows them, and torques of cases in the order of the data.
-   pure subroutine take_data(self, point, found, sound, values, solved)
+   !> List hook loads, as the indicator of the rig shows them, and torques of cases in the order of the data.
+   pure subroutine list_data(self, point, found, sound, values, solved)
       class(string_function_type), intent(in) :: self
       real(wp), intent(in) :: point(:)            !< empty: as the deck has it
       real(wp), intent(in) :: found(:, :)
@@ -175,5 +175,5 @@ contains
             values(d) = indicated_load(self%model%rig, self%model%cases(self%calibration%cases(datum%case))%operation, values(d))
          end associate
       end do
-   end subroutine take_data
+   end subroutine list_data
 end module dg_string_function

@@ -15,7 +15,7 @@ module dg_deck_range
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: take_range, note_range_use
+   public :: read_range, note_range_use
 
    !> Distance of depths where a deck says nothing [m].
    real(wp), parameter :: usual_step = 30.0_wp
@@ -70,7 +70,7 @@ contains
 
    !> String, operations and depths of a group: a &sweep, or another that has its keys. Its depths are not allocated where there
    !> is a fault.
-   subroutine take_range(draft, group, number, models, sweep, faults)
+   subroutine read_range(draft, group, number, models, sweep, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number                !< of the sweep in the deck
@@ -100,7 +100,7 @@ contains
       end if
       sweep%models = models
       if (is_given(group, 'model')) sweep%models = places_of(group, 'model', model_name)
-      call take_loads(group, sweep, faults)
+      call read_loads(group, sweep, faults)
       key = 'frictions'
       if (group%name /= 'sweep') key = 'friction'      ! one of them
       numbers = reals_of(group, key)
@@ -110,7 +110,7 @@ contains
             call group_fault(group, 'frictions', 'frictions holds '//to_text(numbers(i))//' twice; keep one', faults)
          sweep%frictions(i) = given(numbers(i))
       end do
-      if (group%name == 'sweep') call take_pairs(draft, group, sweep, faults)
+      if (group%name == 'sweep') call read_pairs(draft, group, sweep, faults)
       call set_default_end(draft, group, last)
       first = real_of(group, 'bit_depth_from', 0.0_wp)
       step = real_of(group, 'bit_depth_step', usual_step)
@@ -141,7 +141,7 @@ contains
          return
       end if
       sweep%depths = regular_depths(first, last, step)
-      call take_measured(draft, sweep)
+      call add_measured(draft, sweep)
 
    contains
 
@@ -156,18 +156,18 @@ contains
          character(:), allocatable :: text
          text = in_units(draft%units, unit_length, depth, depth_digits)
       end function shown
-   end subroutine take_range
+   end subroutine read_range
 
    !> Loads and speeds, one of all operations or one of each; reaming needs both speeds.
-   subroutine take_loads(group, sweep, faults)
+   subroutine read_loads(group, sweep, faults)
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
       type(error_list_type), intent(inout) :: faults
       integer :: o
-      call take('wob', sweep%wob)
-      call take('tob', sweep%tob)
-      call take('rpm', sweep%angular_speed)
-      call take('trip_speed', sweep%trip_speed)
+      call copy_loads('wob', sweep%wob)
+      call copy_loads('tob', sweep%tob)
+      call copy_loads('rpm', sweep%angular_speed)
+      call copy_loads('trip_speed', sweep%trip_speed)
       do o = 1, size(sweep%operations)
          if (.not. (rotates(sweep%operations(o)) .and. moves_axially(sweep%operations(o)))) cycle
          call need_speed('rpm', at_operation(sweep%angular_speed, o))
@@ -175,14 +175,14 @@ contains
          exit
       end do
    contains
-      subroutine take(key, loads)
+      subroutine copy_loads(key, loads)
          character(*), intent(in) :: key
          real(wp), allocatable, intent(out) :: loads(:)
          loads = reals_of(group, key)
          if (any(size(loads) == [0, 1, size(sweep%operations)]) .or. .not. is_sound(group, 'operations')) return
          call group_fault(group, key, key//' has '//to_text(size(loads))//' values for '//to_text(size(sweep%operations))// &
             ' operations; give one, or one for each', faults)
-      end subroutine take
+      end subroutine copy_loads
 
       subroutine need_speed(key, value)
          character(*), intent(in) :: key
@@ -190,10 +190,10 @@ contains
          if (value > 0.0_wp .or. .not. is_sound(group, key)) return
          call group_fault(group, key, 'reaming needs '//key//' > 0', faults)
       end subroutine need_speed
-   end subroutine take_loads
+   end subroutine read_loads
 
    !> Pairs of friction in cased and open hole.
-   subroutine take_pairs(draft, group, sweep, faults)
+   subroutine read_pairs(draft, group, sweep, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
@@ -228,7 +228,7 @@ contains
       deallocate (sweep%frictions)
       allocate (sweep%frictions(size(open)))
       sweep%frictions = given(open)
-   end subroutine take_pairs
+   end subroutine read_pairs
 
    !> The last depth [m]: as given, else the end of survey and holes; 0 where these are not known.
    subroutine set_default_end(draft, group, last)
@@ -244,7 +244,7 @@ contains
 
    !> Measurements that load cases of the deck tell of this string in these operations. Their depths join the sweep's, so
    !> that each can be laid beside a calculated value.
-   subroutine take_measured(draft, sweep)
+   subroutine add_measured(draft, sweep)
       type(draft_type), intent(in) :: draft
       type(sweep_type), intent(inout) :: sweep
       type(measured_type), allocatable :: found(:)
@@ -272,5 +272,5 @@ contains
       end do
       sweep%measured = found(:n)
       sweep%depths = with_depths(sweep%depths, depths(:n))
-   end subroutine take_measured
+   end subroutine add_measured
 end module dg_deck_range

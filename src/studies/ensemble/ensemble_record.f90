@@ -15,12 +15,12 @@ module dg_ensemble_record
    use dg_part_faults, only: note_part, part_broken, part_faults_type, part_missing, part_unfinished, part_whole
    use dg_result_name, only: failed_file, record_file
    use dg_sweep_result, only: is_solved, sweep_result_type, unsolved
-   use dg_sweep_work, only: result_text, take_record
+   use dg_sweep_work, only: result_text, add_record
    use dg_task_record, only: read_record, record_head, record_line, record_type
    use dg_text, only: quoted, text_type, to_text
    implicit none
    private
-   public :: ensemble_type, ensemble_title, open_record, take_parts, keep, write_record, close_record
+   public :: ensemble_type, ensemble_title, open_record, join_parts, keep, write_record, close_record
    public :: taken_text, failed_text
 
    !> A sweep or Monte Carlo of a job, with its results as far as they are there, and where they are kept.
@@ -33,7 +33,7 @@ module dg_ensemble_record
       character(:), allocatable :: path
       character(:), allocatable :: failed       !< path of the record that stays where points did not converge; '': `path` stays
       character(:), allocatable :: source       !< file whose points were taken over
-      integer :: put_back = 0                   !< points of that file that did not converge, and are solved again
+      integer :: to_repeat = 0                  !< points of that file that did not converge, and are solved again
       integer :: part = 1, parts = 1
       integer, allocatable :: waiting(:)        !< numbers of points that are solved and not yet on disk
       integer :: count = 0                      !< of these
@@ -86,14 +86,14 @@ contains
          inquire (file=ensemble%source, exist=there)
       end if
       if (.not. there) return
-      call take_file(job, ensemble%source, [ensemble%part, ensemble%parts], ensemble, failure)
+      call read_results(job, ensemble%source, [ensemble%part, ensemble%parts], ensemble, failure)
       if (failure /= '') then
          call raise(error, status_bad_input, ensemble%what//' '//ensemble%name//': cannot go on with '//ensemble%source// &
                     ': '//failure//'; restore the deck, or remove that file to begin anew')
          return
       end if
       goes_back = ensemble%points%earlier .and. ensemble%points%status == result_not_converged
-      ensemble%put_back = count(goes_back)
+      ensemble%to_repeat = count(goes_back)
       where (goes_back)
          ensemble%points%status = unsolved
          ensemble%points%earlier = .false.
@@ -102,7 +102,7 @@ contains
    end subroutine open_record
 
    !> Joins the results of all parts. Those that are missing, broken, of another deck or not finished are noted.
-   subroutine take_parts(job, ensemble, faults)
+   subroutine join_parts(job, ensemble, faults)
       type(job_type), intent(in) :: job
       type(ensemble_type), intent(inout) :: ensemble   !< points that are not solved, and settings
       type(part_faults_type), intent(inout) :: faults
@@ -115,7 +115,7 @@ contains
          failure = 'it is missing'
          state = part_missing
          if (there) then
-            call take_file(job, path, [part, job%merge], ensemble, failure)
+            call read_results(job, path, [part, job%merge], ensemble, failure)
             missing = count(.not. is_solved(ensemble%points(part::job%merge)))
             state = part_whole
             if (failure /= '') then
@@ -127,10 +127,10 @@ contains
          end if
          call note_part(faults, part, state, path, failure)
       end do
-   end subroutine take_parts
+   end subroutine join_parts
 
-   !> Takes the results of one file.
-   subroutine take_file(job, path, part, ensemble, failure)
+   !> Read the results of one file.
+   subroutine read_results(job, path, part, ensemble, failure)
       type(job_type), intent(in) :: job
       character(*), intent(in) :: path
       integer, intent(in) :: part(2)                   !< its number, and of how many
@@ -143,8 +143,8 @@ contains
       if (failure /= '') return
       call read_record(lines, record, failure)
       if (failure /= '') return
-      call take_record(record, part(1), part(2), ensemble%settings, ensemble%points, failure, job%units, job%again)
-   end subroutine take_file
+      call add_record(record, part(1), part(2), ensemble%settings, ensemble%points, failure, job%units, job%again)
+   end subroutine read_results
 
    !> Which results of earlier runs are taken over, and which of them are solved again, before anything is solved; '' for none.
    pure function taken_text(ensemble, again) result(text)
@@ -155,13 +155,13 @@ contains
       text = ''
       taken = count(is_solved(ensemble%points))
       lost = count(ensemble%points%status == result_not_converged)
-      if (taken + ensemble%put_back == 0) then
+      if (taken + ensemble%to_repeat == 0) then
          if (again) text = ensemble_title(ensemble)//': there are no earlier results; all points are solved'
          return
       end if
       text = ensemble_title(ensemble)//': '//to_text(taken)//' points were solved before, in '//ensemble%source
-      if (ensemble%put_back > 0) then
-         text = text//'; '//to_text(ensemble%put_back)//' that did not converge are solved again'
+      if (ensemble%to_repeat > 0) then
+         text = text//'; '//to_text(ensemble%to_repeat)//' that did not converge are solved again'
       else if (again .and. lost > 0) then
          text = text//'; '//to_text(lost)//' of them did not converge with the same settings of the solver: change these'
       else if (again) then
@@ -248,7 +248,7 @@ contains
       ensemble%count = 0
    end subroutine write_record
 
-   !> Puts the waiting points at the end of the record.
+   !> Append the waiting points at the end of the record.
    subroutine append_waiting(ensemble, error)
       type(ensemble_type), intent(inout) :: ensemble
       type(error_type), allocatable, intent(out) :: error

@@ -2,11 +2,11 @@
 module dg_ensemble_study
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_case_memory, only: elements_in, finer_text, need_type, take_greater
+   use dg_case_memory, only: elements_in, finer_text, need_type, keep_larger
    use dg_case_result, only: result_not_converged
    use dg_clock, only: seconds_between
-   use dg_diagnostic, only: tell
-   use dg_ensemble_record, only: close_record, ensemble_title, ensemble_type, failed_text, open_record, taken_text, take_parts, &
+   use dg_diagnostic, only: report_line
+   use dg_ensemble_record, only: close_record, ensemble_title, ensemble_type, failed_text, open_record, taken_text, join_parts, &
       write_record
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type, raise, status_failure, status_not_converged
@@ -136,7 +136,7 @@ contains
             allocate (ensemble%settings, source=self%settings(i, run%model))
             allocate (ensemble%points(piece_count(self, i)))
             if (run%job%merge > 0) then
-               call take_parts(run%job, ensemble, run%part_faults)
+               call join_parts(run%job, ensemble, run%part_faults)
             else
                call open_record(run%job, ensemble, error)
             end if
@@ -238,7 +238,7 @@ contains
       call start_progress(progress, ensemble_title(self%ensembles(number)), to_text(left)//' solutions', run%job%quiet)
       call self%solve(number, run, progress)
       call end_progress(progress)
-      if (allocated(self%ensembles(number)%failure)) call tell(self%ensembles(number)%failure%message)
+      if (allocated(self%ensembles(number)%failure)) call report_line(self%ensembles(number)%failure%message)
       call system_clock(finish)
       seconds = seconds_between(start, finish)
    end subroutine solve_rest
@@ -272,7 +272,7 @@ contains
          if (samples > 1) text = text//', sample '//to_text(modulo(first - 1, samples) + 1)
          if (allocated(points(first)%message)) text = text//': '//points(first)%message
       end associate
-      call tell(text)
+      call report_line(text)
    end subroutine report_lost
 
    !> A record each, and of an undivided run one of points that did not converge.
@@ -301,16 +301,16 @@ contains
          associate (range => self%ranges(i))
             if (job%merge == 0) elements = elements_in(model, range%string, maxval(range%depths), model%numerics%element_length)
             need%kept = need%kept + bytes_of_point*piece_count(self, i)
-            call take_greater(need, elements, thread_count(job%threads, piece_count(self, i)), &
-                              self%texts%what//' '//quoted(range%name)//', '//to_text(piece_count(self, i))//' solutions', &
-                              self%texts%fewer//', '//finer_text(model, model%numerics%element_length))
+            call keep_larger(need, elements, thread_count(job%threads, piece_count(self, i)), &
+                             self%texts%what//' '//quoted(range%name)//', '//to_text(piece_count(self, i))//' solutions', &
+                             self%texts%fewer//', '//finer_text(model, model%numerics%element_length))
          end associate
       end do
    end subroutine add_need
 
    subroutine report_text(text)
       character(*), intent(in) :: text
-      if (text /= '') call tell(text)
+      if (text /= '') call report_line(text)
    end subroutine report_text
 
    !> Number of points that have their result: 3 of 5.

@@ -9,7 +9,7 @@ module dg_sweep_work
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: in_part, result_text, take_result, take_record
+   public :: in_part, result_text, read_result, add_record
 
    !> Numbers of a double in text, to the last bit.
    character(*), parameter :: row_form = '(2es25.16e3)'
@@ -43,7 +43,7 @@ contains
 
    !> Read the point of such a text. `sound` is true if result_text can have written it: the two numbers in exactly that form,
    !> and finite. A solution's numbers must be no greater than any string can have.
-   pure recursive subroutine take_result(text, point, sound)
+   pure recursive subroutine read_result(text, point, sound)
       character(*), intent(in) :: text
       type(sweep_result_type), intent(out) :: point
       logical, intent(out) :: sound
@@ -51,7 +51,7 @@ contains
       integer :: i, at, last, status
       sound = .false.
       if (index(text, earlier_mark) == 1) then
-         call take_result(text(len(earlier_mark) + 1:), point, sound)
+         call read_result(text(len(earlier_mark) + 1:), point, sound)
          sound = sound .and. .not. point%earlier
          point%earlier = .true.
          return
@@ -76,7 +76,7 @@ contains
          sound = .true.
          return
       end do
-   end subroutine take_result
+   end subroutine read_result
 
    !> True if the exponent of a number in row_form, its last three letters, fits a double. Reading a greater one overflows.
    pure function fits(number) result(does)
@@ -98,7 +98,7 @@ contains
    !> Add the results of a record to the present ones. `failure` is '', or says why the record is not part `part` of `parts` of
    !> the work with these settings. Then `points` stay. With `again` the record may have other settings of the solver; its
    !> points then count as earlier ones.
-   pure subroutine take_record(record, part, parts, settings, points, failure, units, again)
+   pure subroutine add_record(record, part, parts, settings, points, failure, units, again)
       type(record_type), intent(in) :: record
       integer, intent(in) :: part, parts
       type(text_type), intent(in) :: settings(:)
@@ -132,7 +132,7 @@ contains
          return
       end if
       do i = 1, size(found)
-         call take_result(record%texts(i)%text, found(i), sound)
+         call read_result(record%texts(i)%text, found(i), sound)
          if (.not. sound) then
             failure = 'the result of point '//to_text(record%numbers(i))//' is damaged'
          else if (.not. in_part(record%numbers(i), part, parts)) then
@@ -149,7 +149,7 @@ contains
          if (other_solver) found(i)%earlier = .true.
          points(record%numbers(i)) = found(i)
       end do
-   end subroutine take_record
+   end subroutine add_record
 
    !> Settings without those of the solver.
    pure function without_solver(settings) result(others)

@@ -100,10 +100,10 @@ contains
       settings = 0
       blank = index(lines(2)%text, ' of ')
       sound = index(lines(2)%text, 'part ') == 1 .and. blank > 0
-      if (sound) call take_number(lines(2)%text(len('part '):blank), record%part, sound)
-      if (sound) call take_number(lines(2)%text(blank + len(' of '):), record%parts, sound)
-      if (sound) call take_number(after('pieces ', lines(3)%text), record%pieces, sound)
-      if (sound) call take_number(after('settings ', lines(4)%text), settings, sound)
+      if (sound) call read_number(lines(2)%text(len('part '):blank), record%part, sound)
+      if (sound) call read_number(lines(2)%text(blank + len(' of '):), record%parts, sound)
+      if (sound) call read_number(after('pieces ', lines(3)%text), record%pieces, sound)
+      if (sound) call read_number(after('settings ', lines(4)%text), settings, sound)
       if (sound) sound = record%pieces <= most_pieces
       if (.not. sound .or. head_lines + settings > size(lines)) then
          failure = 'its head is damaged or cut short'
@@ -123,7 +123,7 @@ contains
             if (whole) whole = line(len(line) - len(end_mark) + 1:) == end_mark
             if (.not. whole .and. i == size(lines)) exit
             sound = whole .and. len(line) > len(end_mark) + 1 .and. blank > 1
-            if (sound) call take_number(line(:blank), number, sound)
+            if (sound) call read_number(line(:blank), number, sound)
             if (sound) sound = number <= record%pieces
             if (.not. sound) then
                failure = 'line '//to_text(i)//' is damaged'
@@ -157,7 +157,7 @@ contains
    end function after
 
    !> A whole number >= 1 of up to nine digits.
-   pure subroutine take_number(text, number, sound)
+   pure subroutine read_number(text, number, sound)
       character(*), intent(in) :: text
       integer, intent(out) :: number
       logical, intent(out) :: sound
@@ -167,7 +167,7 @@ contains
       sound = len_trim(adjustl(text)) >= 1 .and. len_trim(adjustl(text)) <= longest .and. verify(text, ' 0123456789') == 0
       if (sound) read (text, *, iostat=status) number
       if (sound) sound = status == 0 .and. number >= 1
-   end subroutine take_number
+   end subroutine read_number
 
    !> The first setting in which two lists differ, in words: '' where they are the same.
    pure function difference_of(then, now, units) result(words)

@@ -1,6 +1,6 @@
 !> Columns of calibration.csv, which has rows of all that is found from measurements.
 module dg_factor_columns
-   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_text, row_type
+   use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_text, row_type
    use dg_comparison, only: difference
    use dg_kinds, only: wp
    use dg_missing, only: missing, optional_real
@@ -41,53 +41,53 @@ contains
    pure function factor_row(found) result(row)
       type(found_type), intent(in) :: found
       type(row_type) :: row
-      call put(row, 'calibration', quantity_text, 'its name', found%calibration)
-      call put(row, 'model', quantity_text, 'as in summary.csv', found%model)
-      call put(row, 'parameter', quantity_text, &
+      call add(row, 'calibration', quantity_text, 'its name', found%calibration)
+      call add(row, 'model', quantity_text, 'as in summary.csv', found%model)
+      call add(row, 'parameter', quantity_text, &
                'friction, friction_axial, friction_rotary, hookload_offset, sticking or free_point', found%parameter)
-      call put(row, 'hole', quantity_text, 'hole section of the factor; empty: all named', found%hole)
-      call put(row, 'operation', quantity_text, 'operation of the factor; empty: all', found%operation)
-      call put(row, 'bit_depth', quantity_length, 'bit depth of the factor; empty: all', found%bit_depth)
-      call put(row, 'start', quantity_none, 'factor in the deck (mean over cases and sections)', found%start)
-      call put(row, 'value', quantity_none, 'best fit', found%factor%value)
-      call put(row, 'lower', quantity_none, &
+      call add(row, 'hole', quantity_text, 'hole section of the factor; empty: all named', found%hole)
+      call add(row, 'operation', quantity_text, 'operation of the factor; empty: all', found%operation)
+      call add(row, 'bit_depth', quantity_length, 'bit depth of the factor; empty: all', found%bit_depth)
+      call add(row, 'start', quantity_none, 'factor in the deck (mean over cases and sections)', found%start)
+      call add(row, 'value', quantity_none, 'best fit', found%factor%value)
+      call add(row, 'lower', quantity_none, &
                'lower end of its 95 % confidence interval; empty: not known', lower_end(found%factor))
-      call put(row, 'upper', quantity_none, 'upper end', upper_end(found%factor))
-      call put(row, 'deviation', quantity_none, 'standard deviation', found%factor%deviation)
-      call put(row, 'verdict', quantity_text, &
+      call add(row, 'upper', quantity_none, 'upper end', upper_end(found%factor))
+      call add(row, 'deviation', quantity_none, 'standard deviation', found%factor%deviation)
+      call add(row, 'verdict', quantity_text, &
                'found, at_bound (0 or 2; sticking: too little torque), not_felt (not determined by the data), '// &
                'not_separated (only a combination is determined), no_fit, no_solution; '// &
                'below_bit: the string is free', found%verdict)
-      call put(row, 'scatter', quantity_none, &
+      call add(row, 'scatter', quantity_none, &
                'scatter of residuals divided by standard deviations (of the deck, else 2 % of the mean); about 1 if these are '// &
                'right', found%scatter)
-      call put(row, 'message', quantity_text, 'reason of a missing fit', found%message)
-      call put(row, 'offset', quantity_force, &
+      call add(row, 'message', quantity_text, 'reason of a missing fit', found%message)
+      call add(row, 'offset', quantity_force, &
                'reading of the gauge in excess of string and block, in rows of hookload_offset', found%offset%value)
-      call put(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval', lower_end(found%offset))
-      call put(row, 'offset_upper', quantity_force, 'upper end', upper_end(found%offset))
-      call put(row, 'case', quantity_text, &
+      call add(row, 'offset_lower', quantity_force, 'lower end of its 95 % confidence interval', lower_end(found%offset))
+      call add(row, 'offset_upper', quantity_force, 'upper end', upper_end(found%offset))
+      call add(row, 'case', quantity_text, &
                'load case, in rows of sticking and free_point (its second pull)', found%load_case)
-      call put(row, 'depth', quantity_length, &
+      call add(row, 'depth', quantity_length, &
                'depth of the stuck point, as given (sticking) or found with friction (free_point)', found%held%depth)
-      call put(row, 'depth_frictionless', quantity_length, &
+      call add(row, 'depth_frictionless', quantity_length, &
                'free point by the usual formula, without friction', found%held%depth_frictionless)
-      call put(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
-      call put(row, 'tension_below', quantity_force, 'the same in a free string', found%held%tension_below)
-      call put(row, 'resistance', quantity_force, &
+      call add(row, 'tension_above', quantity_force, 'in the string just above the stuck point', found%held%tension_above)
+      call add(row, 'tension_below', quantity_force, 'the same in a free string', found%held%tension_below)
+      call add(row, 'resistance', quantity_force, &
                'above less below: > 0 holds the string down, < 0 up', &
                difference(found%held%tension_above, found%held%tension_below))
-      call put(row, 'resistance_interval', quantity_force, &
+      call add(row, 'resistance_interval', quantity_force, &
                'half its 95 % interval, from hookload_deviation alone', found%held%half_width)
-      call put(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
-      call put(row, 'torque_below', quantity_moment, 'the same in a free string', found%held%torque_below)
-      call put(row, 'torque_resistance', quantity_moment, &
+      call add(row, 'torque_above', quantity_moment, 'in the string just above the stuck point', found%held%torque_above)
+      call add(row, 'torque_below', quantity_moment, 'the same in a free string', found%held%torque_below)
+      call add(row, 'torque_resistance', quantity_moment, &
                'above less below', difference(found%held%torque_above, found%held%torque_below))
-      call put(row, 'applied', quantity_none, &
+      call add(row, 'applied', quantity_none, &
                'factor used in the rest of the run; empty: that of the deck', found%applied)
-      call put(row, 'hookload_deviation', quantity_force, &
+      call add(row, 'hookload_deviation', quantity_force, &
                'standard deviation of hook loads by the residuals', found%hookload_deviation)
-      call put(row, 'torque_deviation', quantity_moment, 'standard deviation of torques by the residuals', found%torque_deviation)
+      call add(row, 'torque_deviation', quantity_moment, 'standard deviation of torques by the residuals', found%torque_deviation)
    end function factor_row
 
    pure function lower_end(estimate) result(lower)

@@ -8,20 +8,20 @@ module dg_measured_cases
    use dg_text, only: quoted, text_type, to_text
    implicit none
    private
-   public :: take_measured_cases, take_models
+   public :: list_measured_cases, list_models
 
 contains
 
    !> Models, each once; the soft string where none is named.
-   subroutine take_models(group, models)
+   subroutine list_models(group, models)
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: models(:)
       models = places_of(group, 'model', model_name)
       if (size(models) == 0) models = [model_soft]
-   end subroutine take_models
+   end subroutine list_models
 
    !> Numbers of the load cases named; all with measurements where none is, less those that are left out.
-   subroutine take_measured_cases(draft, group, cases, faults, left_out)
+   subroutine list_measured_cases(draft, group, cases, faults, left_out)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, allocatable, intent(out) :: cases(:)
@@ -59,5 +59,5 @@ contains
             cases = [cases, found]
          end if
       end do
-   end subroutine take_measured_cases
+   end subroutine list_measured_cases
 end module dg_measured_cases

@@ -13,7 +13,7 @@ module dg_deck_legacy
    use dg_units, only: unit_system, unit_system_type
    implicit none
    private
-   public :: take_legacy
+   public :: read_legacy
 
    character(*), parameter :: digits = '0123456789'
    !> Most digits of a column number.
@@ -24,7 +24,7 @@ module dg_deck_legacy
 contains
 
    !> All tables of a deck, in its order; each group's faults.
-   subroutine take_legacy(draft, groups, tables, faults)
+   subroutine read_legacy(draft, groups, tables, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(legacy_table_type), allocatable, intent(out) :: tables(:)
@@ -37,13 +37,13 @@ contains
       allocate (tables(size(mine)))
       do n = 1, size(mine)
          associate (group => groups(mine(n)))
-            call take_one(draft, group, tables(n), faults)
+            call read_one(draft, group, tables(n), faults)
             call claim_name(group, 'label', tables(n)%label, taken, faults)
          end associate
       end do
-   end subroutine take_legacy
+   end subroutine read_legacy
 
-   subroutine take_one(draft, group, table, faults)
+   subroutine read_one(draft, group, table, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(legacy_table_type), intent(out) :: table
@@ -66,7 +66,7 @@ contains
       units = draft%units
       if (is_given(group, 'units')) units = unit_system(text_of(group, 'units', ''))
       do k = 1, column_count
-         call take_column(k, trim(column_name(k)), columns(k))
+         call read_column(k, trim(column_name(k)), columns(k))
       end do
       if (any(columns%last > 0)) then
          do k = 1, column_count
@@ -83,7 +83,7 @@ contains
    contains
 
       !> Place and unit of one column.
-      subroutine take_column(k, key, column)
+      subroutine read_column(k, key, column)
          integer, intent(in) :: k
          character(*), intent(in) :: key
          type(column_type), intent(out) :: column
@@ -116,12 +116,12 @@ contains
                trim(legal_units(k)), faults)
             column%unit = 1.0_wp
          end if
-      end subroutine take_column
+      end subroutine read_column
 
       pure function is_number(text) result(is)
          character(*), intent(in) :: text
          logical :: is
          is = len(text) > 0 .and. len(text) <= longest_number .and. verify(text, digits) == 0
       end function is_number
-   end subroutine take_one
+   end subroutine read_one
 end module dg_deck_legacy

@@ -74,7 +74,7 @@ contains
       table%path = path
       allocate (table%numbers(size(lines), column_count), source=0.0_wp)
       allocate (table%line_of(size(lines)), source=0)
-      call take_lines(lines, skip, columns, table, faults)
+      call read_rows(lines, skip, columns, table, faults)
       call check_rows(columns, table, faults)
       if (table%sound .and. .not. any(columns(2:column_count)%number > 0 .or. columns(2:column_count)%last > 0)) &
          call fault(table, 0, 'it has no column axial, torque or side_force; name at least one of its columns', faults)
@@ -95,7 +95,7 @@ contains
    end subroutine fault
 
    !> Rows of numbers from the lines below those that are skipped: header first, unless columns are fixed.
-   subroutine take_lines(lines, skip, columns, table, faults)
+   subroutine read_rows(lines, skip, columns, table, faults)
       type(text_type), intent(in) :: lines(:)
       integer, intent(in) :: skip
       type(column_type), intent(inout) :: columns(:)
@@ -136,12 +136,12 @@ contains
          table%n = table%n + 1
          table%line_of(table%n) = line
          if (fixed) then
-            call take_fixed(lines(line)%text, columns, table, faults)
+            call read_fixed(lines(line)%text, columns, table, faults)
          else
-            call take_row(text, columns, table, faults)
+            call read_row(text, columns, table, faults)
          end if
       end do
-   end subroutine take_lines
+   end subroutine read_rows
 
    !> True if a comment line would be a row without its comment mark: a depth stands in the column of depths.
    function has_depth(text, column, table) result(has)
@@ -289,7 +289,7 @@ contains
    end function unit_in
 
    !> The last row of the table, from columns that are parted.
-   subroutine take_row(text, columns, table, faults)
+   subroutine read_row(text, columns, table, faults)
       character(*), intent(in) :: text
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
@@ -303,12 +303,12 @@ contains
       end if
       do k = 1, column_count
          if (columns(k)%number == 0) cycle
-         call take(k, columns(k), row(columns(k)%number)%text, table, faults)
+         call read_field(k, columns(k), row(columns(k)%number)%text, table, faults)
       end do
-   end subroutine take_row
+   end subroutine read_row
 
    !> The same from columns at fixed places.
-   subroutine take_fixed(letters, columns, table, faults)
+   subroutine read_fixed(letters, columns, table, faults)
       character(*), intent(in) :: letters
       type(column_type), intent(in) :: columns(:)
       type(table_type), intent(inout) :: table
@@ -321,14 +321,15 @@ contains
                call fault(table, table%line, 'the row ends at character '//to_text(len(letters))//', '// &
                           trim(column_name(k))//' begins at '//to_text(first), faults)
             else
-               call take(k, columns(k), trim(adjustl(letters(first:min(last, len(letters))))), table, faults)  ! editors cut blanks
+               ! editors cut blanks
+               call read_field(k, columns(k), trim(adjustl(letters(first:min(last, len(letters))))), table, faults)
             end if
          end associate
       end do
-   end subroutine take_fixed
+   end subroutine read_fixed
 
    !> One number of the last row.
-   subroutine take(k, column, field, table, faults)
+   subroutine read_field(k, column, field, table, faults)
       integer, intent(in) :: k
       type(column_type), intent(in) :: column
       character(*), intent(in) :: field
@@ -339,7 +340,7 @@ contains
       call read_cell(field, table%separator == ',', table%line, table%marks, number, legal)
       table%numbers(table%n, k) = number*column%unit
       if (.not. legal) call fault(table, table%line, trim(column_name(k))//' = '//quoted(field)//' is not a number', faults)
-   end subroutine take
+   end subroutine read_field
 
    !> SI value of a unit of a column, letter case, points, dashes and stars aside; 0 where it is none.
    pure recursive function unit_value(column, name) result(value)

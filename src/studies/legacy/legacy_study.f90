@@ -1,10 +1,10 @@
 !> &legacy: lays other programs' results beside ours.
 module dg_legacy_study
-   use dg_column, only: fields_of, put, quantity_force, quantity_length, quantity_line_load, quantity_moment, quantity_text, &
+   use dg_column, only: fields_of, add, quantity_force, quantity_length, quantity_line_load, quantity_moment, quantity_text, &
                         row_type
    use dg_csv_table, only: add_row, begin_table, csv_table_type, write_table
    use dg_deck_draft, only: deck_type
-   use dg_deck_legacy, only: take_legacy
+   use dg_deck_legacy, only: read_legacy
    use dg_error, only: error_list_type, error_type
    use dg_exit_status, only: note_failure
    use dg_job, only: job_type, model_name
@@ -52,7 +52,7 @@ contains
       type(error_list_type), intent(inout) :: faults
       integer :: i
       associate (not_needed => job)
-         call take_legacy(deck%draft, deck%groups, self%tables, faults)
+         call read_legacy(deck%draft, deck%groups, self%tables, faults)
       end associate
       self%asked = size(self%tables) > 0
       self%forms = text_list('legacy_*.csv')
@@ -186,20 +186,20 @@ contains
       character(*), intent(in) :: hole                    !< kind of hole there
       real(wp), intent(in) :: ours(:), theirs(:)          !< by quantity; theirs missing where the table has none [N, N.m, N/m]
       type(row_type) :: row
-      call put(row, 'case', quantity_text, 'name of the load case', case_name)
-      call put(row, 'model', quantity_text, 'as in summary.csv', model_name(model))
-      call put(row, 'md', quantity_length, 'measured depth, of the other program''s row', md)
-      call put(row, 'hole', quantity_text, &
+      call add(row, 'case', quantity_text, 'name of the load case', case_name)
+      call add(row, 'model', quantity_text, 'as in summary.csv', model_name(model))
+      call add(row, 'md', quantity_length, 'measured depth, of the other program''s row', md)
+      call add(row, 'hole', quantity_text, &
                'kind of hole there: vertical (to 1 deg), build, hold, drop, turn (0.25 deg/30 m and less is held)', hole)
-      call put(row, 'axial', quantity_force, 'axial force of drillgap, interpolated', ours(quantity_axial))
-      call put(row, 'legacy_axial', quantity_force, 'value of the other program', theirs(quantity_axial))
-      call put(row, 'axial_difference', quantity_force, '', difference(theirs(quantity_axial), ours(quantity_axial)))
-      call put(row, 'torque', quantity_moment, 'torque of drillgap', ours(quantity_torque))
-      call put(row, 'legacy_torque', quantity_moment, 'value of the other program', theirs(quantity_torque))
-      call put(row, 'torque_difference', quantity_moment, '', difference(theirs(quantity_torque), ours(quantity_torque)))
-      call put(row, 'side_force', quantity_line_load, 'contact force per length of drillgap', ours(quantity_side_force))
-      call put(row, 'legacy_side_force', quantity_line_load, 'value of the other program', theirs(quantity_side_force))
-      call put(row, 'side_force_difference', quantity_line_load, &
+      call add(row, 'axial', quantity_force, 'axial force of drillgap, interpolated', ours(quantity_axial))
+      call add(row, 'legacy_axial', quantity_force, 'value of the other program', theirs(quantity_axial))
+      call add(row, 'axial_difference', quantity_force, '', difference(theirs(quantity_axial), ours(quantity_axial)))
+      call add(row, 'torque', quantity_moment, 'torque of drillgap', ours(quantity_torque))
+      call add(row, 'legacy_torque', quantity_moment, 'value of the other program', theirs(quantity_torque))
+      call add(row, 'torque_difference', quantity_moment, '', difference(theirs(quantity_torque), ours(quantity_torque)))
+      call add(row, 'side_force', quantity_line_load, 'contact force per length of drillgap', ours(quantity_side_force))
+      call add(row, 'legacy_side_force', quantity_line_load, 'value of the other program', theirs(quantity_side_force))
+      call add(row, 'side_force_difference', quantity_line_load, &
                '', difference(theirs(quantity_side_force), ours(quantity_side_force)))
    end function legacy_row
 end module dg_legacy_study

@@ -2,18 +2,18 @@
 module dg_deck_steering
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, group_fault, real_of, reals_of, optional_of
-   use dg_deck_draft, only: draft_type, take_cases
+   use dg_deck_draft, only: draft_type, read_cases
    use dg_error, only: error_list_type
    use dg_steering, only: steering_type
    use dg_text, only: quoted, to_text
    implicit none
    private
-   public :: take_steering
+   public :: read_steering_group
 
 contains
 
-   !> Take the deck's &steering; not allocated where the deck has none. All load cases where none is named.
-   subroutine take_steering(draft, groups, steering, faults)
+   !> Read the deck's &steering; not allocated where the deck has none. All load cases where none is named.
+   subroutine read_steering_group(draft, groups, steering, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(steering_type), allocatable, intent(out) :: steering
@@ -23,7 +23,7 @@ contains
       do i = 1, size(groups)
          if (groups(i)%name /= 'steering') cycle
          allocate (steering)
-         call take_cases(draft, groups(i), steering%cases, faults)
+         call read_cases(draft, groups(i), steering%cases, faults)
          allocate (steering%toolfaces, source=reals_of(groups(i), 'toolfaces'))
          steering%length = real_of(groups(i), 'length', steering%length)
          steering%hole_enlargement = real_of(groups(i), 'hole_enlargement', 0.0_wp)
@@ -46,5 +46,5 @@ contains
          end do
          return
       end do
-   end subroutine take_steering
+   end subroutine read_steering_group
 end module dg_deck_steering

@@ -99,7 +99,7 @@ contains
             if (norm2(step) > longest) step = step*(longest/norm2(step))
             result%found = norm2(step) <= settled
             if (result%found) exit
-            call take_step(probe, k, f, step, sound)
+            call shorten_step(probe, k, f, step, sound)
             if (.not. sound) exit
          end do
       end if
@@ -294,7 +294,7 @@ contains
    end subroutine differentiate
 
    !> Takes a step, shortened until f becomes smaller; at last as short as it then is.
-   subroutine take_step(probe, k, f, step, sound)
+   subroutine shorten_step(probe, k, f, step, sound)
       type(probe_type), intent(inout) :: probe
       real(wp), intent(inout) :: k(2), f(2)
       real(wp), intent(in) :: step(2)
@@ -310,7 +310,7 @@ contains
       end do
       k = trial
       f = other
-   end subroutine take_step
+   end subroutine shorten_step
 
    !> x of a x = b; a long one where a is singular [1/m].
    pure function solution_of(a, b) result(x)

@@ -3,8 +3,8 @@ module dg_steering_study
    use dg_kinds, only: wp
    use dg_case_result, only: result_not_converged
    use dg_deck_draft, only: deck_type
-   use dg_deck_steering, only: take_steering
-   use dg_diagnostic, only: tell
+   use dg_deck_steering, only: read_steering_group
+   use dg_diagnostic, only: report_line
    use dg_equilibrium_curvature, only: find_equilibrium_curvature
    use dg_error, only: error_list_type, error_type, status_not_converged
    use dg_exit_status, only: graver
@@ -45,7 +45,7 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
-         call take_steering(deck%draft, deck%groups, self%steering, faults)
+         call read_steering_group(deck%draft, deck%groups, self%steering, faults)
       end associate
       self%asked = allocated(self%steering)
       self%files = text_list(file)
@@ -137,8 +137,8 @@ contains
             call note_lost(run%printed%outcome, 'steering', 0, result_not_converged, results(i)%message, &
                            run%model%cases(results(i)%case_index))
          end if
-         call tell('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
-                   either(':', ': no curvature;', results(i)%found)//' '//results(i)%message)
+         call report_line('steering, case '//quoted(run%model%cases(results(i)%case_index)%name)// &
+                          either(':', ': no curvature;', results(i)%found)//' '//results(i)%message)
       end do
    end subroutine report_lost
 

@@ -11,7 +11,7 @@ module dg_steering_table
    use dg_text, only: append_text, text_type, to_text
    use dg_text_table, only: add_cell, add_instead, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_factor, unit_label
-   use dg_column, only: put, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
+   use dg_column, only: add, quantity_angle, quantity_curvature, quantity_force, quantity_none, quantity_text, row_type
    implicit none
    private
    public :: steering_table, steering_row
@@ -104,32 +104,32 @@ contains
       type(row_type) :: row
       real(wp) :: bend(2)                  ! curvature that was found
       bend = merge(result%curvature, 0.0_wp, result%found)
-      call put(row, 'case', quantity_text, 'name of the load case', model%cases(result%case_index)%name)
-      call put(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
-      call put(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
-      call put(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
-      call put(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
-      call put(row, 'side_force_high', quantity_force, &
+      call add(row, 'case', quantity_text, 'name of the load case', model%cases(result%case_index)%name)
+      call add(row, 'toolface', quantity_angle, 'empty: a straight string, or the mean of a bend that turns', result%toolface)
+      call add(row, 'inclination', quantity_angle, 'of the hole at the bit', result%inclination)
+      call add(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
+      call add(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
+      call add(row, 'side_force_high', quantity_force, &
                'side force of the bit on the formation, towards the high side; < 0: to the low side', result%side_force(1))
-      call put(row, 'side_force_right', quantity_force, &
+      call add(row, 'side_force_right', quantity_force, &
                'side force of the bit to the right, looking down the hole', result%side_force(2))
-      call put(row, 'tilt_high', quantity_angle, 'tilt of the bit against the hole, towards the high side', result%tilt(1))
-      call put(row, 'tilt_right', quantity_angle, 'tilt of the bit to the right', result%tilt(2))
-      call put(row, 'build', quantity_curvature, &
+      call add(row, 'tilt_high', quantity_angle, 'tilt of the bit against the hole, towards the high side', result%tilt(1))
+      call add(row, 'tilt_right', quantity_angle, 'tilt of the bit to the right', result%tilt(2))
+      call add(row, 'build', quantity_curvature, &
                'expected build rate of the hole', optional_real(result%found, bend(1)))
-      call put(row, 'turn', quantity_curvature, &
+      call add(row, 'turn', quantity_curvature, &
                'expected turn rate of the hole, clockwise seen from above', optional_real(result%found, turn_rate(result, bend)))
-      call put(row, 'dogleg', quantity_curvature, 'expected dogleg of the hole', optional_real(result%found, norm2(bend)))
-      call put(row, 'dogleg_clock', quantity_angle, &
+      call add(row, 'dogleg', quantity_curvature, 'expected dogleg of the hole', optional_real(result%found, norm2(bend)))
+      call add(row, 'dogleg_clock', quantity_angle, &
                'direction of the dogleg, from the high side clockwise looking down the hole', &
                optional_real(result%found, dogleg_clock(bend)))
-      call put(row, 'status', quantity_text, &
+      call add(row, 'status', quantity_text, &
                'converged, or not_converged without a dogleg', merge('converged    ', 'not_converged', result%found))
-      call put(row, 'solutions', quantity_none, 'solutions of the string that were computed', result%solutions)
-      call put(row, 'message', quantity_text, 'reason of a missing or doubtful dogleg', result%message)
-      call put(row, 'three_point_dogleg', quantity_curvature, &
+      call add(row, 'solutions', quantity_none, 'solutions of the string that were computed', result%solutions)
+      call add(row, 'message', quantity_text, 'reason of a missing or doubtful dogleg', result%message)
+      call add(row, 'three_point_dogleg', quantity_curvature, &
                'dogleg of a stiff bent assembly with contact at bit and two more points', result%three_points)
-      call put(row, 'fitted_side_cutting', quantity_none, 'side_cutting for the measured dogleg', result%side_cutting)
+      call add(row, 'fitted_side_cutting', quantity_none, 'side_cutting for the measured dogleg', result%side_cutting)
    end function steering_row
 
    !> Change of azimuth per length of a hole that curves to the right [rad/m].

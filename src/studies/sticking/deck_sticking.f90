@@ -5,14 +5,14 @@ module dg_deck_sticking
    use dg_deck_draft, only: draft_type
    use dg_error, only: error_list_type
    use dg_missing, only: given
-   use dg_measured_cases, only: take_measured_cases, take_models
+   use dg_measured_cases, only: list_measured_cases, list_models
    use dg_rig, only: string_load
    use dg_sticking, only: find_free_point, find_resistance, sticking_name, sticking_type
    use dg_text, only: quoted, to_text
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: take_stickings
+   public :: read_sticking_groups
 
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
@@ -25,7 +25,7 @@ module dg_deck_sticking
 contains
 
    !> All of a deck, in its order, and the faults of each.
-   subroutine take_stickings(draft, groups, stickings, faults)
+   subroutine read_sticking_groups(draft, groups, stickings, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       type(sticking_type), allocatable, intent(out) :: stickings(:)
@@ -36,9 +36,9 @@ contains
       mine = pack(mine, [(kind_of(groups(mine(n))) > 0, n=1, size(mine))])
       allocate (stickings(size(mine)))
       do n = 1, size(mine)
-         call take_one(draft, groups(mine(n)), n, stickings(n), faults)
+         call read_one(draft, groups(mine(n)), n, stickings(n), faults)
       end do
-   end subroutine take_stickings
+   end subroutine read_sticking_groups
 
    !> Unknown of a &calibrate: a resistance or a free point; 0: friction.
    pure function kind_of(group) result(kind)
@@ -47,7 +47,7 @@ contains
       kind = findloc(sticking_name == text_of(group, 'parameter', ''), .true., dim=1)
    end function kind_of
 
-   subroutine take_one(draft, group, number, sticking, faults)
+   subroutine read_one(draft, group, number, sticking, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number
@@ -70,8 +70,8 @@ contains
       if (.not. is_given(group, trim(own_key(kind)))) &
          call group_fault(group, 'parameter', 'parameter = '//quoted(trim(sticking_name(kind)))//' needs '// &
             trim(own_key(kind)), faults)
-      call take_models(group, sticking%models)
-      call take_measured_cases(draft, group, sticking%cases, faults)
+      call list_models(group, sticking%models)
+      call list_measured_cases(draft, group, sticking%cases, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (size(sticking%cases)*size(sticking%models) > most_results) then
          call group_fault(group, 'cases', to_text(size(sticking%cases)*size(sticking%models))// &
@@ -110,7 +110,7 @@ contains
          character(:), allocatable :: text
          text = in_units(draft%units, unit_length, depth, depth_digits)
       end function shown
-   end subroutine take_one
+   end subroutine read_one
 
    !> Two pulls of one string at one depth in one operation; the smaller one comes first.
    subroutine check_pulls(draft, group, sticking, faults)

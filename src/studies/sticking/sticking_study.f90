@@ -4,8 +4,8 @@ module dg_sticking_study
    use dg_case_result, only: result_not_converged
    use dg_csv_table, only: add_row, begin_table, write_table
    use dg_deck_draft, only: deck_type
-   use dg_deck_sticking, only: take_stickings
-   use dg_diagnostic, only: tell
+   use dg_deck_sticking, only: read_sticking_groups
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_list_type, error_type, raise, status_failure, status_not_converged
    use dg_exit_status, only: graver
    use dg_factor_columns, only: factor_file, factor_row, found_type, held_type
@@ -51,7 +51,7 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       associate (not_needed => job, nor => notes)
-         call take_stickings(deck%draft, deck%groups, self%stickings, faults)
+         call read_sticking_groups(deck%draft, deck%groups, self%stickings, faults)
       end associate
       self%asked = size(self%stickings) > 0
       self%fits = .true.
@@ -147,8 +147,8 @@ contains
       associate (case => run%model%cases(result%case_index))
          call note_lost(run%printed%outcome, 'calibration '//sticking%name, result%model, result_not_converged, &
                         result%message, case)
-         call tell('calibration '//quoted(sticking%name)//', case '//quoted(case%name)//', model '// &
-                   trim(model_name(result%model))//': no solution; '//result%message)
+         call report_line('calibration '//quoted(sticking%name)//', case '//quoted(case%name)//', model '// &
+                          trim(model_name(result%model))//': no solution; '//result%message)
       end associate
       run%status = graver(run%status, status_not_converged)
    end subroutine report_lost

@@ -3,7 +3,7 @@ module dg_deck_sweep
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, claim_name, group_fault, named, reals_of, texts_of
    use dg_deck_draft, only: draft_type
-   use dg_deck_range, only: take_range
+   use dg_deck_range, only: read_range
    use dg_error, only: error_list_type
    use dg_load_case, only: operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
    use dg_missing, only: given
@@ -12,7 +12,7 @@ module dg_deck_sweep
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: take_sweeps
+   public :: read_sweep_groups
 
    !> Digits of a depth in a message.
    integer, parameter :: depth_digits = 7
@@ -20,7 +20,7 @@ module dg_deck_sweep
 contains
 
    !> All sweeps of a deck, in its order, and the faults of each. `notes` gets what is legal but hardly meant.
-   subroutine take_sweeps(draft, groups, models, sweeps, notes, faults)
+   subroutine read_sweep_groups(draft, groups, models, sweeps, notes, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       integer, intent(in) :: models(:)             !< of &job
@@ -35,16 +35,16 @@ contains
       allocate (sweeps(size(mine)))
       do n = 1, size(mine)
          associate (group => groups(mine(n)))
-            call take_range(draft, group, n, models, sweeps(n), faults)
-            if (allocated(sweeps(n)%depths)) call take_listed(draft, group, sweeps(n), faults)
+            call read_range(draft, group, n, models, sweeps(n), faults)
+            if (allocated(sweeps(n)%depths)) call read_listed(draft, group, sweeps(n), faults)
             call claim_name(group, 'name', sweeps(n)%name, taken, faults)
             call note_bit_loads(sweeps(n), notes)
          end associate
       end do
-   end subroutine take_sweeps
+   end subroutine read_sweep_groups
 
    !> Measurements that the group itself lists.
-   subroutine take_listed(draft, group, sweep, faults)
+   subroutine read_listed(draft, group, sweep, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(sweep_type), intent(inout) :: sweep
@@ -106,7 +106,7 @@ contains
          if (found == 0 .or. found == n .or. (one_will_do .and. found == 1 .and. n > 0)) return
          call group_fault(group, key, key//' has '//to_text(found)//' values, measured_depths has '//to_text(n), faults)
       end subroutine check_size
-   end subroutine take_listed
+   end subroutine read_listed
 
    !> A load on the bit acts in every operation of a sweep: hardly meant where the string is off bottom.
    subroutine note_bit_loads(sweep, notes)

@@ -52,7 +52,7 @@ contains
       if (can_fit(sweep)) call append_text(lines, 'Fits: friction factor that gives the measured value, between those of the sweep')
    end subroutine append_measured
 
-   !> Puts what was measured at a point.
+   !> Add what was measured at a point.
    pure subroutine add_row(table, units, sweep, points, model, number, quantity, shown)
       type(text_table_type), intent(inout) :: table
       type(unit_system_type), intent(in) :: units

@@ -1,7 +1,7 @@
 !> sweep_<name>.csv: one row per point, curve after curve.
 module dg_sweep_file
    use dg_case_result, only: has_numbers, result_status_name
-   use dg_column, only: put, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
+   use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, &
                         quantity_text, row_type
    use dg_comparison, only: as_measured, percent_error
    use dg_job, only: model_name
@@ -29,40 +29,40 @@ contains
       if (has_numbers(result%status)) error = percent_error(as_measured(result%hookload, result%weight_indicator), &
                                measured%hookload)
       if (allocated(sweep%frictions_cased)) friction_cased = given(sweep%frictions_cased(point%friction))
-      call put(row, 'model', quantity_text, 'as in summary.csv', model_name(sweep%models(point%model)))
-      call put(row, 'operation', quantity_text, 'long name of the operation', operation_name(sweep%operations(point%operation)))
-      call put(row, 'friction', quantity_none, &
+      call add(row, 'model', quantity_text, 'as in summary.csv', model_name(sweep%models(point%model)))
+      call add(row, 'operation', quantity_text, 'long name of the operation', operation_name(sweep%operations(point%operation)))
+      call add(row, 'friction', quantity_none, &
                'friction factor along and around the hole; empty: those of the hole sections', sweep%frictions(point%friction))
-      call put(row, 'bit_depth', quantity_length, 'measured depth of the bit', sweep%depths(point%depth))
-      call put(row, 'hookload', quantity_force, &
+      call add(row, 'bit_depth', quantity_length, 'measured depth of the bit', sweep%depths(point%depth))
+      call add(row, 'hookload', quantity_force, &
                'as in summary.csv', optional_real(has_numbers(result%status), result%hookload))
-      call put(row, 'torque', quantity_moment, &
+      call add(row, 'torque', quantity_moment, &
                'at the top, bit torque included', optional_real(has_numbers(result%status), result%torque))
-      call put(row, 'status', quantity_text, &
+      call add(row, 'status', quantity_text, &
                'converged, not_converged or locked_up: only the first is a solution', result_status_name(result%status))
-      call put(row, 'measured_hookload', quantity_force, 'measured hook load of the load case with this operation, depth and '// &
+      call add(row, 'measured_hookload', quantity_force, 'measured hook load of the load case with this operation, depth and '// &
                'string', &
                measured%hookload)
-      call put(row, 'measured_torque', quantity_moment, 'measured torque of that load case', measured%torque)
-      call put(row, 'error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator', error)
-      call put(row, 'message', quantity_text, &
+      call add(row, 'measured_torque', quantity_moment, 'measured torque of that load case', measured%torque)
+      call add(row, 'error', quantity_percent, '100 |hookload - measured| / measured; with &rig of weight_indicator', error)
+      call add(row, 'message', quantity_text, &
                'reason of a missing solution, else warnings', text_or_nothing(result%message))
-      call put(row, 'weight_indicator', quantity_force, &
+      call add(row, 'weight_indicator', quantity_force, &
                'reading of the weight indicator, as in summary.csv', result%weight_indicator)
-      call put(row, 'friction_cased', quantity_none, &
+      call add(row, 'friction_cased', quantity_none, &
                'friction factor of cased sections, if given; friction is then that of the others', friction_cased)
-      call put(row, 'rig_margin', quantity_force, &
+      call add(row, 'rig_margin', quantity_force, &
                'max_hookload of the rig (rig_limit) - hook load - block_weight', result%rig_margin)
-      call put(row, 'torque_margin', quantity_moment, 'max_torque of the rig - torque', result%torque_margin)
-      call put(row, 'overpull_margin', quantity_force, &
+      call add(row, 'torque_margin', quantity_moment, 'max_torque of the rig - torque', result%torque_margin)
+      call add(row, 'overpull_margin', quantity_force, &
                'pull that may be added until a part yields, by the soft string; empty without yield', &
                result%overpull_margin)
-      call put(row, 'settings', quantity_text, &
+      call add(row, 'settings', quantity_text, &
                'settings of the solver; empty: those of the deck; earlier: solved before --again', &
                merge('earlier', '       ', result%earlier))
-      call put(row, 'can_be_done', quantity_text, &
+      call add(row, 'can_be_done', quantity_text, &
                'as in summary.csv, without fatigue; strengths by forces of the soft string', &
                answer_name(answer_of(result)))
-      call put(row, 'limit', quantity_text, 'limit that is passed', limit_code(result%limit))
+      call add(row, 'limit', quantity_text, 'limit that is passed', limit_code(result%limit))
    end function sweep_row
 end module dg_sweep_file

@@ -3,7 +3,7 @@ module dg_sweep_study
    use dg_column, only: fields_of
    use dg_deck_draft, only: deck_type
    use dg_deck_range, only: note_range_use
-   use dg_deck_sweep, only: take_sweeps
+   use dg_deck_sweep, only: read_sweep_groups
    use dg_ensemble_study, only: ensemble_study_type, name_ranges, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_list_type, error_type
@@ -54,7 +54,7 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      call take_sweeps(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
+      call read_sweep_groups(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
       call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', &
                                              'fewer frictions or a larger bit_depth_step'), spread(1, 1, size(self%ranges)))
       do i = 1, size(self%ranges)

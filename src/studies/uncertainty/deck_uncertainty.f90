@@ -4,7 +4,7 @@ module dg_deck_uncertainty
    use dg_checked_group, only: checked_group_type, claim_name, group_fault, integer_of, is_given, is_sound, named, real_of, &
       reals_of, text_of
    use dg_deck_draft, only: draft_type
-   use dg_deck_range, only: take_range
+   use dg_deck_range, only: read_range
    use dg_error, only: error_list_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_missing, only: missing
@@ -13,7 +13,7 @@ module dg_deck_uncertainty
    use dg_uncertainty, only: correlation_of, friction_factor_of, uncertainty_type
    implicit none
    private
-   public :: take_uncertainties
+   public :: read_uncertainty_groups
 
    !> Words of friction_parameter.
    character(*), parameter :: axial_alone = 'friction_axial', rotary_alone = 'friction_rotary'
@@ -23,7 +23,7 @@ module dg_deck_uncertainty
 contains
 
    !> All of a deck, in its order, and the faults of each.
-   subroutine take_uncertainties(draft, groups, models, estimates, uncertainties, faults)
+   subroutine read_uncertainty_groups(draft, groups, models, estimates, uncertainties, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
       integer, intent(in) :: models(:)             !< of &job
@@ -38,13 +38,13 @@ contains
       allocate (uncertainties(size(mine)))
       do n = 1, size(mine)
          associate (group => groups(mine(n)))
-            call take_one(draft, group, n, models, estimates, uncertainties(n), faults)
+            call read_one(draft, group, n, models, estimates, uncertainties(n), faults)
             call claim_name(group, 'name', uncertainties(n)%range%name, taken, faults)
          end associate
       end do
-   end subroutine take_uncertainties
+   end subroutine read_uncertainty_groups
 
-   subroutine take_one(draft, group, number, models, estimates, uncertainty, faults)
+   subroutine read_one(draft, group, number, models, estimates, uncertainty, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       integer, intent(in) :: number                !< in the deck
@@ -56,7 +56,7 @@ contains
       before = faults%count
       uncertainty%samples = integer_of(group, 'samples', uncertainty%samples)
       uncertainty%seed = integer_of(group, 'seed', uncertainty%seed)
-      call take_friction(draft, group, estimates, uncertainty, faults)
+      call read_friction(draft, group, estimates, uncertainty, faults)
       uncertainty%density_deviation = real_of(group, 'density_deviation', 0.0_wp)
       uncertainty%inclination_deviation = real_of(group, 'inclination_deviation', 0.0_wp)
       uncertainty%azimuth_deviation = real_of(group, 'azimuth_deviation', 0.0_wp)
@@ -68,7 +68,7 @@ contains
           max(uncertainty%inclination_deviation, uncertainty%azimuth_deviation) > 0.0_wp) &
          call group_fault(group, 'survey_errors', 'errors of single stations '// &
             'would bend the hole at each station that &tortuosity adds; give survey_errors = ''systematic''', faults)
-      call take_range(draft, group, number, models, uncertainty%range, faults)
+      call read_range(draft, group, number, models, uncertainty%range, faults)
       if (faults%count > before .or. .not. all(group%values%sound .or. .not. group%values%given)) return
       if (.not. (allocated(uncertainty%friction_factor) .or. uncertainty%estimate > 0) .and. &
           .not. any([uncertainty%density_deviation, uncertainty%inclination_deviation, &
@@ -80,10 +80,10 @@ contains
       call group_fault(group, 'samples', to_text(point_count(uncertainty%range))//' points with '// &
          to_text(uncertainty%samples)//' samples each are more than '//to_text(most_solutions)// &
          ' solutions; lower samples or raise bit_depth_step', faults)
-   end subroutine take_one
+   end subroutine read_one
 
-   !> Take the variation of friction, and its correlation.
-   subroutine take_friction(draft, group, estimates, uncertainty, faults)
+   !> Read the variation of friction, and its correlation.
+   subroutine read_friction(draft, group, estimates, uncertainty, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: group
       type(friction_estimate_type), intent(in) :: estimates(:)
@@ -98,7 +98,7 @@ contains
       uncertainty%axial = text_of(group, 'friction_parameter', '') /= rotary_alone
       uncertainty%rotary = text_of(group, 'friction_parameter', '') /= axial_alone
       if (is_given(group, 'friction_from')) then
-         call take_estimate(group, estimates, uncertainty, regular)
+         call read_estimate(group, estimates, uncertainty, regular)
          if (.not. regular) call group_fault(group, 'friction_from', 'friction_from = '//quoted(text_of(group, &
             'friction_from', ''))//' is not a &calibrate of this deck with apply = .true.', faults)
          if (any([is_given(group, 'friction'), is_given(group, 'friction_deviation'), is_given(group, 'friction_correlation'), &
@@ -139,10 +139,10 @@ contains
       if (size(above) > 0) uncertainty%friction_correlation = missing
       if (.not. regular) call group_fault(group, 'friction_correlations', &
          'friction_correlations that no numbers can have: their '//'matrix is not positive', faults)
-   end subroutine take_friction
+   end subroutine read_friction
 
    !> Number of the estimate that `friction_from` names, and which coefficients it is of.
-   subroutine take_estimate(group, estimates, uncertainty, found)
+   subroutine read_estimate(group, estimates, uncertainty, found)
       type(checked_group_type), intent(in) :: group
       type(friction_estimate_type), intent(in) :: estimates(:)
       type(uncertainty_type), intent(inout) :: uncertainty
@@ -156,5 +156,5 @@ contains
          uncertainty%axial = estimates(i)%axial
          uncertainty%rotary = estimates(i)%rotary
       end do
-   end subroutine take_estimate
+   end subroutine read_estimate
 end module dg_deck_uncertainty

@@ -3,13 +3,13 @@ module dg_uncertainty_study
    use dg_column, only: fields_of, row_type
    use dg_deck_draft, only: deck_type
    use dg_deck_range, only: note_range_use
-   use dg_deck_uncertainty, only: take_uncertainties
+   use dg_deck_uncertainty, only: read_uncertainty_groups
    use dg_ensemble_study, only: ensemble_study_type, name_ranges, prepare_points => prepare_ensembles, range_text_type
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_list_type, error_type, raise, status_not_converged
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type, model_name
-   use dg_line_list, only: add_line, line_list_type, take_lines
+   use dg_line_list, only: add_line, line_list_type, move_lines
    use dg_model, only: model_type
    use dg_picture_data, only: picked_rows, picture_data_type
    use dg_picture_list, only: add_picture, picture_list_type
@@ -77,7 +77,7 @@ contains
       type(error_list_type), intent(inout) :: faults
       integer :: i
       associate (not_needed => notes)
-         call take_uncertainties(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
+         call read_uncertainty_groups(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
       end associate
       allocate (self%ranges(size(self%uncertainties)))
       do i = 1, size(self%uncertainties)
@@ -112,14 +112,14 @@ contains
       integer :: i
       do i = 1, size(self%uncertainties)
          if (self%uncertainties(i)%estimate == 0) cycle
-         call take_estimate(run%estimates(self%uncertainties(i)%estimate), self%uncertainties(i), error)
+         call copy_estimate(run%estimates(self%uncertainties(i)%estimate), self%uncertainties(i), error)
          if (allocated(error)) return
       end do
       call prepare_points(self, run, error)
    end subroutine prepare
 
    !> Deviations and correlations of the friction of hole sections.
-   subroutine take_estimate(estimate, uncertainty, error)
+   subroutine copy_estimate(estimate, uncertainty, error)
       type(friction_estimate_type), intent(in) :: estimate
       type(uncertainty_type), intent(inout) :: uncertainty
       type(error_type), allocatable, intent(out) :: error
@@ -135,7 +135,7 @@ contains
       if (.not. known) call raise(error, status_not_converged, 'calibration '//quoted(estimate%name)// &
          ' knows no intervals of the friction of its hole sections, so uncertainty '//quoted(uncertainty%range%name)// &
          ' was not run')
-   end subroutine take_estimate
+   end subroutine copy_estimate
 
    !> Settings that the results depend on. Deviations of gauges may change: they are added when all points are solved.
    function settings(self, number, model) result(lines)
@@ -160,7 +160,7 @@ contains
          call add_line(list, 'deviation of azimuth, rad = '//to_text(uncertainty%azimuth_deviation))
          call add_line(list, 'systematic survey errors = '//yes_or_no(uncertainty%systematic_survey))
       end associate
-      call take_lines(list, lines)
+      call move_lines(list, lines)
    end function settings
 
    !> Solves what is left.

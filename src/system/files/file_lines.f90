@@ -152,7 +152,7 @@ contains
       close (unit)
    end subroutine read_blocks
 
-   !> Puts one more line to the others, unless it or their number is beyond all measure.
+   !> Add one more line to the others, unless it or their number is beyond all measure.
    subroutine add_line(line, lines, count, failure)
       character(*), intent(in) :: line
       type(text_type), allocatable, intent(inout) :: lines(:)

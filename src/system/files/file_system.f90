@@ -80,7 +80,7 @@ contains
       if (allocated(error)) call delete_file(unfinished)
    end subroutine write_text_file
 
-   !> Puts `lines` at the end of a file that is there and no link. `failure` is '' or the system's reason; then some of them may
+   !> Append `lines` at the end of a file that is there and no link. `failure` is '' or the system's reason; then some of them may
    !> stand there.
    subroutine append_lines(path, lines, failure)
       character(*), intent(in) :: path

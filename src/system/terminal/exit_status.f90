@@ -1,6 +1,6 @@
 !> The exit status of a run: the gravest of what happened.
 module dg_exit_status
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_error, only: error_type, status_ok, status_failure, status_bad_input, status_not_converged
    use dg_interruption, only: interruption_name
    implicit none
@@ -14,7 +14,7 @@ contains
       type(error_type), allocatable, intent(in) :: error
       integer, intent(inout) :: status
       if (.not. allocated(error)) return
-      call tell(error%message)
+      call report_line(error%message)
       status = graver(status, error%status)
    end subroutine note_failure
 
@@ -22,7 +22,7 @@ contains
    subroutine note_ending(what, status)
       character(*), intent(in) :: what
       integer, intent(inout) :: status
-      if (status /= status_failure) call tell('ended by '//interruption_name()//' before '//what)
+      if (status /= status_failure) call report_line('ended by '//interruption_name()//' before '//what)
       status = status_failure
    end subroutine note_ending
 

@@ -4,7 +4,7 @@ module dg_progress
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use dg_kinds, only: wp
    use dg_clock, only: seconds_between
-   use dg_diagnostic, only: tell
+   use dg_diagnostic, only: report_line
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_missing, only: is_missing, missing
    use dg_process, only: someone_watches
@@ -47,14 +47,14 @@ contains
       wait = merge(pause, long_pause, progress%on_terminal)
       if (.not. (progress%timed .or. progress%on_terminal)) wait = telling_after     ! the first line
       if (seconds < telling_after .or. seconds_between(progress%last, now) < wait) return
-      call put_line(progress, progress%label//': '//to_text(solved)//' of '//to_text(all)//' solved in '// &
-                    remaining_text(seconds)//', '//what)
+      call write_line(progress, progress%label//': '//to_text(solved)//' of '//to_text(all)//' solved in '// &
+                      remaining_text(seconds)//', '//what)
       progress%timed = .true.
       progress%last = now
    end subroutine show_cases
 
    !> Writes a line over the one before on a terminal, elsewhere below it.
-   subroutine put_line(progress, line)
+   subroutine write_line(progress, line)
       type(progress_type), intent(inout) :: progress
       character(*), intent(in) :: line
       if (progress%on_terminal) then
@@ -62,9 +62,9 @@ contains
          flush (error_unit)
          progress%width = len(line)
       else
-         call tell(line)
+         call report_line(line)
       end if
-   end subroutine put_line
+   end subroutine write_line
 
    !> Begins, and tells how much there is to do.
    subroutine start_progress(progress, label, work, quiet)
@@ -77,7 +77,7 @@ contains
       progress%label = label
       call system_clock(progress%started)
       progress%last = progress%started
-      if (.not. quiet .and. work /= '') call tell(label//': '//work//' to find')
+      if (.not. quiet .and. work /= '') call report_line(label//': '//work//' to find')
    end subroutine start_progress
 
    !> Shows how far the work is. The remaining time supposes that what is left costs as what was done since the start.
@@ -96,10 +96,10 @@ contains
       if (.not. is_missing(left)) line = line//', '//remaining_text(left)//' left'
       if (self%on_terminal) then
          if (seconds_between(self%last, now) < pause) return
-         call put_line(self, line)
+         call write_line(self, line)
       else
          if (left < worth_telling .or. (self%timed .and. seconds_between(self%last, now) < long_pause)) return
-         call tell(line)
+         call report_line(line)
          self%timed = .true.
       end if
       self%last = now
@@ -116,7 +116,7 @@ contains
       left = seconds_left(progress, share, 1.0_wp - share, now)
       if (is_missing(left)) return
       progress%timed = .true.
-      if (left >= worth_telling) call tell(progress%label//': about '//remaining_text(left)//' left')
+      if (left >= worth_telling) call report_line(progress%label//': about '//remaining_text(left)//' left')
    end subroutine show_time
 
    !> Time that the rest of the work takes [s]; missing where too little is done to tell.

@@ -8,7 +8,7 @@ module dg_standard_output
    use dg_text, only: c_text
    implicit none
    private
-   public :: guard_descriptors, put_line, flush_output, output_failed
+   public :: guard_descriptors, write_line, flush_output, output_failed
 
    !> Descriptors of standard input, output and error (POSIX).
    integer(c_int), parameter :: standard_descriptors(3) = [0_c_int, 1_c_int, 2_c_int]
@@ -77,8 +77,8 @@ contains
       call ignore_signal(broken_pipe)
    end subroutine guard_descriptors
 
-   !> Puts one line; output_failed tells whether it could be written.
-   subroutine put_line(line)
+   !> Write one line; output_failed tells whether it could be written.
+   subroutine write_line(line)
       character(*), intent(in) :: line
       character(:), allocatable :: whole
       integer(c_size_t) :: written
@@ -88,9 +88,9 @@ contains
       whole = line//new_line('a')
       written = c_fwrite(whole, 1_c_size_t, int(len(whole), c_size_t), stream)
       if (written < len(whole)) return      ! the stream keeps that in mind
-   end subroutine put_line
+   end subroutine write_line
 
-   !> Puts all there is where it belongs.
+   !> Write all waiting output.
    subroutine flush_output()
       integer(c_int) :: status
       type(c_ptr) :: stream

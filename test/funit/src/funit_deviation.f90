@@ -4,7 +4,7 @@ module funit_deviation
    use, intrinsic :: iso_fortran_env, only: real64
    implicit none
    private
-   public :: note_deviation, take_deviation
+   public :: note_deviation, pop_deviation
 
    real(real64) :: worst_share = -1.0_real64  ! of what was allowed
    real(real64) :: worst = 0.0_real64         ! over the expected number; absolute where that is zero
@@ -32,7 +32,7 @@ contains
    end subroutine note_deviation
 
    !> Text on the deviations since the last call; '' if there are none.
-   subroutine take_deviation(text)
+   subroutine pop_deviation(text)
       character(:), allocatable, intent(out) :: text
       character(80) :: line
       text = ''
@@ -43,5 +43,5 @@ contains
       end if
       worst_share = -1.0_real64
       compared = 0
-   end subroutine take_deviation
+   end subroutine pop_deviation
 end module funit_deviation

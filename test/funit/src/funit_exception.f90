@@ -3,7 +3,7 @@
 module funit_exception
    implicit none
    private
-   public :: SourceLocation, Exception, throw, catch, anyExceptions, take_exceptions
+   public :: SourceLocation, Exception, throw, catch, anyExceptions, pop_exceptions
 
    type :: SourceLocation
       character(255) :: fileName = '<unknown file>'
@@ -68,14 +68,14 @@ contains
    end function catch_message
 
    !> Hands over all failures and leaves none.
-   subroutine take_exceptions(exceptions)
+   subroutine pop_exceptions(exceptions)
       type(Exception), allocatable, intent(out) :: exceptions(:)
       if (allocated(pending)) then
          call move_alloc(pending, exceptions)
       else
          allocate (exceptions(0))
       end if
-   end subroutine take_exceptions
+   end subroutine pop_exceptions
 
    logical function kept(preserve)
       logical, intent(in), optional :: preserve

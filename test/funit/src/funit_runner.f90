@@ -5,8 +5,8 @@
 module funit_runner
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit, real64
-   use funit_deviation, only: take_deviation
-   use funit_exception, only: Exception, anyExceptions, take_exceptions
+   use funit_deviation, only: pop_deviation
+   use funit_exception, only: Exception, anyExceptions, pop_exceptions
    use funit_suite, only: TestMethod, TestSuite
    implicit none
    private
@@ -83,9 +83,9 @@ contains
       if (associated(test%tearDown)) call test%tearDown()
       call system_clock(finish)
       outcome%seconds = real(finish - start, real64)/real(rate, real64)
-      call take_exceptions(outcome%exceptions)
+      call pop_exceptions(outcome%exceptions)
       outcome%failed = size(outcome%exceptions) > 0
-      call take_deviation(deviation)
+      call pop_deviation(deviation)
       if (verbose .and. deviation /= '') write (output_unit, '(2a)') '     ', deviation
       if (verbose .or. .not. on_terminal()) return
       write (output_unit, '(a)', advance='no') merge('F', '.', outcome%failed)     ! progress, as pFUnit prints it
