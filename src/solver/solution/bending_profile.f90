@@ -9,9 +9,7 @@
 !> side force, offset and clock of the profile are those of that beam. Where it has a peak between two nodes of the mesh, rows
 !> are added.
 !>
-!> Two things stay as in the analysis:
-!> - parts that slope against the hole by more than a tenth, for which the beam of small slopes is not valid
-!> - moments in elements where both differ by less than half a per cent of the largest moment
+!> Parts that slope against the hole by more than a tenth stay as in the analysis. The beam of small slopes is not valid there.
 module dg_bending_profile
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of

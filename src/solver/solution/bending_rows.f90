@@ -16,7 +16,7 @@ module dg_bending_rows
    private
    public :: alike, clock_in_hole, compare_contact, contact_scale, merge_rows
 
-   !> Moments of the analysis are kept where those of the beam differ by less than this part of the largest moment [-].
+   !> Two moments are alike if they differ by less than this part of the largest one [-].
    real(wp), parameter :: alike = 0.005_wp
 
    !> Least contact force to which a difference is compared [N].
@@ -110,8 +110,8 @@ contains
       end do
    end subroutine set_contact
 
-   !> Moments at the nodes of the beam, and which of these nodes become rows. In an element of the analysis where both moments
-   !> are alike, those of the analysis are kept.
+   !> Moments at the nodes of the beam, and which of these nodes become rows. Where the beam is held, moments are those of the
+   !> analysis.
    pure subroutine choose_moments(mesh, beam, forces, bending, moment, kept)
       type(mesh_type), intent(in) :: mesh
       type(bending_beam_type), intent(in) :: beam
@@ -119,38 +119,21 @@ contains
       real(wp), intent(in) :: bending(:)         !< of the analysis, at the nodes of the mesh [N.m]
       real(wp), intent(out) :: moment(:)         !< (n) [N.m]
       logical, intent(out) :: kept(:)            !< nodes that become rows (n)
-      real(wp) :: coarse(size(moment)), share, largest
-      logical :: better(mesh%elements)
+      real(wp) :: share
       integer :: n, o, e
-      better = .false.
-      largest = 0.0_wp
-      do n = 1, size(moment)
-         o = beam%owner(min(n, size(beam%owner)))
-         share = (beam%md(n) - mesh%md(o))/mesh%length(o)
-         coarse(n) = (1.0_wp - share)*bending(o) + share*bending(o + 1)
-         moment(n) = length_of(forces(3:4, n))
-         if (beam%held(n)) moment(n) = coarse(n)
-         largest = max(largest, moment(n))
-      end do
-      do n = 1, size(moment)
-         if (abs(moment(n) - coarse(n)) <= alike*largest) cycle
-         better(beam%owner(min(n, size(beam%owner)))) = .true.
-         better(beam%owner(max(n - 1, 1))) = .true.
-      end do
-      kept = .false.
       e = 1
       do n = 1, size(moment)
-         kept(n) = .not. beam%md(n) < mesh%md(e)
-         o = beam%owner(min(n, size(beam%owner)))
-         if (kept(n)) then
-            if (.not. any(better(max(e - 1, 1):min(e, mesh%elements)))) moment(n) = bending(e)
-            e = min(e + 1, mesh%nodes)
-         else if (.not. better(o)) then
-            moment(n) = coarse(n)
+         moment(n) = length_of(forces(3:4, n))
+         if (beam%held(n)) then
+            o = beam%owner(min(n, size(beam%owner)))
+            share = (beam%md(n) - mesh%md(o))/mesh%length(o)
+            moment(n) = (1.0_wp - share)*bending(o) + share*bending(o + 1)
          end if
+         kept(n) = .not. beam%md(n) < mesh%md(e)
+         if (kept(n)) e = min(e + 1, mesh%nodes)
       end do
       kept(beam%point) = .true.       ! points of contact have rows of their own
-      call rows_needed(beam%md, moment, 0.5_wp*alike*largest, kept)
+      call rows_needed(beam%md, moment, 0.5_wp*alike*maxval(moment), kept)
    end subroutine choose_moments
 
    !> Contact force at each row, of the piece of string above it and of the piece below it (2,rows) [N]. A force between two
