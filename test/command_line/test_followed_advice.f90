@@ -52,21 +52,22 @@ contains
    !> Shorter elements where the string is outside its hole, or has contact at the wrong place; halved ones where moments are rough.
    subroutine test_short_elements()
       character(*), parameter :: job = "&job models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline
-      character(*), parameter :: solver = "&solver /"//newline
+      character(*), parameter :: solver = "&solver element_length = 30 /"//newline
       call follow(job//"&trajectory md = 0, 100, 115, 300, inc = 0, 0, 40, 40, azi = 4*0 /"//newline// &
                   "&hole diameter = 216, friction = 0.3 /"//newline//"&fluid density = 1200 /"//newline// &
                   "&component od = 165, id = 71.4, joint_od = 212 /"//newline// &
                   "&load_case name = 'c', operation = 'trip_in', bit_depth = 250 /"//newline//solver, &
-                  'Set element_length to 12 m in &solver, which helps most strings', '&solver', '&solver element_length = 12', 0)
+                  'Set element_length to 12 m in &solver, which helps most strings', '= 30 /', '= 12 /', 0)
       call follow(job//large_hole()//solver, 'An element_length of 1.5 m gives most strings contact points where', &
-                  '&solver', '&solver element_length = 1.5', 0)
+                  '= 30 /', '= 1.5 /', 0)
       call follow(job//"&trajectory md = 0, 600, inc = 30, 30, azi = 0, 0 /"//newline//"&hole md_bottom = 500, diameter = 224 /"// &
                   newline//"&hole diameter = 216 /"//newline//"&component od = 127, id = 108.6, joint_od = 168 /"//newline// &
                   "&load_case name = 'c', operation = 'trip_out', bit_depth = 595.27 /"//newline// &
                   "&solver tool_joints = 'discrete' /"//newline, &
                   'A tool joint ends at 500.02 m, where the hole changes its diameter. Moments there depend on which side the '// &
                   'joint lies. Compare with a bit_depth 0.5 m deeper', '595.27', '595.77', 0)
-      call follow(job//rods()//solver, "of the largest. Set fidelity = 'reference'", '&solver', "&solver fidelity = 'reference'", 0)
+      call follow(job//rods()//"&solver /"//newline, "of the largest. Set fidelity = 'reference'", '&solver', &
+                  "&solver fidelity = 'reference'", 0)
    end subroutine test_short_elements
 
    !> Tubing that crosses a wide hole slopes too much for short elements to give its moments; a smaller element_length makes them

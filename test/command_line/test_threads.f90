@@ -26,7 +26,7 @@ contains
       character(:), allocatable :: told
       integer :: i
       deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge', 'soft', 'rigid', 'mixed', hdf5 = .false.")
-      deck = replaced(deck, 'element_length = 10.0', 'max_iterations = 2')
+      deck = replaced(deck, 'element_length = 10.0', 'element_length = 30.0, max_iterations = 2')
       deck = deck//"&load_case name = 'd', operation = 'down', bit_depth = 850.0 /"//newline// &
              "&load_case name = 'r', operation = 'rotary', bit_depth = 700.0, wob = 20.0 /"//newline
       run = run_deck_text(deck, '--threads 1')

@@ -23,7 +23,7 @@ module dg_extreme_table
    !> Known failures. Cases that the program does not solve, and says so: none.
    character(*), parameter :: not_solved(0) = [character(40) ::]
    !> Known failures. Cases that converge, and are off by more than the tolerance without a word.
-   character(*), parameter :: off(2) = [character(40) :: 'sharp, wide hole, rotating', 'sharp, soft wall, rotating']
+   character(*), parameter :: off(2) = [character(40) :: 'sharp, tight hole, rotating', 'friction 1, tight hole, rotating']
 
 contains
 

@@ -316,6 +316,7 @@ contains
       rigid_over_elastic = numerics%gk_max/numerics%gk_contact
       reader%group => group
       call visit_numerics(numerics, reader)
+      if (is_given(group, 'element_length')) numerics%full_length = 0.0_wp
       if (.not. is_sound(group, 'gk_max')) numerics%gk_max = rigid_over_elastic*numerics%gk_contact
       numerics%history = logical_of(group, 'history', numerics%history)
       numerics%mixed_elements = is_sound(group, 'mixed_parts') .and. text_of(group, 'mixed_parts', '') == 'elements'

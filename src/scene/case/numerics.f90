@@ -27,6 +27,9 @@ module dg_numerics
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
    real(wp), parameter :: fidelity_length(fidelity_count) = [30.0_wp, 60.0_wp, 10.0_wp, 1.0_wp]
+   !> Length of string below which elements of auto become shorter [m]. Strings of some hundred metres, as stabilized
+   !> assemblies in bends, are solved in hundredths of a second. On elements of 30 m contact and drag were up to 0.4 % wrong.
+   real(wp), parameter :: auto_full_length = 1500.0_wp
    !> Tolerance of `fast` [-]: a hook load of 700 kN to a newton.
    real(wp), parameter :: fast_tolerance = 1.0e-6_wp
 
@@ -39,6 +42,7 @@ module dg_numerics
 
    type :: numerics_type
       real(wp) :: element_length = 10.0_wp     !< longest element [m]
+      real(wp) :: full_length = 0.0_wp         !< string below which longest elements shrink with its square [m]; 0: none
       integer :: gap_location = gap_at_extremum
       !> Largest residual force over the string's weight (and moment over weight times one metre) at convergence [-].
       !> Round-off of the residual is near 1e-14.
@@ -139,6 +143,7 @@ contains
          if (lower_case(fidelity) /= fidelity_name(i)) cycle
          numerics%unknown_fidelity = ''
          numerics%element_length = fidelity_length(i)
+         numerics%full_length = merge(auto_full_length, 0.0_wp, fidelity_name(i) == 'auto')
          numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity_name(i) == 'fast')
          numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity_name(i) == 'fast')
          numerics%moments = fidelity_name(i) /= 'fast'

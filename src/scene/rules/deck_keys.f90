@@ -388,8 +388,8 @@ module dg_deck_keys
    ! Numbers that are defaults of the solver stand in dg_numerics. Its words and logicals stand here, too.
    type(key_rule_type), parameter :: solver_keys(*) = [ &
       key_rule_type('solver', 'fidelity', kind_text, default='auto', choices='auto fast standard reference', &
-         meaning='longest element: auto 30, fast 60, standard 10, reference 1 m; '// &
-         'fast: gaps at nodes, tolerance 1e-6, rough moments'), &
+         meaning='longest element: auto 30 m, less in strings under 1500 m, fast 60, standard 10, reference 1 m; '// &
+         'fast: gaps at nodes'), &
       key_rule_type('solver', 'element_length', unit=unit_length, low=0.01_wp, high=1.0e3_wp, &
          meaning='longest element; default that of fidelity'), &
       key_rule_type('solver', 'gap_location', kind_text, choices='extremum nodes', &

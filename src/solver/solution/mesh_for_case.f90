@@ -12,7 +12,7 @@ module dg_mesh_for_case
    use dg_mesh, only: graded, is_vertical, mesh_type, new_mesh, node_depths, subdivided
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_trajectory, only: arc_at
+   use dg_trajectory, only: arc_at, top_md
    implicit none
    private
    public :: mesh_for_case, cut_elements, near_edges, shortest, shortest_cut
@@ -62,8 +62,9 @@ module dg_mesh_for_case
 
 contains
 
-   !> Mesh of a load case. Elements are not longer than `element_length`, nor than the local scale. If the soft string is
-   !> locked up (totals%runaway), only `totals` and a first mesh are set.
+   !> Mesh of a load case. Elements are not longer than `element_length`, which shrinks in a string shorter than
+   !> numerics%full_length, nor than the local scale. If the soft string is locked up (totals%runaway), only `totals` and a
+   !> first mesh are set.
    pure subroutine mesh_for_case(model, case_index, element_length, mesh, totals, compressed, strained, pressing, shortened)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -76,14 +77,17 @@ contains
       integer, intent(out) :: shortened(:)     !< intervals that were cut, by the scale that required it (scale_count)
       real(wp), allocatable :: axial(:), torque(:), contact(:, :), longest(:), depths(:), bends(:)
       logical :: vertical, beside_bend
-      real(wp) :: curvature, compression, side_load, across, share, scales(scale_count)
+      real(wp) :: curvature, compression, side_load, across, share, scales(scale_count), at_most
       integer :: e, i
       compressed = 0.0_wp
       strained = 0.0_wp
       pressing = 0.0_wp
       shortened = 0
       associate (load_case => model%cases(case_index))
-         call new_mesh(model, load_case, node_depths(model, load_case, element_length), mesh)
+         at_most = element_length
+         if (model%numerics%full_length > 0.0_wp) at_most = min(element_length, max(shortest, &
+            element_length*((load_case%bit_depth - top_md(model%trajectory))/model%numerics%full_length)**2))
+         call new_mesh(model, load_case, node_depths(model, load_case, at_most), mesh)
          allocate (axial(mesh%nodes), torque(mesh%nodes), contact(3, mesh%nodes), longest(mesh%elements))
          call soft_string_at(model, case_index, mesh%md, axial, torque, contact, totals, other_loads_type(coiled=.true.))
          if (totals%runaway) return

@@ -45,6 +45,7 @@ contains
                with_mesh%fidelity = 0
                if (mesh <= size(plan%element_lengths)) then
                   with_mesh%numerics%element_length = plan%element_lengths(mesh)
+                  with_mesh%numerics%full_length = 0.0_wp
                else if (beams .and. size(plan%fidelities) > 0) then
                   with_mesh%fidelity = plan%fidelities(mesh - size(plan%element_lengths))
                   call set_fidelity(with_mesh%numerics, fidelity_name(with_mesh%fidelity))
