@@ -11,7 +11,7 @@ module dg_likely_unit
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: unit_questions, mud_question, tonnes_question
+   public :: unit_questions, mud_question, tonne, tonnes_question
 
    !> A unit that is not the deck's own.
    type :: other_unit_type

@@ -4,15 +4,16 @@ module dg_unusual_case
    use dg_component, only: is_bit, opens
    use dg_deck_draft, only: string_use_type
    use dg_hole_section, only: hole_section_at
-   use dg_likely_unit, only: mud_question, tonnes_question, unit_questions
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
-                           operation_rotate_off_bottom, operation_sliding_drilling, operation_trip_in, operation_trip_out
+   use dg_likely_unit, only: mud_question, tonne, tonnes_question, unit_questions
+   use dg_load_case, only: block_way, drills, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
+                           operation_rotate_off_bottom, operation_trip_in, operation_trip_out
    use dg_model, only: model_type, string_index
    use dg_quantity, only: system_si
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_unit_kind, only: at_most, in_units, lightest_oil, unit_density, unit_diameter, unit_factor, unit_force, &
                            unit_moment, unit_pressure
    use dg_units, only: unit_system_type
+   use dg_unusual_component, only: holds_any
    use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, &
                              usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, &
                              usual_warming_bottom, usual_warming_top, usual_wob
@@ -31,8 +32,8 @@ module dg_unusual_case
    real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
    !> Weight on bit over diameter that no bit has [N/m].
    real(wp), parameter :: heaviest_load = 2.0e6_wp
-   !> Least torque in another unit over the most usual one [-]. Tonne [kg].
-   real(wp), parameter :: least_tob = 0.03_wp, tonne = 1000.0_wp
+   !> Least torque in another unit over the most usual one [-].
+   real(wp), parameter :: least_tob = 0.03_wp
    !> Words in the kinds and names of tools that cut beside the bit.
    character(*), parameter :: cutters(*) = [character(6) :: 'mill', 'opener', 'reamer']
    !> Least pressure that motor and bit take, and usual pressures while drilling [Pa].
@@ -132,7 +133,7 @@ contains
       integer :: i
       do i = 1, size(model%cases)
          associate (case => model%cases(i))
-            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
+            if (.not. drills(case%operation)) cycle
             diameter = model%holes(hole_section_at(model%holes, case%bit_depth))%diameter
             if (case%wob <= heaviest_load*diameter .or. is_unusual(usual_wob, case%wob)) cycle     ! which has a note of its own
             question = unit_questions(units, unit_force, case%wob/units%force, least_load*diameter, most_load*diameter, digits, &
@@ -190,13 +191,11 @@ contains
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       logical :: does
-      character(:), allocatable :: words
-      integer :: i, k
+      integer :: i
       associate (parts => model%strings(string_index(model%strings, load_case%string))%components)
          does = is_bit(parts(1)) .or. lower_case(parts(1)%name) == 'bit'
          do i = 1, size(parts)
-            words = lower_case(parts(i)%kind//' '//parts(i)%name)
-            if (opens(parts(i)) .or. any([(index(words, trim(cutters(k))) > 0, k=1, size(cutters))])) does = .false.
+            if (opens(parts(i)) .or. holds_any(parts(i)%kind//' '//parts(i)%name, cutters)) does = .false.
          end do
       end associate
    end function drills_alone
@@ -207,14 +206,14 @@ contains
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: question, kind
+      character(:), allocatable :: question
       integer :: i, k
       if (.not. allocated(model%mud%fluids)) return
       if (any(model%mud%fluids%density < lightest_oil)) return
       do i = 1, size(model%cases)
          associate (case => model%cases(i), pressure => model%cases(i)%pump_pressure, &
                     parts => model%strings(string_index(model%strings, model%cases(i)%string))%components)
-            if (all(case%operation /= [operation_rotary_drilling, operation_sliding_drilling])) cycle
+            if (.not. drills(case%operation)) cycle
             if (.not. pressure > 0.0_wp .or. pressure >= least_with_motor .or. is_unusual(usual_pump, pressure)) cycle
             if (case%inside_density%present) then
                if (case%inside_density%value < lightest_oil) cycle
@@ -223,8 +222,7 @@ contains
                                       digits, 'pump_pressure')
             if (question == '') cycle
             do k = 1, size(parts)
-               kind = lower_case(parts(k)%kind)
-               if (index(kind, 'motor') == 0 .and. index(kind, 'turbine') == 0) cycle
+               if (.not. holds_any(parts(k)%kind, [character(7) :: 'motor', 'turbine'])) cycle
                call append_text(notes, 'load case '//quoted(case%name)//': pump_pressure = '// &
                   in_units(units, unit_pressure, pressure, digits)//' is too low for '//quoted(parts(k)%name)//' to drill. '// &
                   'Usual is at least '//in_units(units, unit_pressure, least_with_motor, few_digits)//question)
@@ -270,7 +268,7 @@ contains
       integer, intent(in) :: operation
       real(wp), intent(in) :: wob, tob     !< [N, N.m]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      if (wob < 0.0_wp .and. any(operation == [operation_rotary_drilling, operation_sliding_drilling])) &
+      if (wob < 0.0_wp .and. drills(operation)) &
          call append_text(notes, what//': wob = '//in_units(units, unit_force, wob, digits)//' pulls the bit in '// &
                           trim(operation_name(operation))//'. Weight on bit is a wob above 0')
       if (tob > 0.0_wp .and. wob > 0.0_wp .and. operation == operation_trip_in) &

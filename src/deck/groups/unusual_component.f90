@@ -12,7 +12,7 @@ module dg_unusual_component
                              usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, usual_yield
    implicit none
    private
-   public :: note_component, note_place, note_twice
+   public :: holds_any, note_component, note_place, note_twice
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
@@ -97,7 +97,7 @@ contains
    pure function is_casing(part) result(is)
       type(component_type), intent(in) :: part
       logical :: is
-      is = index(lower_case(part%kind), 'casing') > 0 .or. index(lower_case(part%kind), 'liner') > 0
+      is = holds_any(part%kind, [character(6) :: 'casing', 'liner'])
    end function is_casing
 
    !> True for rods, which are as short as 1.5 m.
@@ -134,13 +134,13 @@ contains
    subroutine note_twice(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i, k
+      integer :: i
       do i = 2, size(draft%components)
          associate (item => draft%components(i), before => draft%components(i - 1))
             if (item%string /= before%string .or. item%component%name /= before%component%name .or. &
                 item%component%kind /= before%component%kind) cycle
             if (.not. (is_bit(item%component) .or. &
-                       any([(index(lower_case(item%component%kind), trim(lone_tools(k))) > 0, k=1, size(lone_tools))]))) cycle
+                       holds_any(item%component%kind, lone_tools))) cycle
             if (any(abs(sizes(item%component) - sizes(before%component)) > 0.0_wp)) cycle
             call append_text(notes, part_text(item)//' stands twice in a row, first in line '//to_text(before%line)// &
                              '. Is one a copy? Leave it out')
@@ -164,9 +164,16 @@ contains
    pure function is_tool(kind) result(is)
       character(*), intent(in) :: kind
       logical :: is
-      integer :: i
-      is = any([(index(lower_case(kind), trim(tools(i))) > 0, i=1, size(tools))])
+      is = holds_any(kind, tools)
    end function is_tool
+
+   !> True if a text holds one of some words, in any letter case.
+   pure function holds_any(text, words) result(holds)
+      character(*), intent(in) :: text, words(:)
+      logical :: holds
+      integer :: i
+      holds = any([(index(lower_case(text), trim(words(i))) > 0, i=1, size(words))])
+   end function holds_any
 
    !> True for drill pipe whose mass is that of the tube between its tool joints, which would add to it. Their length is known.
    elemental function lacks_joints(part) result(lacks)

@@ -14,7 +14,7 @@ module dg_unusual_input
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
    use dg_unusual_case, only: note_case, note_light, note_use
-   use dg_unusual_component, only: note_component, note_place, note_twice
+   use dg_unusual_component, only: holds_any, note_component, note_place, note_twice
    use dg_usual_range, only: is_unusual, note_range, usual_block, usual_deep_wall, usual_density, usual_friction, usual_gravity, &
                              usual_hookload, usual_running_in, usual_top_drive, usual_wall, usual_wear
    implicit none
@@ -190,16 +190,14 @@ contains
       type(draft_type), intent(in) :: draft
       type(draft_hole_type), intent(in) :: hole
       type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: name
       logical :: hard
       associate (wall => hole%section)
          hard = wall%cased .or. (wall%md_bottom > deepest_soil .and. draft%stations%inclination(1) < of_crossing)
          if (wall%wall_stiffness > 0.0_wp) call note_range(draft%units, hole_text(hole), merge(usual_deep_wall, usual_wall, &
             hard .and. .not. is_unusual(usual_wall, wall%wall_stiffness)), wall%wall_stiffness, notes)
          if (.not. is_missing(wall%wear_factor)) call note_range(draft%units, hole_text(hole), usual_wear, wall%wear_factor, notes)
-         name = lower_case(wall%name)
-         if (.not. (wall%cased .or. any([index(name, 'casing'), index(name, 'liner'), index(name, 'csg')] > 0))) return
-         if (any([index(name, 'open'), index(name, 'below'), index(name, 'riser')] > 0)) return
+         if (.not. (wall%cased .or. holds_any(wall%name, [character(6) :: 'casing', 'liner', 'csg']))) return
+         if (holds_any(wall%name, [character(5) :: 'open', 'below', 'riser'])) return
          ! a casing_od says that the two are known
          if (.not. is_missing(wall%casing_od) .or. all(abs(wall%diameter - casing_sizes) > as_size)) return
          call append_text(notes, hole_text(hole)//': diameter = '// &

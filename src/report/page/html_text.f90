@@ -23,14 +23,27 @@ module dg_html_text
    character(*), parameter :: residual_name = 'equilibrium'
    integer, parameter :: residual_digits = 2
    character(*), parameter :: operation_column = 'operation'
-   !> Columns with another heading than their name in files.
-   character(*), parameter :: renamed_columns(*) = [character(21) :: 'governing_limit', 'governing_utilisation', 'governing_md', &
-      'largest_bending', 'largest_bending_md', 'windup', 'neutral_top', 'wob_buckling', 'wob_no_hookload', 'wob_lockup', &
-      'rig_margin', 'snaking_length', 'coiled_length', 'coil_turns']
-   character(*), parameter :: headings(*) = [character(29) :: 'most used limit', 'of it used', 'depth of most used limit', &
-      'largest bending moment', 'depth of largest moment', 'wind-up', 'neutral point', 'WOB at buckling', &
-      'WOB at zero hook load', 'WOB at lock-up', 'margin to rig limit', 'length of sinusoidal buckling', &
-      'length of helical buckling', 'turns of helix']
+   !> Heading of a column that differs from its name in files.
+   type :: heading_type
+      character(21) :: column
+      character(29) :: heading
+   end type heading_type
+
+   type(heading_type), parameter :: own_headings(*) = [ &
+      heading_type('governing_limit', 'most used limit'), &
+      heading_type('governing_utilisation', 'of it used'), &
+      heading_type('governing_md', 'depth of most used limit'), &
+      heading_type('largest_bending', 'largest bending moment'), &
+      heading_type('largest_bending_md', 'depth of largest moment'), &
+      heading_type('windup', 'wind-up'), &
+      heading_type('neutral_top', 'neutral point'), &
+      heading_type('wob_buckling', 'WOB at buckling'), &
+      heading_type('wob_no_hookload', 'WOB at zero hook load'), &
+      heading_type('wob_lockup', 'WOB at lock-up'), &
+      heading_type('rig_margin', 'margin to rig limit'), &
+      heading_type('snaking_length', 'length of sinusoidal buckling'), &
+      heading_type('coiled_length', 'length of helical buckling'), &
+      heading_type('coil_turns', 'turns of helix')]
    !> A number without unit below this is shown with so many digits, not with so many decimals.
    real(wp), parameter :: small_number = 1.0_wp
    integer, parameter :: few_digits = 3
@@ -248,8 +261,8 @@ contains
       character(:), allocatable :: heading
       integer :: i
       heading = spaced(name)
-      do i = 1, size(headings)
-         if (name == renamed_columns(i)) heading = trim(headings(i))
+      do i = 1, size(own_headings)
+         if (name == own_headings(i)%column) heading = trim(own_headings(i)%heading)
       end do
    end function heading_of
 

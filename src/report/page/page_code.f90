@@ -10,10 +10,10 @@
 module dg_page_code
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
-   use dg_text, only: append_piece, to_text
+   use dg_text, only: append_piece, text_type, to_text
    implicit none
    private
-   public :: scale_type, coded_curve, coded_depths, per_unit, rounded, scale_within
+   public :: scale_type, coded_curve, coded_depths, letters_of, per_unit, rounded, scale_within
 
    type :: scale_type
       real(wp) :: first = 0.0_wp       !< whole number
@@ -142,4 +142,12 @@ contains
          rest = rest/base
       end do
    end function number_text
+
+   !> Letters of some texts.
+   pure function letters_of(texts) result(number)
+      type(text_type), intent(in) :: texts(:)
+      integer :: number
+      integer :: i
+      number = sum([(len(texts(i)%text), i=1, size(texts))])
+   end function letters_of
 end module dg_page_code

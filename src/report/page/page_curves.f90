@@ -15,7 +15,7 @@ module dg_page_curves
    use dg_line_load, only: force_on_length
    use dg_merge_sort, only: sorted_places
    use dg_missing, only: is_missing
-   use dg_page_code, only: coded_curve, coded_depths, per_unit, rounded, scale_type, scale_within
+   use dg_page_code, only: coded_curve, coded_depths, letters_of, per_unit, rounded, scale_type, scale_within
    use dg_profile_file, only: profile_series
    use dg_rounding, only: rounded_nearest
    use dg_series, only: add, series_list_type
@@ -28,7 +28,7 @@ module dg_page_curves
 
    !> Tolerance to which curves are thinned, over the range of a column [-].
    real(wp), parameter :: finest = 3.0e-4_wp
-   !> How much of a profile is written.
+   !> Columns of a profile to write, and the room for each.
    type :: share_type
       logical, allocatable :: columns(:)          !< those of `curve_series` that are written; not allocated: all
       integer :: most_letters = huge(1)           !< of a curve, which is thinned further where it has more
@@ -200,12 +200,6 @@ contains
       do k = 1, size(curves)
          if (shared(k)%text /= '') texts(k)%text = shared(k)%text
       end do
-   contains
-      pure integer function letters_of(texts)
-         type(text_type), intent(in) :: texts(:)
-         integer :: i
-         letters_of = sum([(len(texts(i)%text), i=1, size(texts))])
-      end function letters_of
    end subroutine write_curves
 
    !> Places in the shared depths, in JSON.

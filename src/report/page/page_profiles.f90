@@ -9,6 +9,7 @@ module dg_page_profiles
    use dg_json, only: json_string
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
+   use dg_page_code, only: letters_of
    use dg_page_curves, only: finest, profile_curves, share_type, stands_alone
    use dg_page_figures, only: look_text
    use dg_series, only: series_list_type
@@ -92,7 +93,7 @@ contains
                call profile_curves(results(n)%profile, alongs(n), job%units, share, curves%texts(:, n), curves%within(:, n), &
                                    curves%rows(n))
             end do
-            letters = letters_of(curves%texts(:, rows), curves%rows(rows))
+            letters = letters_of(curves%rows(rows)) + sum([(letters_of(curves%texts(:, rows(k))), k=1, size(rows))])
             if (letters <= min(case_letters, most_letters/cases)) exit
             if (level >= last_of_case .and. letters <= most_letters/cases) exit
          end do
@@ -113,7 +114,7 @@ contains
       text = to_text(finest/percent, tolerance_digits)//' %'
    end function thinned_text
 
-   !> What is left out of load cases with many points.
+   !> Sentence on load cases with many points: columns left out, and curves thinned more. Empty if there are none.
    pure function reduced_text(curves) result(text)
       type(curves_type), intent(in) :: curves
       character(:), allocatable :: text
@@ -124,20 +125,6 @@ contains
       if (any(curves%within > finest)) text = text//' Some curves are thinned more, to '// &
          to_text(maxval(curves%within)/percent, tolerance_digits)//' % at most. Values below tell how far.'
    end function reduced_text
-
-   !> Letters of some curves, and of the depths that they share.
-   pure function letters_of(curves, rows) result(number)
-      type(text_type), intent(in) :: curves(:, :), rows(:)
-      integer :: number
-      integer :: i, k
-      number = 0
-      do i = 1, size(curves, 2)
-         number = number + len(rows(i)%text)
-         do k = 1, size(curves, 1)
-            number = number + len(curves(k, i)%text)
-         end do
-      end do
-   end function letters_of
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
    subroutine append_profiles(lines, job, model, results, list, curves, shown)

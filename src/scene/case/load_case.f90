@@ -10,7 +10,7 @@ module dg_load_case
    public :: operation_trip_out, operation_trip_in, operation_rotate_off_bottom, operation_rotary_drilling
    public :: operation_sliding_drilling, operation_ream, operation_backream, operation_static
    public :: operation_count, operation_name, operation_label, operation_from_name, friction_split, alike, operation_aliases
-   public :: moves_axially, rotates, visit_case
+   public :: drills, moves_axially, rotates, visit_case
 
    integer, parameter :: operation_trip_out = 1
    integer, parameter :: operation_trip_in = 2
@@ -215,4 +215,11 @@ contains
       yes = .false.
       if (operation >= 1 .and. operation <= operation_count) yes = operations(operation)%turns
    end function rotates
+
+   !> True for operations with weight on bit: rotary and sliding drilling.
+   elemental function drills(operation) result(does)
+      integer, intent(in) :: operation
+      logical :: does
+      does = operation == operation_rotary_drilling .or. operation == operation_sliding_drilling
+   end function drills
 end module dg_load_case

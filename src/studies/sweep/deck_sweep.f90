@@ -5,7 +5,7 @@ module dg_deck_sweep
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: read_range
    use dg_error, only: error_list_type
-   use dg_load_case, only: operation_from_name, operation_name, operation_rotary_drilling, operation_sliding_drilling
+   use dg_load_case, only: drills, operation_from_name, operation_name
    use dg_missing, only: given
    use dg_sweep, only: at_operation, measured_type, sweep_type, with_depths
    use dg_text, only: append_text, quoted, text_type, to_text
@@ -117,7 +117,7 @@ contains
       if (max(size(sweep%wob), size(sweep%tob)) > 1) return     ! each operation has its own
       if (abs(at_operation(sweep%wob, 1)) <= 0.0_wp .and. at_operation(sweep%tob, 1) <= 0.0_wp) return
       do i = 1, size(sweep%operations)
-         if (any(sweep%operations(i) == [operation_rotary_drilling, operation_sliding_drilling])) cycle
+         if (drills(sweep%operations(i))) cycle
          call append_text(notes, 'sweep '//quoted(sweep%name)//': its wob and tob act in '// &
                           trim(operation_name(sweep%operations(i)))//' too; give one for each operation where that is not meant')
          return
