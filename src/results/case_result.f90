@@ -80,7 +80,7 @@ module dg_case_result
       real(wp) :: by_analysis = 0.0_wp   !< contact force of the whole string [N]
       real(wp) :: by_beam = 0.0_wp       !< the same of the beam [N]
       real(wp) :: warned = 0.0_wp        !< difference over that of the analysis, where a warning names it; else 0 [-]
-      real(wp) :: share = 0.0_wp         !< difference in the part where they differ most, over that of the whole string [-]
+      real(wp) :: share = 0.0_wp         !< difference in the part where they differ most, over the larger of both [-]
       real(wp) :: md(2) = 0.0_wp         !< where that part begins and ends [m]
    end type unlike_contact_type
 

@@ -69,9 +69,6 @@ module dg_bending_beam
       !> its loads and contact. At the last node they follow from the element above it. Minus the first and second are the
       !> force across the hole that the string below the node exerts on the string above it, along n_1 and n_2. Minus the third
       !> and fourth are the bending moment EI (k + y'' - b) there.
-      !> account; at the last node from the element above it. Minus the first and second are the force across the hole that the
-      !> string below the node exerts on the string above it, along n_1 and n_2. Minus the third and fourth are the bending moment
-      !> EI (k + y'' - b) there (4,n) [N, N.m].
       real(wp), allocatable :: forces(:, :)
       !> Contact forces R at the `contact_xi` of the elements (contact_places,n-1) [N].
       real(wp), allocatable :: pressed(:, :)

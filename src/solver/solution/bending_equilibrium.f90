@@ -7,7 +7,7 @@ module dg_bending_equilibrium
    use dg_bending_rows, only: alike
    use dg_bending_solution, only: solve_bending
    use dg_mesh, only: mesh_type
-   use dg_moved_walls, only: move_walls
+   use dg_moved_walls, only: firmer, move_walls
    implicit none
    private
    public :: solve_anchored, settle_firmly, is_near
@@ -21,6 +21,9 @@ module dg_bending_equilibrium
    !> Change of moments by the last step, over the largest moment [-], for the final iteration. Next to a stiff wall 0.2 % of a
    !> moment is a tenth of the bit's side force.
    real(wp), parameter :: firmly = 1.0e-6_wp
+   !> Largest distance of a wall from its place, over the clearance [-], and most steps towards it.
+   real(wp), parameter :: in_place = 1.0e-3_wp
+   integer, parameter :: most_steps = 8
 
 contains
 
@@ -40,23 +43,27 @@ contains
       end if
    end subroutine solve_anchored
 
-   !> Iterate from an equilibrium until nothing changes, against walls of true stiffness. If that does not converge, the shape
-   !> stays.
+   !> Iterate from an equilibrium until nothing changes, against walls of true stiffness. They are moved again until the string
+   !> presses them at their true place. Where an iteration does not converge, the shape before it stays.
    subroutine settle_firmly(mesh, solved, beam, y)
       type(mesh_type), intent(in) :: mesh
       type(solved_string_type), intent(in) :: solved
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
-      type(bending_beam_type) :: firmer
-      real(wp) :: closer(size(y, 1), size(y, 2))
+      type(bending_beam_type) :: next
+      real(wp) :: closer(size(y, 1), size(y, 2)), missed
       logical :: found
+      integer :: step
+      next = beam
       closer = y
-      firmer = beam
-      call move_walls(solved%firm, closer, firmer)
-      call solve_anchored(mesh, solved, firmer, closer, firmly, found)
-      if (.not. found) return
-      y = closer
-      beam = firmer
+      do step = 1, most_steps
+         call move_walls(solved%firm*firmer**(step - 1), closer, next, missed)
+         if (step > 1 .and. missed < in_place) return
+         call solve_anchored(mesh, solved, next, closer, firmly, found)
+         if (.not. found) return
+         y = closer
+         beam = next
+      end do
    end subroutine settle_firmly
 
    !> True if the beam is near the string of the analysis, at those nodes of the mesh where the string is compressed.

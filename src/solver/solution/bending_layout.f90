@@ -2,7 +2,7 @@
 module dg_bending_layout
    use dg_kinds, only: wp
    use dg_bending_beam, only: bending_beam_type, node_unknowns, set_elements
-   use dg_gap_state, only: state_free
+   use dg_gap_state, only: gap_law_type, state_free
    use dg_gap_table, only: gap_table_type
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
@@ -288,8 +288,7 @@ contains
             beam%element(e)%blade = [dot_product(mesh%blade(:, o), n_1), dot_product(mesh%blade(:, o), n_2)]
          beam%element(e)%law = gaps%law(o)
          beam%element(e)%law%clearance = mesh%opening(o)         ! a fitted gap has a clearance of its own
-         beam%element(e)%law%contact = hardened(gaps%law(o)%contact/mesh%length(o))
-         beam%element(e)%law%maximum = hardened(gaps%law(o)%maximum/mesh%length(o))
+         call set_wall(gaps%law(o)%contact/mesh%length(o), gaps%law(o)%maximum/mesh%length(o), beam%element(e)%law)
          if (is_point(mesh, gaps, solved%axial, o)) then
             beam%element(e)%law%clearance = out_of_reach
             if (e > 1) then
@@ -318,15 +317,18 @@ contains
       if (nodes(n) >= mesh%md(mesh%nodes)) call hold_free_end(n, beam)
    end subroutine new_beam
 
-   !> Stiffness of a wall in the beam [N/m2]. A wall that is meant to be rigid, as by default, is rigid. Else an edge with a
-   !> contact of some centimetres would yield by a twentieth of a tight blade's clearance. A soft wall, of 1e10 N/m2 or less,
-   !> changes by at most 1e-4. The function is smooth in between.
-   elemental function hardened(given) result(stiffness)
-      real(wp), intent(in) :: given       !< [N/m2]
-      real(wp) :: stiffness
+   !> Set the stiffness of a wall in the beam. A wall that is meant to be rigid, as by default, is rigid. Else an edge with a
+   !> contact of some millimetres would yield by a good part of a tight blade's clearance. A wall of 1e10 N/m2 or less changes
+   !> by at most 1e-4. The function is smooth in between.
+   pure subroutine set_wall(contact, maximum, law)
+      real(wp), intent(in) :: contact, maximum       !< given: elastic, and beyond its range [N/m2]
+      type(gap_law_type), intent(inout) :: law
       real(wp), parameter :: nearly_rigid = 1.0e11_wp, rigid = 1.0e13_wp      ! N/m2
-      stiffness = min(given*(1.0_wp + rigid/nearly_rigid*(given/nearly_rigid)**6), max(given, rigid))
-   end function hardened
+      real(wp) :: harder
+      harder = min(1.0_wp + rigid/nearly_rigid*(contact/nearly_rigid)**6, max(1.0_wp, rigid/contact))
+      law%contact = harder*contact
+      law%maximum = min(harder*maximum, max(maximum, rigid))
+   end subroutine set_wall
 
    !> Raise the stiffness of the springs near a free end that is compressed. On a bed of stiffness k per length a long string
    !> buckles under 2*sqrt(k*EI). At a free end it buckles under sqrt(k*EI) (Hetenyi, Beams on Elastic Foundation, 1946). That

@@ -55,8 +55,8 @@ module dg_bending_profile
    !> Change of moments by the last step of an iteration, over the largest [-]: `roughly` on the first mesh, `settled` on later
    !> ones.
    real(wp), parameter :: settled = 2.0e-3_wp, roughly = 3.0e-2_wp
-   !> Largest difference of the contact force of a part of the string from the analysis, over the whole [-]. With more, the
-   !> beam is rejected.
+   !> Largest difference of the contact force of a part of the string from the analysis, over the larger force of the whole [-].
+   !> With more, the beam is rejected.
    real(wp), parameter :: most_unlike = 0.5_wp
    !> Weight of a largest moment between two nodes against a difference of recoveries [-].
    real(wp), parameter :: peak_share = 5.0_wp

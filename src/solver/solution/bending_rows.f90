@@ -280,7 +280,7 @@ contains
          end if
          first = last + 1
       end do
-      unlike%share = most/max(unlike%by_analysis, least_contact)
+      unlike%share = most/max(unlike%by_analysis, unlike%by_beam, least_contact)
    end subroutine compare_contact
 
    !> True if two lengths are equal within round-off.

@@ -17,9 +17,8 @@ module dg_fitted_gaps
    private
    public :: fitted_gaps_type, are_worth_fitting, fit_gaps
 
-   !> Difference of the contact force of a part of the string from the beam, over the whole [-]. Gaps are fitted if it is above
-   !> `worth_fitting`. Above `too_unlike` the beam may be as wrong as the analysis.
-   real(wp), parameter :: worth_fitting = 1.0e-3_wp, too_unlike = 0.03_wp
+   !> Difference of the contact force of a part of the string from the beam, over the whole, above which gaps are fitted [-].
+   real(wp), parameter :: worth_fitting = 1.0e-3_wp
 
    type :: fitted_gaps_type
       type(gap_table_type) :: gaps
@@ -39,7 +38,7 @@ contains
       logical :: are
       real(wp) :: left_out
       left_out = 2.0_wp*maxval(trajectory%arcs(mesh%arc(:mesh%elements))%curvature*mesh%clearance)
-      are = .not. coiled .and. share > max(worth_fitting, left_out) .and. share <= too_unlike
+      are = .not. coiled .and. share > max(worth_fitting, left_out)
    end function are_worth_fitting
 
    !> Fit the gaps of all elements that touch by the analysis or by the beam, except contacts at a point, which have one place.
