@@ -43,6 +43,7 @@ contains
       use dg_test_followed_surveys, only: followed_surveys_suite
       use dg_test_followed_units, only: followed_units_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
+      use dg_test_picture_drawing, only: picture_drawing_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
       use dg_test_expected_messages, only: expected_messages_suite
@@ -87,6 +88,7 @@ contains
       call suite%addTest(applied_friction_suite())
       call suite%addTest(uncertainty_runs_suite())
       call suite%addTest(stuck_runs_suite())
+      call suite%addTest(picture_drawing_suite())
       call suite%addTest(picture_runs_suite())
    end function load_tests
 end program command_line

@@ -56,7 +56,6 @@ contains
       use dg_test_curvature_change, only: curvature_change_suite
       use dg_test_model_table, only: model_table_suite
       use dg_test_legacy, only: legacy_suite
-      use dg_test_picture_drawing, only: picture_drawing_suite
       use dg_test_depth_curve, only: depth_curve_suite
       use dg_test_line_load, only: line_load_suite
       use dg_test_page_figures, only: page_figures_suite
@@ -135,7 +134,6 @@ contains
       call suite%addTest(line_load_suite())
       call suite%addTest(page_figures_suite())
       call suite%addTest(pictures_suite())
-      call suite%addTest(picture_drawing_suite())
       call suite%addTest(pipe_stress_suite())
       call suite%addTest(buckled_shape_suite())
       call suite%addTest(buckling_limits_suite())
