@@ -152,9 +152,10 @@ contains
                        "<use xlink:href='#p3gpPt5' id='p3gpPt6'/>|", text)
    end subroutine test_inline
 
-   !> A mark a case in the deck's units; a case that did not converge leaves none.
+   !> A mark a case in the deck's units; a case that did not converge leaves none. A no of some models names them.
    subroutine test_hook_loads()
       type(chart_type) :: chart
+      type(job_type) :: job
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
       type(model_type) :: model
@@ -173,6 +174,14 @@ contains
          call assertEqual(524.3_wp, panels(1)%curves(3)%points(1, 4), 1.0e-9_wp, message='reference')
          call assertTrue(all(is_missing(panels(1)%x%ends)))
       end associate
+      job = sample_job()
+      job%models = [model_mcge, model_soft]
+      results = [results, results(:2)]
+      results(5:)%model = model_soft
+      call chart_script(hookload_chart(job, sample_model(), results, [.false., .true., .false., .false., .true., .true.]), lines)
+      call assertTrue(has_text(lines, "'i_up ! soft' 1"), message='one model says no')
+      call assertTrue(has_text(lines, "'i_down !' 2"), message='all models say no')
+      call assertTrue(has_text(lines, 'no solution, by the model named'), message='what the name means')
       model = sample_model()
       model%cases%measured_hookload = optional_real()
       model%cases%reference_hookload = optional_real()

@@ -54,7 +54,7 @@ contains
       longest = 0
       do i = 1, n
          names(i)%text = model%cases(i)%name
-         if (any(marked .and. results%case_index == i)) names(i)%text = names(i)%text//' '//row_mark
+         names(i)%text = names(i)%text//mark_of(results%model, marked, results%case_index == i)
          longest = max(longest, len(names(i)%text))
       end do
       left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
@@ -75,7 +75,7 @@ contains
       if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
       call widen(chart%panels(1))
       if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
-      if (any(marked)) call add_key(chart, no_look, mark_meaning)
+      if (any(marked)) call add_key(chart, no_look, mark_meaning//either(', by the model named', '', named()))
       if (with_error) then
          call add_rows(chart, place(), 'error against measurement', quantity_percent, names, 0.0_wp)
          do i = 1, size(job%models)
@@ -96,6 +96,13 @@ contains
       end if
 
    contains
+
+      !> True if a mark is of some models only.
+      pure function named()
+         logical :: named
+         named = any([(any(marked .and. results%case_index == i) .and. &
+                       any(.not. marked .and. results%case_index == i), i=1, n)])
+      end function named
 
       !> Of the next panel.
       pure function place()
@@ -123,6 +130,21 @@ contains
                         key_of(chart, 'measured'))
       end subroutine add_given
    end function hookload_chart
+
+   !> Mark of a load case. Where only some models say no, their names follow.
+   pure function mark_of(models, marked, mine) result(text)
+      integer, intent(in) :: models(:)                  !< of all results
+      logical, intent(in) :: marked(:), mine(:)         !< as many: say no, are of the load case
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      if (.not. any(marked .and. mine)) return
+      text = ' '//row_mark
+      if (all(marked .or. .not. mine)) return
+      do i = 1, size(models)
+         if (marked(i) .and. mine(i)) text = text//' '//trim(model_name(models(i)))
+      end do
+   end function mark_of
 
    !> Widen the horizontal axis of a panel whose marks are close together: models that agree would seem to be far apart.
    pure subroutine widen(panel)
