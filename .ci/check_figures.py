@@ -2,7 +2,7 @@
 """Asks the charts of studies on report.html in a real browser: what they read off must be what the CSV files have.
 
 A deck of its own has two sweeps, with measured points, limits of the rig, points that lock up and one that fails; a calibration
-with a name that would end a script; a Monte Carlo. Checked: six depths of each sweep, five of the Monte Carlo, rows of the calibration
+with a name that would end a script; a Monte Carlo. Checked: seven depths of each sweep, five of the Monte Carlo, rows of the calibration
 and of the hook loads, one of them in other units; switches of the legend, zoom by dragging, the slider's words; that the
 address holds the view; that no label is cut or lies on another, a phone need not scroll sideways, names stay text, the browser does
 not complain, and fixed pictures and tables stand without a script. Printed it has eight sheets at most.
@@ -73,9 +73,10 @@ MOST_NOISY = 60_000                     # bytes of the curves of a load case wit
 LOST = 3                                # exit status: solutions that did not converge
 NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
 MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 2400): 330}
-DEPTHS = (300, 850, 1250, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
+DEPTHS = (300, 850, 1250, 1500, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
 FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
 DASH = "\u2013"
+IMPOSSIBLE = ", cannot be done"
 SPREAD, SPREAD_DEPTHS = "Uncertainty spread, model soft", (600, 1000, 1500, 2000, 2400)
 CALIBRATION, LOADS = f"Calibration {HOSTILE}, model soft", "Hook load of all cases"
 SWEEPS = (("beams", "mcge"), ("locked", "soft"))
@@ -173,14 +174,14 @@ def differs(shown, value, extent, factor=1.0):
 
 def lines_of_sweep(path):
     """Name of a line -> its points with hook load as the rig shows it and torque; marks where it cannot be done."""
-    lines, marks = {}, {}
+    lines, marks = {}, []
     for row in rows_of(path):
         name = f"{NAMES[row['operation']]}, friction {float(row['friction']):g}"
         solved = row["status"] == "converged"
         load, torque = (float(row[k]) if solved else None for k in ("weight_indicator_kN", "torque_kNm"))
         lines.setdefault(name, []).append((float(row["bit_depth_m"]), load, torque))
         if row["can_be_done"] == "no":
-            marks[f"{name}, cannot be done", float(row["bit_depth_m"])] = load if solved else 200.0      # the empty hook
+            marks.append((name + IMPOSSIBLE, float(row["bit_depth_m"])))
     return lines, marks
 
 
@@ -206,7 +207,8 @@ def faults_of_sweep(folder, name, model, shown_at, count):
             wanted[line] = [(line_at([(p[0], p[k]) for p in points], depth), extents[k - 1]) for k in (1, 2)]
             if not line.startswith("rotating"):
                 wanted[line][1] = (None, 0.0)
-        wanted |= {line: [(v, 0.0), (None, 0.0)] for (line, d), v in marks.items() if d == depth}
+        # a mark has the values of its line, and one row with it
+        wanted |= {line: wanted.pop(line.removesuffix(IMPOSSIBLE)) for line, d in marks if d == depth}
         if name == "beams":
             wanted |= {f"{line}, measured": [(v, 0.0), (None, 0.0)] for (line, d), v in MEASURED.items() if d == depth}
             wanted |= {f"{line}, measured": [(v, 0.0), (t, 0.0)] for line, v, t in (("up", 700, None), ("down", 380, None), ("rotating", 540, 6)) if depth == 2000}

@@ -259,8 +259,12 @@ function block(S, address) {
       const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))
       const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''))
       const texts = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity))
-      const row_of = name => [name, ...panels.map((_, k) => texts(name, k).find(text => text !== '\u2013') ?? '\u2013')]
-      return [['curve', ...heads], ...[...new Set(near.map(l => l.name))].map(row_of)]
+      const within = (few, many) => few.length === many.length - 1 && few.every(k => many.includes(k))
+      const under = mark => lines.flat().find(l => mark.marks && !l.marks && within(l.keys, mark.keys))    // the line that it is on
+      const bases = new Map(near.filter(under).map(mark => [mark.name, under(mark).name]))      // one row for both
+      const names = [...new Set(near.map(l => l.name))].filter(name => ![...bases.values()].includes(name))
+      const text_of_name = (name, k) => texts(bases.get(name) ?? name, k).find(text => text !== '\u2013') ?? '\u2013'
+      return [['curve', ...heads], ...names.map(name => [name, ...panels.map((_, k) => text_of_name(name, k))])]
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'b9Vhw3txlquVYU9kcU9Y+mZJBSdZFLGy72S0Hr2Q8Sk='
+   character(*), parameter :: script_hash = 'u6f6rJt6agC6htGntfZSrM77W+W09o5SUFl86v/U0MU='
    character(136), parameter :: script_lines_1(100) = [character(136) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -282,9 +282,13 @@ module dg_page_script
       'const near = lines.flat().filter(l => l.marks ? row_beside(l) >= 0 : reaches(l.curve, state.depth))', &
       'const heads = panels.map(p => p.label + (unit(p.quantity) ? ` [${unit(p.quantity)}]` : ''''))', &
       'const texts = (name, k) => lines[k].filter(l => l.name === name).map(l => text_at(l, panels[k].quantity))', &
-      'const row_of = name => [name, ...panels.map((_, k) => texts(name, k).find(text => text !== ''\u2013'') ?? ''\u'// &
-      '2013'')]', &
-      'return [[''curve'', ...heads], ...[...new Set(near.map(l => l.name))].map(row_of)]', &
+      'const within = (few, many) => few.length === many.length - 1 && few.every(k => many.includes(k))', &
+      'const under = mark => lines.flat().find(l => mark.marks && !l.marks && within(l.keys, mark.keys))', &
+      'const bases = new Map(near.filter(under).map(mark => [mark.name, under(mark).name]))', &
+      'const names = [...new Set(near.map(l => l.name))].filter(name => ![...bases.values()].includes(name))', &
+      'const text_of_name = (name, k) => texts(bases.get(name) ?? name, k).find(text => text !== ''\u2013'') ?? ''\u2'// &
+      '013''', &
+      'return [[''curve'', ...heads], ...names.map(name => [name, ...panels.map((_, k) => text_of_name(name, k))])]', &
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
@@ -330,12 +334,12 @@ module dg_page_script
       'if (depth < state.top || depth > state.bottom) whole()', &
       'set_depth(isNaN(depth) ? state.depth : depth)', &
       '}', &
-      'function listen() {', &
+      'function listen() {']
+   character(136), parameter :: script_lines_4(100) = [character(136) :: &
       'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
-      'return place ? (clientY - place.top) / place.height * H : NaN']
-   character(136), parameter :: script_lines_4(100) = [character(136) :: &
+      'return place ? (clientY - place.top) / place.height * H : NaN', &
       '}', &
       'const want = (top, bottom) => {', &
       'wanted = [Math.max(first, top), Math.min(end_of(), bottom)]', &
@@ -436,12 +440,12 @@ module dg_page_script
       'for (const b of blocks) b.draw()', &
       'for (const head of document.querySelectorAll(''th[data-q]'')) {', &
       'const {q, digits} = head.dataset', &
-      'head.querySelector(''small'').textContent = unit(q)', &
+      'head.querySelector(''small'').textContent = unit(q)']
+   character(136), parameter :: script_lines_5(100) = [character(136) :: &
       'for (const {cells: {[head.cellIndex]: cell}} of head.closest(''table'').tBodies[0].rows) {', &
       'const own = cell.dataset.own ??= cell.textContent, value = (cell.dataset.v ?? own) * factor(q)', &
       'const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split(''.'')[1]?.length ?? 0)', &
-      'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text']
-   character(136), parameter :: script_lines_5(100) = [character(136) :: &
+      'cell.textContent = units === D.units || own === '''' || isNaN(value) ? own : text', &
       '}', &
       '}', &
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
@@ -547,13 +551,13 @@ module dg_page_script
       'const project = a => {', &
       'const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]', &
       'return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]', &
-      '}', &
+      '}']
+   character(136), parameter :: script_lines_6(100) = [character(136) :: &
       'const line = (a, b, look) => make(well, ''path'', {d: ''M'' + [a, b].map(project).join(''L''), ...look})', &
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - '// &
       '1))]', &
-      'const beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''']
-   character(136), parameter :: script_lines_6(97) = [character(136) :: &
+      'const beyond = sorted[sorted.length - 1] > high ? ''\u2265 '' : ''''', &
       'for (let i = 0; i < 40; i++) make(well, ''rect'', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour('// &
       'i / 39)})', &
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
@@ -662,15 +666,17 @@ module dg_page_script
       'const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]', &
       'if (by) { e.preventDefault(); turn_by(...by) }', &
       '})', &
-      'return {draw, mark}', &
+      'return {draw, mark}']
+   character(136), parameter :: script_lines_7(1) = [character(136) :: &
       '}']
-   character(136), parameter :: script_lines(597) = [ &
+   character(136), parameter :: script_lines(601) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5, &
-      script_lines_6]
+      script_lines_6, &
+      script_lines_7]
    character(400), parameter :: style_lines_1(31) = [character(400) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
