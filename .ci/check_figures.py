@@ -9,6 +9,7 @@ not complain, and fixed pictures and tables stand without a script. Printed it h
 
 Usage: check_figures.py PATH_TO_DRILLGAP
 """
+import collections
 import csv
 import html
 import json
@@ -21,7 +22,7 @@ import tempfile
 import urllib.parse
 
 from browser import MADE, View, browser, opened
-from check_page import CLOSE, CURVES, WIDTHS, faults_of_curves, faults_of_labels, faults_of_phone, view_of_phone, views_of_labels
+from check_page import CLOSE, CURVES, INVERSE, OTHER_CURVES, Profile, WIDTHS, faults_of_curves, faults_of_labels, faults_of_phone, view_of_phone, views_of_labels
 
 HOSTILE = """Bob's "fit" </script><img src=x onerror=document.title=1>"""
 DECK = f"""&job title = 'Broomsticks </script><b>', models = 'mcge', 'soft', hdf5 = .false. /
@@ -69,7 +70,7 @@ NOISY = f"""&job title = 'Noisy survey', models = 'mcge', 'soft', hdf5 = .false.
 &load_case name = 'down', operation = 'down', bit_depth = 3000 /
 &load_case name = 'pushed', operation = 'sliding', bit_depth = 3000, wob = 3000 /
 """
-MOST_NOISY = 60_000                     # bytes of the curves of a load case with such a survey, both models
+MOST_NOISY = 40_000                     # bytes of the curves of a load case with such a survey, both models
 LOST = 3                                # exit status: solutions that did not converge
 NAMES = {"trip_out": "up", "trip_in": "down", "rotate_off_bottom": "rotating", "sliding_drilling": "sliding drilling"}
 MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 2400): 330}
@@ -128,6 +129,17 @@ setTimeout(async () => {
    document.title = 'FOUND' + JSON.stringify(told)
 }, 300)
 """
+
+
+# The largest value of each curve, without its sign; the least safety factor.
+PEAKS = r"""
+setTimeout(() => {
+   const far = (v, least) => v.filter(isFinite).reduce((a, b) => (least ? b < a : Math.abs(b) > Math.abs(a)) ? b : a)
+   const names = p => Object.keys(p.curves).filter(name => !p.curves[name].words)
+   document.title = 'FOUND' + JSON.stringify(D.profiles.map(p => [D.cases[p.case].name, p.model, Object.fromEntries(names(p).map(name => [name, far(p.curves[name].v, p.curves[name].inverse)]))]))
+}, 300)
+"""
+PEAK = 2e-6                             # of a value: a number has seven digits
 
 
 SCROLLED = """
@@ -348,21 +360,37 @@ def faults_of_ends(program, scratch):
     return faults + [f"ends: the heading {text} lies on the next one" for text in headings or []] + ([] if headings is not None else ["ends: headings were not looked at"])
 
 
+def faults_of_peaks(folder, told):
+    """The largest value of each curve is that of its file, however much the curve is thinned; of a safety factor the least one."""
+    faults = [] if told else ["peaks were not looked at"]
+    for case, model, peaks in told or []:
+        profile = Profile(folder, case, model)
+        for name in (name for name in peaks if name not in OTHER_CURVES):
+            values = [value for value in profile.column(name) if value is not None]
+            wanted = min(values) if name in INVERSE else max(values, key=abs)
+            if abs(peaks[name] - wanted) > PEAK * abs(wanted):
+                faults.append(f"{case} {model}: the peak of {name} is {peaks[name]}, the file has {wanted}")
+    return faults
+
+
 def faults_of_noise(program, scratch):
-    """Curves with too many points have fewer of them, stay within what the page says, and say so beside their values."""
+    """Curves with too many points have fewer of them, stay within what the page says, keep their peaks, and say so above their values."""
     deck, folder = pathlib.Path(scratch) / "noisy.nml", pathlib.Path(scratch) / "noisy"
     deck.write_text(NOISY, encoding="utf-8")
     run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
     if run.returncode:
         return [f"noisy: exit status {run.returncode}: {run.stderr}"]
     page = folder / "report.html"
-    (curves, complaints), (made, _) = opened([View(page, script=CURVES), View(page, "chart=Forces&depth=2000")])
-    size = len(re.search(r'"profiles":\[(.*?)"figures":', page.read_text(encoding="utf-8"), re.S).group(1)) // 2
-    faults = [] if size <= MOST_NOISY else [f"the curves of a load case have {size} bytes"]
-    told = re.search(r"of their range\. 2 load cases have many points: .* are thinned more, to ([0-9.]+) % at most\.", made or "")
-    most = max((value for _, _, _, within in curves or [] for value in within.values()), default=0.0)
-    if not told or float(told.group(1)) != most or not re.search(r"bending \(\u00b1[0-9.]+ % of range\)", made):
+    (curves, complaints), (made, _), (peaks, _) = opened([View(page, script=CURVES), View(page, "chart=Forces&depth=2000"), View(page, script=PEAKS)])
+    faults, sizes = [], collections.Counter()
+    for profile in json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page.read_text(encoding="utf-8"), re.S).group(1))["profiles"]:
+        sizes[profile["case"]] += len(json.dumps(profile, ensure_ascii=False, separators=(",", ":")).encode())
+    faults += [f"load case {case} has {size} bytes" for case, size in sizes.items() if size > MOST_NOISY]
+    told = re.search(r"2 load cases have many points: .* are thinned more, to ([0-9.]+) % at most\.", made or "")
+    most = max((value for _, _, _, within, _ in curves or [] for value in within.values()), default=0.0)
+    if not told or float(told.group(1)) != most or not re.search(r"<caption>At 2000 m measured depth, \u00b1[0-9.]+ % of range<", made):
         faults.append(f"curves are within {most} %, the page does not say so")
+    faults += faults_of_peaks(folder, peaks)
     return [f"noisy: {fault}" for fault in faults + faults_of_curves(folder, curves, complaints)]
 
 

@@ -149,11 +149,15 @@ setTimeout(() => {
    const depths = end => Array.from({length: 60}, (_, i) => +((i + .37) / 60 * end).toFixed(3))
    const numbers = p => Object.keys(p.curves).filter(name => !p.curves[name].words)
    const read = (p, name) => depths(D.cases[p.case].depth).map(d => [d, value_at(p, name, d)])
-   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, Object.fromEntries(numbers(p).map(name => [name, read(p, name)])), p.within ?? {}]))
+   const owner = (p, name) => D.profiles.find(o => o.case === p.case && o.curves[name] === p.curves[name]).model
+   const each = (p, of) => Object.fromEntries(numbers(p).map(name => [name, of(p, name)]))
+   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, each(p, read), each(p, (p, name) => p.beyond?.[name] ?? p.within ?? 0), each(p, owner)]))
 }, 300)
 """
 # Curves that are no column of the file, or angles, which are thinned to a degree and turn.
 OTHER_CURVES = ("side_force_on_joint", "clock", "azimuth")
+INVERSE = ("safety_factor",)         # curves whose inverse goes straight from point to point
+SUMS = {"buckling_margin": ("axial", "sinusoidal_load")}
 ROUNDING = 1.4e-5           # of a value: a number by itself has 36450 steps at least (page_code.f90)
 FEWEST_POINTS = 300         # compared on a page
 
@@ -195,6 +199,13 @@ def readout(text):
     return {row[0]: row[1:] for row in cells}
 
 
+def extent(values):
+    """Range of nine in ten values."""
+    there = sorted(values)
+    cut = int(0.05 * len(there))
+    return 0.0 if not there else (there[-1 - cut] - there[cut]) or there[-1] - there[0]
+
+
 class Profile:
     """A profile_*.csv: values between rows as the page reads them."""
     units = "m|mm|deg|kN|kNm|kN_m|MPa|deg_30m|pct|ft|in|klbf|kftlbf|klbf_ft|ksi|psi|deg_100ft"
@@ -209,12 +220,8 @@ class Profile:
         head = next(h for h in self.rows[0] if h == name or re.fullmatch(f"{name}_({self.units})", h))
         return [float(row[head]) if row[head] else None for row in self.rows]
 
-    @functools.cache
     def extent(self, name):
-        """Range of nine in ten values."""
-        there = sorted(v for v in self.column(name) if v is not None)
-        cut = int(0.05 * len(there))
-        return 0.0 if not there else (there[-1 - cut] - there[cut]) or there[-1] - there[0]
+        return extent([v for v in self.column(name) if v is not None])
 
     def at(self, name, depth):
         """Value there; None where there is none or the curve jumps within a metre."""
@@ -223,7 +230,8 @@ class Profile:
         a, b = values[i], values[i + 1]
         if a is None or b is None or None in values[bisect.bisect_right(d, depth - 1.0):bisect.bisect_left(d, depth + 1.0)] or d[i + 1] <= d[i]:
             return None
-        return a + (b - a) * (depth - d[i]) / (d[i + 1] - d[i])
+        part = (depth - d[i]) / (d[i + 1] - d[i])
+        return 1.0 / (1.0 / a + (1.0 / b - 1.0 / a) * part) if name in INVERSE else a + (b - a) * part
 
 
 def views_of(data):
@@ -275,17 +283,21 @@ def faults_of_curves(folder, told, complaints):
     faults, compared = [f"curves: the browser complains: {c}" for c in complaints], 0
     if told and not any(folder.glob("profile_*.csv")):
         return faults                   # a deck may leave these files out
-    for case, model, curves, within in told or []:
-        profile = Profile(folder, case, model)
+    for case, model, curves, within, owners in told or []:
+        profiles = {owner: Profile(folder, case, owner) for owner in {model, *owners.values()}}
         for name in (name for name in curves if name not in OTHER_CURVES):
-            close = CLOSE * max(1.0, within.get(name, 0.0) / THINNED) * profile.extent(name)
+            # a curve of the hole may be that of another model, which has more rows
+            parts = [(part, profiles[owners[part]]) for part in SUMS.get(name, [name])]
+            turned = (lambda value: 1.0 / value) if name in INVERSE else (lambda value: value)      # a safety factor is as close as its inverse
+            close = CLOSE * max(1.0, within.get(name, 0.0) / THINNED) * extent([turned(v) for v in profiles[model].column(name) if v is not None])
             for depth, shown in curves[name]:
-                if shown is None or not profile.depth[0] <= depth <= profile.depth[-1]:
+                if shown is None or not all(profile.depth[0] <= depth <= profile.depth[-1] for _, profile in parts):
                     continue
-                near = [profile.at(name, depth + step) for step in (0.0, -5.0e-4, 5.0e-4)]
-                if None in near:
+                near = [[profile.at(part, depth + step) for part, profile in parts] for step in (0.0, -5.0e-4, 5.0e-4)]
+                if any(None in values for values in near):
                     continue
                 compared += 1
+                near, shown = [turned(sum(values)) for values in near], turned(shown)
                 rounding = close + ROUNDING * abs(near[0])
                 if not min(near) - rounding <= shown <= max(near) + rounding:
                     faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {near[0]}")
@@ -324,7 +336,7 @@ def faults_of_no_curves(made, complaints):
     """Without a load case to show there is a sentence, and no empty chart."""
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
     told, panels = made or ("", 0)
-    if "Curves are thinned to 0.03 % of their range." not in told:
+    if "Curves are thinned to 0.03 % of their range, safety factors by their inverse." not in told:
         faults.append("the page does not say how close its curves are")
     if "No curves: choose a load case" not in told or panels:
         faults.append("no load case: the page draws empty charts, or says nothing")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps src/report/page/page_script.f90, the script and style that the program puts into a page, equal to page.js, well.js and page.css.
+"""Keeps src/report/page/page_script.f90, the script and style that the program puts into a page, equal to page.js, curves.js, well.js and page.css.
 
 Usage: embed_page.py [--write]     --write makes the source anew
 """
@@ -34,14 +34,14 @@ def array(name, lines):
 
 
 def module():
-    script = lines_of("page.js") + lines_of("well.js")
+    script = lines_of("page.js") + lines_of("curves.js") + lines_of("well.js")
     digest = hashlib.sha256("\n".join(script).encode("ascii")).digest()
     return "\n".join([
-        "!> The script and the style of a page: page.js, well.js, page.css. The hash of the script permits it. Written by",
+        "!> The script and the style of a page: page.js, curves.js, well.js, page.css. The hash of the script permits it. Written by",
         "!> .ci/embed_page.py --write. Change those files, not this one.",
         "module dg_page_script", "   implicit none", "   private", "   public :: script_hash, script_lines, style_lines", "",
         f"   character(*), parameter :: script_hash = '{base64.b64encode(digest).decode()}'",
         *array("script_lines", script), *array("style_lines", lines_of("page.css")), "end module dg_page_script", ""])
 
 
-sys.exit(keep(SOURCE, module(), "src/report/page/page_script.f90 is not what page.js, well.js and page.css make; run .ci/embed_page.py --write"))
+sys.exit(keep(SOURCE, module(), "src/report/page/page_script.f90 is not what page.js, curves.js, well.js and page.css make; run .ci/embed_page.py --write"))

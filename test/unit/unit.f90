@@ -58,7 +58,8 @@ contains
       use dg_test_legacy, only: legacy_suite
       use dg_test_depth_curve, only: depth_curve_suite
       use dg_test_line_load, only: line_load_suite
-      use dg_test_page_figures, only: page_figures_suite
+      use dg_test_page_curves, only: page_curves_suite
+   use dg_test_page_figures, only: page_figures_suite
       use dg_test_pictures, only: pictures_suite
       use dg_test_pipe_stress, only: pipe_stress_suite
       use dg_test_buckled_shape, only: buckled_shape_suite
@@ -132,6 +133,7 @@ contains
       call suite%addTest(legacy_suite())
       call suite%addTest(depth_curve_suite())
       call suite%addTest(line_load_suite())
+      call suite%addTest(page_curves_suite())
       call suite%addTest(page_figures_suite())
       call suite%addTest(pictures_suite())
       call suite%addTest(pipe_stress_suite())

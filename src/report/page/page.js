@@ -14,48 +14,12 @@ let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, not
 let paper = null                                             // while the page is printed: width and height of charts
 
 // ---- data
-const level_of = code => code - 35 - (code > 60) - (code > 92)        // a digit of base 90, see page_code.f90
-function depths_of(text) {                                   // steps in thousandths of D.units' length
-   const d = []
-   for (let i = 0, sum = 0, n = 0; i < text.length; i++) {
-      const digit = level_of(text.charCodeAt(i))
-      n = n * 45 + digit % 45
-      if (digit < 45) { d.push((sum += n % 2 ? -(n + 1) / 2 : n / 2) / 1000); n = 0 }
-   }
-   return Float64Array.from(d)
-}
-function values_of(text, first, step, count) {               // the last level: no value
-   const v = new Float64Array(count), digits = text.length / count
-   for (let i = 0; i < count; i++) {
-      let level = 0
-      for (let k = i * digits; k < (i + 1) * digits; k++) level = level * 90 + level_of(text.charCodeAt(k))
-      v[i] = digits < 4 ? (first + level) * step : (Math.floor(level / 90) - 364500) * 10 ** (level % 90 - 45)
-      if (level === 90 ** digits - 1) v[i] = NaN
-   }
-   return v
-}
-function curve_of(written, rows) {                           // depths: their own, shared ones (0: all), or even ones
-   const [first, step, depths, values] = written ?? [0, 1, '', '']
-   const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))
-   const places = ([text]) => depths_of(text).map(i => rows[Math.round(1000 * i)])
-   const listed = () => depths.length === 1 ? places(depths) : even(depths)
-   const d = depths === 0 ? rows : typeof depths === 'string' ? depths_of(depths) : listed()
-   return {d, v: values_of(values, first, step, d.length)}
-}
-function curve_by({d, v}, pieces) {                          // from another curve: rows, factor, addend of each component
-   const made = new Float64Array(v.length)
-   for (let k = 0, i = 0; k < pieces.length; k += 3) {
-      for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]
-   }
-   return {d, v: made}
-}
 for (const p of D.profiles ?? []) {
    const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '')     // those of an earlier one by its place
    for (const name in p.curves) {
-      const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === 'clock'}
+      const curve = p.curves[name], {words, inverse} = D.columns[name]
       if (typeof curve === 'number') p.curves[name] = D.profiles[curve].curves[name]      // the same as an earlier one
-      else if (typeof curve[0] === 'string') p.curves[name] = {...curve_by(p.curves[curve[0]], curve.slice(1)), ...more}
-      else p.curves[name] = {...curve_of(curve, rows), ...more}
+      else p.curves[name] = {...curve_from(p, curve, rows, inverse), words, turns: name === 'clock'}
    }
 }
 const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression
@@ -79,6 +43,7 @@ function value_in(c, depth) {
    const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0
    if (c.words) return c.v[part < .5 ? i : i + 1]
    if (part === 0 || part === 1) return c.v[i + part]        // a value may lack beside it
+   if (c.inverse) return 1 / ((1 - part) / c.v[i] + part / c.v[i + 1])
    const step = c.v[i + 1] - c.v[i]                          // of an angle the short way round
    return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step
 }
@@ -242,10 +207,10 @@ function block(S, address) {
       const above = p => D.cases[p.case].depth - state.depth
       const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
       const row_of = n => {
-         const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)
+         const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)
          const text = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
-         const coarse = Math.max(...list.map(p => p.within?.[n] ?? 0))      // thinned more than others
-         const said = label + (coarse ? ` (\u00b1${coarse} % of range)` : '')
+         const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))      // thinned more than others
+         const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? ' of its inverse' : ''})` : '')
          return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '' : text(at(b) - at(a)))]
       }
       return [
@@ -268,7 +233,9 @@ function block(S, address) {
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()
-      make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)
+      const within = S.charts ? Math.max(...shown().map(p => p.within ?? 0)) : 0        // of load cases with many points
+      const close = within > 0 ? `, \u00b1${within} % of range` : ''
+      make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}${close}`)
       rows.forEach((row, k) => {
          const line = make(table, 'h:tr', {})
          row.forEach((text, i) => make(line, k ? 'h:td' : 'h:th', {class: i ? '' : 'text', title: meanings[text] ?? ''}, text))
@@ -454,7 +421,7 @@ const of_figure = (f, place) => f.blocks.map((b, i) => ({
    ...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1      // on paper in two columns
 }))
 const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]
-document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The CSV files have all points.`)
+document.querySelector('.hint').append(` Curves are thinned to ${D.thinned} of their range, safety factors by their inverse.${D.reduced} The CSV files have all points.`)
 add_switch(document.querySelector('h1 + p'))
 follow_address()
 document.documentElement.classList.add('scripted')            // last: where a script fails fixed pictures stand

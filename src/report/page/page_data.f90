@@ -10,8 +10,10 @@ module dg_page_data
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
-   use dg_page_curves, only: curve_series, finest
+   use dg_page_curves, only: curve_series
    use dg_page_figures, only: append_figures
+   use dg_page_relations, only: is_inverse
+   use dg_page_thinning, only: finest
    use dg_page_profiles, only: append_profiles, charts, curves_type, find_curves, has_curves, reduced_text, &
                                thinned_text
    use dg_picture_list, only: picture_list_type
@@ -135,6 +137,7 @@ contains
             text = json_string(trim(column%name))//':{"label":'//json_string(spaced(trim(column%name)))// &
                    ',"quantity":'//json_string(quantity_key(column%quantity))// &
                    ',"meaning":'//json_string(trim(column%meaning))
+            if (is_inverse(column%name)) text = text//',"inverse":true'
             if (allocated(series%words)) then
                text = text//',"words":['
                do k = 0, ubound(series%words, 1)

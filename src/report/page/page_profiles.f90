@@ -10,8 +10,10 @@ module dg_page_profiles
    use dg_line_list, only: add_line, line_list_type
    use dg_model, only: model_type
    use dg_page_code, only: letters_of
-   use dg_page_curves, only: finest, profile_curves, share_type, stands_alone
+   use dg_page_curves, only: profile_curves, share_type, stands_alone
+   use dg_page_relations, only: written_type
    use dg_page_figures, only: look_text
+   use dg_page_thinning, only: finest
    use dg_series, only: series_list_type
    use dg_text, only: either, text_type, to_text
    implicit none
@@ -40,11 +42,11 @@ module dg_page_profiles
       '{"label":"dogleg","curves":[{"column":"dogleg"}]},{"label":"true vertical depth","curves":[{"column":"tvd"}]}]}']
    !> Columns that the well is drawn from, besides those of charts.
    character(*), parameter :: well_columns(6) = [character(9) :: 'north', 'east', 'od', 'hole', 'gap_state', 'buckling']
-   !> Letters of the curves of a load case. Where it has more, columns without a chart are left out. Where it has still more, long
-   !> curves are thinned to the next of `curve_letters`, but not beyond the one at `last_of_case`.
-   integer, parameter :: case_letters = 36000, last_of_case = 4, &
-                         curve_letters(0:7) = [huge(1), huge(1), 6000, 5000, 4000, 2000, 1000, 500]
-   !> Letters of the curves of all load cases. Where they would have more, curves are thinned to the others of `curve_letters`.
+   !> Letters of the curves of a load case. Where it has more, columns without a chart are left out. Where it has still more, its
+   !> curves are thinned more, all to the same part of their range: `coarser` by `coarser`, but not beyond `most_within` [-].
+   integer, parameter :: case_letters = 38000
+   real(wp), parameter :: coarser = 1.25_wp, most_within = 0.3_wp
+   !> Letters of the curves of all load cases together.
    integer, parameter :: most_letters = 4000000
    !> Length from the bit upwards that the script draws with its contacts (shown_length of page.js) [m].
    real(wp), parameter :: assembly_length = 40.0_wp
@@ -76,6 +78,7 @@ contains
       type(series_list_type), intent(in) :: list                !< names of the columns
       type(curves_type), intent(out) :: curves
       type(share_type) :: share
+      type(written_type) :: first
       integer, allocatable :: rows(:)
       integer :: i, k, n, level, letters, cases
       allocate (curves%texts(list%count, size(results)), curves%within(list%count, size(results)), curves%rows(size(results)))
@@ -84,18 +87,20 @@ contains
       do i = 1, maxval(results%case_index)
          rows = pack([(k, k=1, size(results))], results%case_index == i .and. has_curves(results))
          if (size(rows) == 0) cycle
-         do level = 0, ubound(curve_letters, 1)
-            share = share_type()
-            if (level > 0) share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
-            share%most_letters = curve_letters(level)
+         level = 0
+         share = share_type()
+         do
+            first = written_type(place=count(has_curves(results(:rows(1)))) - 1)
             do k = 1, size(rows)
                n = rows(k)
-               call profile_curves(results(n)%profile, alongs(n), job%units, share, curves%texts(:, n), curves%within(:, n), &
-                                   curves%rows(n))
+               call profile_curves(results(n)%profile, alongs(n), job%units, share, first, curves%texts(:, n), &
+                                   curves%within(:, n), curves%rows(n))
             end do
             letters = letters_of(curves%rows(rows)) + sum([(letters_of(curves%texts(:, rows(k))), k=1, size(rows))])
-            if (letters <= min(case_letters, most_letters/cases)) exit
-            if (level >= last_of_case .and. letters <= most_letters/cases) exit
+            if (letters <= min(case_letters, most_letters/cases) .or. share%within >= most_within) exit
+            if (level > 0) share%within = coarser*share%within
+            if (level == 0) share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
+            level = level + 1
          end do
          if (level > 0) curves%reduced = curves%reduced + 1
       end do
@@ -122,8 +127,8 @@ contains
       if (curves%reduced == 0) return
       text = ' '//to_text(curves%reduced)//either(' load case has', ' load cases have', curves%reduced == 1)// &
              ' many points: only the columns of charts are here.'
-      if (any(curves%within > finest)) text = text//' Some curves are thinned more, to '// &
-         to_text(maxval(curves%within)/percent, tolerance_digits)//' % at most. Values below tell how far.'
+      if (any(curves%within > finest)) text = text//' Their curves are thinned more, to '// &
+         to_text(maxval(curves%within)/percent, tolerance_digits)//' % at most. The box of values says how far.'
    end function reduced_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
@@ -178,7 +183,7 @@ contains
       end associate
    end subroutine append_depths
 
-   !> Columns that are thinned more than others, with the part of their range within which they stay [%].
+   !> Part of their range within which the curves of a load case with many points stay [%], and that of columns that need more.
    subroutine append_within(lines, list, curves, result)
       type(line_list_type), intent(inout) :: lines
       type(series_list_type), intent(in) :: list
@@ -186,14 +191,16 @@ contains
       integer, intent(in) :: result
       character(:), allocatable :: text
       integer :: k
-      text = ''
-      do k = 1, list%count
-         if (curves%within(k, result) <= finest) cycle
-         if (text /= '') text = text//','
-         text = text//json_string(trim(list%items(k)%column%name))//':'// &
-                to_text(curves%within(k, result)/percent, tolerance_digits)
-      end do
-      if (text /= '') call add_line(lines, '"within":{'//text//'},')
+      associate (within => curves%within(:, result))
+         if (all(within <= finest)) return
+         text = ''
+         do k = 1, list%count
+            if (within(k) <= minval(within)) cycle
+            if (text /= '') text = text//','
+            text = text//json_string(trim(list%items(k)%column%name))//':'//to_text(within(k)/percent, tolerance_digits)
+         end do
+         call add_line(lines, '"within":'//to_text(minval(within)/percent, tolerance_digits)//',"beyond":{'//text//'},')
+      end associate
    end subroutine append_within
 
    !> A curve of the last of some results, or the place of the first result that has the same.

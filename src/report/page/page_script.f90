@@ -1,12 +1,12 @@
-!> The script and the style of a page: page.js, well.js, page.css. The hash of the script permits it. Written by
+!> The script and the style of a page: page.js, curves.js, well.js, page.css. The hash of the script permits it. Written by
 !> .ci/embed_page.py --write. Change those files, not this one.
 module dg_page_script
    implicit none
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'u6f6rJt6agC6htGntfZSrM77W+W09o5SUFl86v/U0MU='
-   character(136), parameter :: script_lines_1(100) = [character(136) :: &
+   character(*), parameter :: script_hash = 'yHWn4ydajE5OLKbhs8MW0W6dhS7/SVlPs9z7gz73nPo='
+   character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
       'const shapes = [''m0-5v10m-5-5h10'', ''m-4-4l8 8m0-8l-8 8'', ''m0-5v10m-4.3-7.5l8.6 5m0-5l-8.6 5'', ''m-4-4h8v'// &
@@ -21,49 +21,12 @@ module dg_page_script
       'const lowest = () => `lowest ${Math.round(shown_length * factor(''length''))} ${unit(''length'')}`', &
       'let units = D.systems.includes(D.units) ? D.units : D.systems[0], clips = 0, noting = 0, active = null', &
       'let paper = null', &
-      'const level_of = code => code - 35 - (code > 60) - (code > 92)', &
-      'function depths_of(text) {', &
-      'const d = []', &
-      'for (let i = 0, sum = 0, n = 0; i < text.length; i++) {', &
-      'const digit = level_of(text.charCodeAt(i))', &
-      'n = n * 45 + digit % 45', &
-      'if (digit < 45) { d.push((sum += n % 2 ? -(n + 1) / 2 : n / 2) / 1000); n = 0 }', &
-      '}', &
-      'return Float64Array.from(d)', &
-      '}', &
-      'function values_of(text, first, step, count) {', &
-      'const v = new Float64Array(count), digits = text.length / count', &
-      'for (let i = 0; i < count; i++) {', &
-      'let level = 0', &
-      'for (let k = i * digits; k < (i + 1) * digits; k++) level = level * 90 + level_of(text.charCodeAt(k))', &
-      'v[i] = digits < 4 ? (first + level) * step : (Math.floor(level / 90) - 364500) * 10 ** (level % 90 - 45)', &
-      'if (level === 90 ** digits - 1) v[i] = NaN', &
-      '}', &
-      'return v', &
-      '}', &
-      'function curve_of(written, rows) {', &
-      'const [first, step, depths, values] = written ?? [0, 1, '''', '''']', &
-      'const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))', &
-      'const places = ([text]) => depths_of(text).map(i => rows[Math.round(1000 * i)])', &
-      'const listed = () => depths.length === 1 ? places(depths) : even(depths)', &
-      'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : listed()', &
-      'return {d, v: values_of(values, first, step, d.length)}', &
-      '}', &
-      'function curve_by({d, v}, pieces) {', &
-      'const made = new Float64Array(v.length)', &
-      'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
-      'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
-      '}', &
-      'return {d, v: made}', &
-      '}', &
       'for (const p of D.profiles ?? []) {', &
       'const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '''')', &
       'for (const name in p.curves) {', &
-      'const curve = p.curves[name], more = {words: D.columns[name].words, turns: name === ''clock''}', &
+      'const curve = p.curves[name], {words, inverse} = D.columns[name]', &
       'if (typeof curve === ''number'') p.curves[name] = D.profiles[curve].curves[name]', &
-      'else if (typeof curve[0] === ''string'') p.curves[name] = {...curve_by(p.curves[curve[0]], curve.slice(1)), ..'// &
-      '.more}', &
-      'else p.curves[name] = {...curve_of(curve, rows), ...more}', &
+      'else p.curves[name] = {...curve_from(p, curve, rows, inverse), words, turns: name === ''clock''}', &
       '}', &
       '}', &
       'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})', &
@@ -88,6 +51,7 @@ module dg_page_script
       'const i = row_at(c, depth), part = (depth - c.d[i]) / (c.d[i + 1] - c.d[i]) || 0', &
       'if (c.words) return c.v[part < .5 ? i : i + 1]', &
       'if (part === 0 || part === 1) return c.v[i + part]', &
+      'if (c.inverse) return 1 / ((1 - part) / c.v[i] + part / c.v[i + 1])', &
       'const step = c.v[i + 1] - c.v[i]', &
       'return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step', &
       '}', &
@@ -111,8 +75,7 @@ module dg_page_script
       'return e', &
       '}', &
       'function ticks(low, high, most) {', &
-      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))']
-   character(136), parameter :: script_lines_2(100) = [character(136) :: &
+      'const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw))', &
       'const step = power * [1, 2, 5, 10].find(f => f * power >= raw)', &
       'const from = Math.ceil(low / step - 1e-9), to = Math.floor(high / step + 1e-9)', &
       'return Array.from({length: Math.max(0, to - from + 1)}, (_, i) => +((from + i) * step).toPrecision(12))', &
@@ -152,7 +115,8 @@ module dg_page_script
       '}', &
       'function text_at(line, q) {', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
-      'pth)', &
+      'pth)']
+   character(169), parameter :: script_lines_2(100) = [character(169) :: &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
       'igh[i], q)})`)', &
       '}', &
@@ -227,8 +191,7 @@ module dg_page_script
       'make(words, ''h:b'', {}, panel.label + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
       'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
-      'for (const line of lines) draw_line(clip, line, x_of)']
-   character(136), parameter :: script_lines_3(100) = [character(136) :: &
+      'for (const line of lines) draw_line(clip, line, x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &
@@ -264,10 +227,11 @@ module dg_page_script
       'const above = p => D.cases[p.case].depth - state.depth', &
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
-      'const {label, quantity, words} = D.columns[n], at = p => value_at(p, n, state.depth)', &
+      'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)']
+   character(169), parameter :: script_lines_3(100) = [character(169) :: &
       'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
-      'const coarse = Math.max(...list.map(p => p.within?.[n] ?? 0))', &
-      'const said = label + (coarse ? ` (\u00b1${coarse} % of range)` : '''')', &
+      'const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))', &
+      'const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? '' of its inverse'' : ''''})` : '''')', &
       'return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at(b'// &
       ') - at(a)))]', &
       '}', &
@@ -292,7 +256,9 @@ module dg_page_script
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
-      'make(table, ''h:caption'', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)', &
+      'const within = S.charts ? Math.max(...shown().map(p => p.within ?? 0)) : 0', &
+      'const close = within > 0 ? `, \u00b1${within} % of range` : ''''', &
+      'make(table, ''h:caption'', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}${close}`)', &
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
@@ -334,8 +300,7 @@ module dg_page_script
       'if (depth < state.top || depth > state.bottom) whole()', &
       'set_depth(isNaN(depth) ? state.depth : depth)', &
       '}', &
-      'function listen() {']
-   character(136), parameter :: script_lines_4(100) = [character(136) :: &
+      'function listen() {', &
       'let from, pinch, wanted', &
       'const y_in = ({target, clientY}) => {', &
       'const place = target.closest(''svg.panel'')?.getBoundingClientRect()', &
@@ -369,7 +334,8 @@ module dg_page_script
       'for (const kind of [''pointerdown'', ''pointermove'']) view.panels.addEventListener(kind, point)', &
       'for (const kind of [''touchstart'', ''touchmove'']) view.panels.addEventListener(kind, spread, {passive: false'// &
       '})', &
-      'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)', &
+      'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)']
+   character(169), parameter :: script_lines_4(100) = [character(169) :: &
       '}', &
       'function note_address() {', &
       'if (active !== S) return', &
@@ -440,8 +406,7 @@ module dg_page_script
       'for (const b of blocks) b.draw()', &
       'for (const head of document.querySelectorAll(''th[data-q]'')) {', &
       'const {q, digits} = head.dataset', &
-      'head.querySelector(''small'').textContent = unit(q)']
-   character(136), parameter :: script_lines_5(100) = [character(136) :: &
+      'head.querySelector(''small'').textContent = unit(q)', &
       'for (const {cells: {[head.cellIndex]: cell}} of head.closest(''table'').tBodies[0].rows) {', &
       'const own = cell.dataset.own ??= cell.textContent, value = (cell.dataset.v ?? own) * factor(q)', &
       'const text = digits ? String(+value.toPrecision(digits)) : value.toFixed(own.split(''.'')[1]?.length ?? 0)', &
@@ -475,7 +440,8 @@ module dg_page_script
       'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
       '}', &
-      'draw_for({wide: 1100, high: 260})', &
+      'draw_for({wide: 1100, high: 260})']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       '})', &
       'const places = [...document.querySelectorAll(''.live:not(.first)'')]', &
       'const root_in = place => make(place, ''h:div'', {})', &
@@ -487,12 +453,106 @@ module dg_page_script
       '...b, keys: f.keys, title: title_of(f, i), root: root_in(place), halved: f.blocks.length > 1', &
       '}))', &
       'const parts = [...along, ...D.figures.flatMap((f, i) => of_figure(f, places[i]))]', &
-      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range.${D.reduced} The '// &
-      'CSV files have all points.`)', &
+      'document.querySelector(''.hint'').append(` Curves are thinned to ${D.thinned} of their range, safety factors b'// &
+      'y their inverse.${D.reduced} The CSV files have all points.`)', &
       'add_switch(document.querySelector(''h1 + p''))', &
       'follow_address()', &
       'document.documentElement.classList.add(''scripted'')', &
       'if (location.hash) active.root.scrollIntoView()', &
+      'function level_of(code) {', &
+      'return code - 35 - (code > 60) - (code > 92)', &
+      '}', &
+      'function depths_of(text) {', &
+      'const d = []', &
+      'for (let i = 0, sum = 0, step = 0, n = 0; i < text.length; i++) {', &
+      'const digit = level_of(text.charCodeAt(i))', &
+      'n = n * 45 + digit % 45', &
+      'if (digit < 45) { d.push((sum += step += n % 2 ? -(n + 1) / 2 : n / 2) / 1000); n = 0 }', &
+      '}', &
+      'return Float64Array.from(d)', &
+      '}', &
+      'function group_of(levels) {', &
+      'let length = 1, number = 0', &
+      'for (let i = 1; i <= 8; i++) {', &
+      'let n = 0', &
+      'for (let power = levels; power <= 90 ** i; power *= levels) n++', &
+      'if (n * length > number * i) [length, number] = [i, n]', &
+      '}', &
+      'return [length, number]', &
+      '}', &
+      'function values_of(text, first, step, count, levels) {', &
+      'const v = new Float64Array(count), [length, number] = levels ? group_of(levels) : [text.length / count, 1], al'// &
+      'l = levels ?? 90 ** length', &
+      'for (let i = 0; i < count; i += number) {', &
+      'const at = i / number * length', &
+      'let group = 0', &
+      'for (let k = at; k < at + length; k++) group = group * 90 + level_of(text.charCodeAt(k))', &
+      'for (let k = i + number - 1; k >= i; k--) {', &
+      'const level = group % all', &
+      'group = (group - level) / all', &
+      'if (k < count) v[k] = levels || length < 4 ? (first + level) * step : (Math.floor(level / 90) - 364500) * 10 *'// &
+      '* (level % 90 - 45)', &
+      'if (k < count && level === all - 1) v[k] = NaN', &
+      '}', &
+      '}', &
+      'return v', &
+      '}', &
+      'function curve_of(written, rows) {', &
+      'const [first, step, depths, values, levels] = written ?? [0, 1, '''', '''']', &
+      'const even = ([from, to, n]) => Float64Array.from({length: n + 1}, (_, i) => from + i / n * (to - from))', &
+      'const has = (bits, i) => level_of(bits.charCodeAt(Math.floor(i / 6))) >> (5 - i % 6) & 1', &
+      'const places = ([text, bits]) => bits ? rows.filter((_, i) => has(bits, i)) : depths_of(text).map(i => rows[Ma'// &
+      'th.round(1000 * i)])', &
+      'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : depths.length < 3 ? places('// &
+      'depths) : even(depths)', &
+      'return {d, v: values_of(values, first, step, d.length, levels)}', &
+      '}', &
+      'function curve_by({d, v}, least, pieces) {', &
+      'const made = new Float64Array(v.length)', &
+      'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
+      'for (const end = i + pieces[k]; i < end; i++) made[i] = Math.max(least, v[i] * pieces[k + 1] + pieces[k + 2])', &
+      '}', &
+      'return {d, v: made}', &
+      '}', &
+      'function sum_of(a, b, peaks) {', &
+      'const d = [], v = [], next = [0, 0]', &
+      'while (next[0] < a.d.length || next[1] < b.d.length) {', &
+      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
+      'd.push(depth)', &
+      'v.push([a, b].reduce((sum, c, k) => {', &
+      'const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])', &
+      'if (c.d[i] === depth) return sum + c.v[next[k]++]', &
+      'return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))', &
+      '}, 0))', &
+      '}', &
+      'for (let k = 0; k < peaks.length; k += 2) {', &
+      'const far = i => Math.abs(d[i] - peaks[k]) < .001 ? Math.abs(v[i] - peaks[k + 1]) : Infinity', &
+      'const near = d.findIndex(depth => depth > peaks[k] - .001), i = far(near + 1) < far(near) ? near + 1 : near', &
+      'd.splice(i, far(i) < Infinity ? 1 : 0, peaks[k])', &
+      'v.splice(i, v.length - d.length + 1, peaks[k + 1])', &
+      '}', &
+      'return {d: Float64Array.from(d), v: Float64Array.from(v)}', &
+      '}', &
+      'function inverse_of({d, v}) {', &
+      'const at = [], made = []', &
+      'for (let i = 0; i < d.length; i++) {', &
+      'const ratio = v[i] > 0 && v[i - 1] > 0 ? v[i - 1] / v[i] : 1, steps = Math.ceil(10 * Math.abs(Math.log(ratio))'// &
+      ') || 1', &
+      'for (let k = steps - 1; k >= 0; k--) {', &
+      'const there = v[i] * ratio ** (k / steps), part = k && (there - v[i]) / (v[i - 1] - v[i])', &
+      'at.push(part ? d[i] + part * (d[i - 1] - d[i]) : d[i])', &
+      'made.push(there > 0 ? 1 / there : NaN)', &
+      '}', &
+      '}', &
+      'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}', &
+      '}', &
+      'function curve_from(p, curve, rows, inverse) {', &
+      'const [name, other, ...pieces] = curve', &
+      'if (inverse) return inverse_of(curve_from(p, curve, rows))']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'if (typeof other === ''string'') return sum_of(p.curves[name], p.curves[other], pieces)', &
+      'return typeof name === ''string'' ? curve_by(p.curves[name], other, pieces) : curve_of(curve, rows)', &
+      '}', &
       'function well_figures(b) {', &
       'const {root, state, shown} = b', &
       'const angle = (p, d) => {', &
@@ -551,8 +611,7 @@ module dg_page_script
       'const project = a => {', &
       'const e = a[0] - middle[0], m = a[1] - middle[1], z = a[2] - middle[2]', &
       'return [230 + s * (e * cy - m * sy), 180 + s * (z * cp - (e * sy + m * cy) * sp)]', &
-      '}']
-   character(136), parameter :: script_lines_6(100) = [character(136) :: &
+      '}', &
       'const line = (a, b, look) => make(well, ''path'', {d: ''M'' + [a, b].map(project).join(''L''), ...look})', &
       'const write = writer(well, 460), sorted = points.map(a => a.value).filter(isFinite).sort((a, b) => a - b)', &
       'const low = words ? 0 : sorted[0], high = words ? words.length - 1 : sorted[Math.floor(.99 * (sorted.length - '// &
@@ -604,7 +663,8 @@ module dg_page_script
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
       'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * (T - 110) / 1.2', &
-      'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))', &
+      'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))']
+   character(169), parameter :: script_lines_7(56) = [character(169) :: &
       'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`', &
       'const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)', &
       'const edge = (from, to, v_of) => between(from, to, 80).map(d => point(x_of(d), y_of(v_of(d))))', &
@@ -666,10 +726,9 @@ module dg_page_script
       'const by = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[e.key]', &
       'if (by) { e.preventDefault(); turn_by(...by) }', &
       '})', &
-      'return {draw, mark}']
-   character(136), parameter :: script_lines_7(1) = [character(136) :: &
+      'return {draw, mark}', &
       '}']
-   character(136), parameter :: script_lines(601) = [ &
+   character(169), parameter :: script_lines(656) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
