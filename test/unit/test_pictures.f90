@@ -92,7 +92,7 @@ contains
       call assertEqual('?z', html_safe(char(252)//'z'))
       call assertEqual('?', html_safe(char(195)))
       call assertEqual('??', html_safe(char(188)//char(188)))
-      call assertEqual('"a \000022\00005C\00003C"', css_string('a "\<'))
+      call assertEqual('"a \000022 \00005C \00003C  b"', css_string('a "\< b'))
       call assertEqual('"'//char(195)//char(188)//'"', css_string(char(195)//char(188)))
    end subroutine test_html_text
 

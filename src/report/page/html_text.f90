@@ -66,7 +66,7 @@ contains
       character(*), intent(in) :: text
       character(:), allocatable :: string
       character(len(text)) :: plain
-      character(7) :: number
+      character(8) :: number     ! its last blank ends it and is not shown
       integer :: i
       plain = plain_utf8(text)
       string = '"'
@@ -78,7 +78,7 @@ contains
             if (iachar(plain(i:i)) > last_ascii) then
                string = string//plain(i:i)
             else
-               write (number, '(a,z6.6)') '\', iachar(plain(i:i))
+               write (number, '(a,z6.6,1x)') '\', iachar(plain(i:i))
                string = string//number
             end if
          end select
