@@ -334,8 +334,8 @@ contains
                           in_units(model%units, unit_force, most, shown)//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
-         if (most < 0.0_wp) result%message = result%message//'. With a pull of '// &
-                                             in_units(model%units, unit_force, -most, shown)//' at the bit it would'
+         if (most < 0.0_wp) result%message = result%message//'. A pull of '// &
+                                             in_units(model%units, unit_force, -most, shown)//' at the bit would bring it there'
       end if
    end subroutine result_of_lock_up
 
