@@ -2,7 +2,7 @@
 !> shows offsets of the gauge if they were unknowns, and the error of every load case before and after.
 module dg_calibration_picture
    use dg_kinds, only: wp
-   use dg_calibration, only: calibration_type, unknown_type
+   use dg_calibration, only: calibration_type, torque_datum, unknown_type
    use dg_calibration_result, only: calibration_result_type
    use dg_calibration_table, only: unknown_text
    use dg_chart, only: add_curve, add_key, add_points, add_rows, chart_type, new_chart
@@ -58,6 +58,7 @@ contains
       n = size(names)
       do i = 1, n
          names(i)%text = model%cases(calibration%cases(calibration%data(i)%case))%name
+         if (calibration%data(i)%kind == torque_datum) names(i)%text = names(i)%text//', torque'
       end do
       call add_rows(chart, [left(2), right(2), bottom, top], 'error against measurement', quantity_percent, names, &
                     left(2) - right(1))
