@@ -142,6 +142,15 @@ setTimeout(() => {
 PEAK = 2e-6                             # of a value: a number has seven digits
 
 
+# Marks that end beyond what their clip leaves of them, in all charts of the run.
+MARKS = """
+setTimeout(() => document.title = 'FOUND' + JSON.stringify([...document.querySelectorAll('.panel g[clip-path]')].flatMap(g => {
+   const {y, height} = document.querySelector(g.getAttribute('clip-path').slice(4, -1) + ' rect').getBBox()
+   return [...g.querySelectorAll('path[stroke-width="1.6"]')].map(p => p.getBBox()).filter(b => b.height && (b.y < y - .1 || b.y + b.height > y + height + .1)).length
+}).reduce((a, b) => a + b, 0)), 400)
+"""
+
+
 SCROLLED = """
 setTimeout(() => document.title = 'FOUND' + JSON.stringify(blocks.find(b => b.S.title === TITLE).S.root.getBoundingClientRect().top), 400)
 """
@@ -423,7 +432,7 @@ def main():
         states = {row["status"] for row in rows_of(folder / "sweep_beams.csv")}
         faults = [] if states == {"converged", "locked_up", "not_converged"} else [f"the sweep has only {states}"]
         text = page.read_text(encoding="utf-8")
-        views = views_at(folder) | views_of_actions(page) | {"phone": view_of_phone(text), "no script": view_without_script(text)}
+        views = views_at(folder) | views_of_actions(page) | {"phone": view_of_phone(text), "marks": View(page, script=MARKS), "no script": view_without_script(text)}
         views |= dict(zip(WIDTHS, views_of_labels(text)))
         told = dict(zip(views, opened(views.values())))
         faults += [f"{name}: the browser complains: {c}" for name, (_, complaints) in told.items() if name != "no script" for c in complaints]
@@ -437,6 +446,8 @@ def main():
         faults += faults_of_actions(told["actions"][0]) + faults_of_addresses(told["links"][0], told["scrolled"][0])
         for width in WIDTHS:
             faults += faults_of_labels(told[width][0], width)
+        faults += [] if told["marks"][0] == 0 else [f"{told['marks'][0]} marks are cut"]
+        faults += [] if '"turn, torque"' in text else ["the calibration does not say that an error is of a torque"]
         faults += faults_of_phone(told["phone"][0]) + faults_without_script(told["no script"][0])
         faults += faults_of_paper(page) + faults_of_ends(program, scratch) + faults_of_noise(program, scratch)
     print(f"{count[0]} values read off the page")

@@ -113,7 +113,8 @@ setTimeout(async () => {
    pick.dispatchEvent(new Event('change'))
    const [whole, value] = [well, well.querySelector('.value')].map(e => e.getBoundingClientRect())
    document.title = 'FOUND' + JSON.stringify([well.querySelector('.value').textContent, [...well.querySelectorAll('text')][0].textContent,
-      value.right <= whole.right && value.left >= whole.left, root.querySelector('figcaption').textContent])
+      value.right <= whole.right && value.left >= whole.left, root.querySelector('figcaption').textContent,
+      [...root.querySelectorAll('text')].find(t => t.textContent.startsWith('moment, at most')).textContent])
 }, 300)
 """
 
@@ -180,6 +181,12 @@ setTimeout(() => {
    const boxed = e => { for (let p = e.parentElement; p; p = p.parentElement) if (['auto', 'scroll'].includes(getComputedStyle(p).overflowX)) return true }
    if (root.scrollWidth > wide) found.push('the page scrolls sideways')
    for (const e of document.querySelectorAll('body :not(svg *)')) if (e.getBoundingClientRect().right > wide + 1 && !boxed(e)) found.push(`${e.tagName} ${e.textContent.slice(0, 40)} ends beyond the edge`)
+   for (const e of document.querySelectorAll('.alone .readout th')) for (const word of e.textContent.matchAll(/[^ ]+/g)) {
+      const range = document.createRange()
+      range.setStart(e.firstChild, word.index)
+      range.setEnd(e.firstChild, word.index + word[0].length)
+      if (range.getClientRects().length > 1) found.push(`${word[0]} is broken`)
+   }
    for (const e of document.querySelectorAll('td, th')) if (e.scrollWidth > e.clientWidth + 1) found.push(`${e.textContent} is wider than its cell`)
    document.title = 'FOUND' + JSON.stringify(found)
 }, 500)
@@ -431,13 +438,16 @@ def faults_of_well(folder, told, complaints):
     faults = [f"the well: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "the well was not coloured"]
-    value, words, inside, caption = told
+    value, words, inside, caption, most = told
     if not value.startswith("3186 m: ") or value.split(": ")[1] not in words.split(", ") or "rigid" not in words or not inside:
         faults.append(f"coloured by gap state the well shows '{value}', '{words}', inside: {inside}")
     found, profile = re.search(r"At 3186 m: moment ([0-9.]+) kN\.m, ([0-9.]+) mm off the axis\.$", caption), Profile(folder, CASES[0], "mcge")
     wanted = [profile.at(name, 3186.0) for name in ("bending", "displacement")]
     if not found or any(abs(float(a) - b) > 1e-3 * b for a, b in zip(found.groups(), wanted)):
         faults.append(f"below the assembly stands '{caption}', the file has {wanted}")
+    largest = max(m for d, m in zip(profile.depth, profile.column("bending")) if d >= profile.depth[-1] - 40.0)
+    if most != f"moment, at most {largest:.3f} kN.m":
+        faults.append(f"above the assembly stands '{most}', the file has {largest}")
     return faults
 
 

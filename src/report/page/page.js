@@ -138,7 +138,7 @@ function block(S, address) {
          if (first_of_row) make(make(svg, 'text', {x: left - 4, y: y + 4, 'text-anchor': 'end'}, short), 'title', {}, name)
       }
    }
-   function draw_line(clip, line, x) {
+   function draw_line(clip, marks, line, x) {
       const {look, curve} = line
       if (line.low) {                                           // bars
          const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('')
@@ -150,8 +150,8 @@ function block(S, address) {
       }
       const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))
       const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}      // on a line for print without colours
-      const there = [...d.keys()].filter(i => isFinite(v[i]))
-      draw_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)
+      const there = [...d.keys()].filter(i => isFinite(v[i]) && d[i] >= state.top && d[i] <= state.bottom)
+      draw_marks(marks, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)
    }
    function draw_panel(panel, index, width) {
       const svg = make(null, 'svg', {viewBox: `0 0 ${width} ${H}`, role: 'img', 'aria-label': panel.label, class: 'panel'})
@@ -160,7 +160,11 @@ function block(S, address) {
       const lines = lines_of(panel).filter(visible).map(l => ({...l, seen: seen_of(l)})), q = panel.quantity, f = factor(q)
       const [low, high] = range_of(panel, lines).map(v => v * f)
       const x_of = v => left + (v * f - low) / (high - low) * (right - left)
-      make(make(svg, 'clipPath', {id: 'clip' + ++clips}), 'rect', {x: left, y: up, width: right - left, height: H - up - down})
+      const inside = more => {                                   // a group whose ends are cut off beyond the panel, and so much more
+         const place = {x: left - more, y: up - more, width: right - left + 2 * more, height: H - up - down + 2 * more}
+         make(make(svg, 'clipPath', {id: 'clip' + ++clips}), 'rect', place)
+         return make(svg, 'g', {'clip-path': `url(#clip${clips})`})
+      }
       for (const t of panel.ticks ?? ticks(low, high, Math.max(3, (right - left) / 50))) {
          const x = x_of(t / f)
          make(svg, 'line', {x1: x, x2: x, y1: up, y2: H - down, class: t ? 'grid' : 'zero'})
@@ -171,8 +175,8 @@ function block(S, address) {
       const words = make(make(svg, 'foreignObject', {x: left, y: 0, width: right - left, height: up}), 'h:div', {})
       make(words, 'h:b', {}, panel.label + ' ')
       if (unit(q)) words.append(`[${unit(q)}]`)
-      const clip = make(svg, 'g', {'clip-path': `url(#clip${clips})`})
-      for (const line of lines) draw_line(clip, line, x_of)
+      const curves = inside(0), marks = inside(6)                // marks on the frame are whole
+      for (const line of lines) draw_line(curves, marks, line, x_of)
       make(svg, 'line', {x1: left, x2: right, y1: 0, y2: 0, class: 'cross'})
       make(svg, 'rect', {x: left, width: right - left, class: 'band'})
       return svg

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'yHWn4ydajE5OLKbhs8MW0W6dhS7/SVlPs9z7gz73nPo='
+   character(*), parameter :: script_hash = 'oVk3SMAM1SGsmG5PWVlZDhbTZ/puC7o4SZFjRQ76YKk='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -153,7 +153,7 @@ module dg_page_script
       ', {}, name)', &
       '}', &
       '}', &
-      'function draw_line(clip, line, x) {', &
+      'function draw_line(clip, marks, line, x) {', &
       'const {look, curve} = line', &
       'if (line.low) {', &
       'const d = [...curve.d].map((d, i) => `M${x(line.low[i])} ${y_of(d)}H${x(line.high[i])}`).join('''')', &
@@ -165,8 +165,8 @@ module dg_page_script
       '}', &
       'const at = Array.from({length: 8}, (_, i) => state.top + (i + .5) / 8 * (state.bottom - state.top))', &
       'const {d, v} = line.marks ? curve : {d: at, v: at.map(d => value_in(curve, d))}', &
-      'const there = [...d.keys()].filter(i => isFinite(v[i]))', &
-      'draw_marks(clip, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
+      'const there = [...d.keys()].filter(i => isFinite(v[i]) && d[i] >= state.top && d[i] <= state.bottom)', &
+      'draw_marks(marks, there.map(i => `M${x(v[i]).toFixed(1)} ${y_of(d[i]).toFixed(1)}`), line)', &
       '}', &
       'function draw_panel(panel, index, width) {', &
       'const svg = make(null, ''svg'', {viewBox: `0 0 ${width} ${H}`, role: ''img'', ''aria-label'': panel.label, cla'// &
@@ -177,8 +177,11 @@ module dg_page_script
       'ctor(q)', &
       'const [low, high] = range_of(panel, lines).map(v => v * f)', &
       'const x_of = v => left + (v * f - low) / (high - low) * (right - left)', &
-      'make(make(svg, ''clipPath'', {id: ''clip'' + ++clips}), ''rect'', {x: left, y: up, width: right - left, height'// &
-      ': H - up - down})', &
+      'const inside = more => {', &
+      'const place = {x: left - more, y: up - more, width: right - left + 2 * more, height: H - up - down + 2 * more}', &
+      'make(make(svg, ''clipPath'', {id: ''clip'' + ++clips}), ''rect'', place)', &
+      'return make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
+      '}', &
       'for (const t of panel.ticks ?? ticks(low, high, Math.max(3, (right - left) / 50))) {', &
       'const x = x_of(t / f)', &
       'make(svg, ''line'', {x1: x, x2: x, y1: up, y2: H - down, class: t ? ''grid'' : ''zero''})', &
@@ -190,8 +193,8 @@ module dg_page_script
       '{})', &
       'make(words, ''h:b'', {}, panel.label + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
-      'const clip = make(svg, ''g'', {''clip-path'': `url(#clip${clips})`})', &
-      'for (const line of lines) draw_line(clip, line, x_of)', &
+      'const curves = inside(0), marks = inside(6)', &
+      'for (const line of lines) draw_line(curves, marks, line, x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &
@@ -223,12 +226,12 @@ module dg_page_script
       'const names = view.all.checked ? known : [...new Set(wanted)]', &
       'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
       'const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)', &
-      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))', &
+      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))']
+   character(169), parameter :: script_lines_3(100) = [character(169) :: &
       'const above = p => D.cases[p.case].depth - state.depth', &
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
-      'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)']
-   character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)', &
       'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
       'const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))', &
       'const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? '' of its inverse'' : ''''})` : '''')', &
@@ -329,13 +332,13 @@ module dg_page_script
       'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
-      'from = pinch = wanted = undefined', &
+      'from = pinch = wanted = undefined']
+   character(169), parameter :: script_lines_4(100) = [character(169) :: &
       '}', &
       'for (const kind of [''pointerdown'', ''pointermove'']) view.panels.addEventListener(kind, point)', &
       'for (const kind of [''touchstart'', ''touchmove'']) view.panels.addEventListener(kind, spread, {passive: false'// &
       '})', &
-      'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)']
-   character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'for (const kind of [''pointerup'', ''touchend'']) addEventListener(kind, finish)', &
       '}', &
       'function note_address() {', &
       'if (active !== S) return', &
@@ -436,12 +439,12 @@ module dg_page_script
       'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
       'paper = {wide: 660, high: 300}', &
-      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]', &
+      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
       '}', &
-      'draw_for({wide: 1100, high: 260})']
-   character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'draw_for({wide: 1100, high: 260})', &
       '})', &
       'const places = [...document.querySelectorAll(''.live:not(.first)'')]', &
       'const root_in = place => make(place, ''h:div'', {})', &
@@ -544,12 +547,12 @@ module dg_page_script
       'made.push(there > 0 ? 1 / there : NaN)', &
       '}', &
       '}', &
-      'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}', &
+      'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       '}', &
       'function curve_from(p, curve, rows, inverse) {', &
       'const [name, other, ...pieces] = curve', &
-      'if (inverse) return inverse_of(curve_from(p, curve, rows))']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'if (inverse) return inverse_of(curve_from(p, curve, rows))', &
       'if (typeof other === ''string'') return sum_of(p.curves[name], p.curves[other], pieces)', &
       'return typeof name === ''string'' ? curve_by(p.curves[name], other, pieces) : curve_of(curve, rows)', &
       '}', &
@@ -658,13 +661,13 @@ module dg_page_script
       'function draw_assembly() {', &
       'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290', &
       'assembly.replaceChildren()', &
-      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)', &
+      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)']
+   character(169), parameter :: script_lines_7(62) = [character(169) :: &
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
       'const hole = value_at(p, ''hole'', bit), y_of = v => T / 2 - v / hole * (T - 110) / 1.2', &
-      'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))']
-   character(169), parameter :: script_lines_7(56) = [character(169) :: &
+      'const off = d => value_at(p, ''displacement'', d) * Math.cos(angle(p, d))', &
       'const point = (x, y) => `${x.toFixed(1)} ${y.toFixed(1)}`', &
       'const between = (from, to, n) => [...Array(n + 1).keys()].map(i => from + (to - from) * i / n)', &
       'const edge = (from, to, v_of) => between(from, to, 80).map(d => point(x_of(d), y_of(v_of(d))))', &
@@ -691,8 +694,9 @@ module dg_page_script
       'make(assembly, ''line'', {x1: x_of(d), x2: x_of(d), y1, y2, class: ''force''})', &
       'write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, ''force''))', &
       '}', &
-      'const moments = between(start, bit, 200).map(d => [x_of(d), value_at(p, ''bending'', d)]).filter(([, m]) => is'// &
-      'Finite(m))', &
+      'const own = p.curves.bending.d.filter(d => d >= start && d <= bit)', &
+      'const moments = [...new Set([...between(start, bit, 200), ...own])].sort((a, b) => a - b)', &
+      '.map(d => [x_of(d), value_at(p, ''bending'', d)]).filter(([, m]) => isFinite(m))', &
       'const most = Math.max(...moments.map(([, m]) => m), 0)', &
       'const places = moments.map(([x, m]) => point(x, T + 80 - m / (most || 1) * 60))', &
       'make(assembly, ''path'', {d: ''M'' + places.join(''L''), class: ''moment''})', &
@@ -728,7 +732,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(656) = [ &
+   character(169), parameter :: script_lines(662) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
@@ -763,7 +767,7 @@ module dg_page_script
       '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side{font-size:.85em}.side select{display'// &
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
       '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em;overflow-wrap:anywhere}.readout th:nth-child(2'// &
-      '){overflow-wrap:normal}.readout th+th+th{min-width:6em}.panel div{font-size:11px;line-height:1.2}', &
+      '){overflow-wrap:normal}.readout th+th+th{min-width:8.5em}.panel div{font-size:11px;line-height:1.2}', &
       '.panels{display:flex;flex-wrap:wrap;touch-action:pan-y;user-select:none;cursor:crosshair}', &
       '.right input[type=range]{width:100%}p .units{margin-left:1em}.typed{display:inline-block;margin:.2em 1.5em .2e'// &
       'm 0}.typed input{font:inherit;width:7em}.hint{font-size:.8em;margin:.2em 0}.lower{display:grid;grid-template-c'// &

@@ -120,7 +120,9 @@ function well_figures(b) {
          make(assembly, 'line', {x1: x_of(d), x2: x_of(d), y1, y2, class: 'force'})
          write(x_of(d), side < 0 ? T - 24 : 36, text_of(force, 'force'))
       }
-      const moments = between(start, bit, 200).map(d => [x_of(d), value_at(p, 'bending', d)]).filter(([, m]) => isFinite(m))
+      const own = p.curves.bending.d.filter(d => d >= start && d <= bit)                 // a peak is one of its points
+      const moments = [...new Set([...between(start, bit, 200), ...own])].sort((a, b) => a - b)
+         .map(d => [x_of(d), value_at(p, 'bending', d)]).filter(([, m]) => isFinite(m))
       const most = Math.max(...moments.map(([, m]) => m), 0)   // of the moments, in a strip of their own
       const places = moments.map(([x, m]) => point(x, T + 80 - m / (most || 1) * 60))
       make(assembly, 'path', {d: 'M' + places.join('L'), class: 'moment'})
