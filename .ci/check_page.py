@@ -158,7 +158,7 @@ setTimeout(() => {
 # Curves that are no column of the file, or angles, which are thinned to a degree and turn.
 OTHER_CURVES = ("side_force_on_joint", "clock", "azimuth")
 INVERSE = ("safety_factor",)         # curves whose inverse goes straight from point to point
-SUMS = {"buckling_margin": ("axial", "sinusoidal_load")}
+SUMS = {"buckling_margin": [("axial", "sinusoidal_load")]}
 ROUNDING = 1.4e-5           # of a value: a number by itself has 36450 steps at least (page_code.f90)
 FEWEST_POINTS = 300         # compared on a page
 
@@ -285,6 +285,14 @@ def faults_of_view(folder, data, view, text, complaints):
     return faults, compared
 
 
+def values_near(parts, depth):
+    """Sum of columns of profiles at a depth and half a millimetre beside it; None where one is missing."""
+    if not all(profile.depth[0] <= depth <= profile.depth[-1] for _, profile in parts):
+        return None
+    near = [[profile.at(name, depth + step) for name, profile in parts] for step in (0.0, -5.0e-4, 5.0e-4)]
+    return None if any(None in values for values in near) else [sum(values) for values in near]
+
+
 def faults_of_curves(folder, told, complaints):
     """Every curve of a page against the files. Its depths are rounded to half a thousandth."""
     faults, compared = [f"curves: the browser complains: {c}" for c in complaints], 0
@@ -294,20 +302,18 @@ def faults_of_curves(folder, told, complaints):
         profiles = {owner: Profile(folder, case, owner) for owner in {model, *owners.values()}}
         for name in (name for name in curves if name not in OTHER_CURVES):
             # a curve of the hole may be that of another model, which has more rows
-            parts = [(part, profiles[owners[part]]) for part in SUMS.get(name, [name])]
+            ways = [[(part, profiles[owners[part]]) for part in parts] for parts in ([name], *SUMS.get(name, []))]
             turned = (lambda value: 1.0 / value) if name in INVERSE else (lambda value: value)      # a safety factor is as close as its inverse
             close = CLOSE * max(1.0, within.get(name, 0.0) / THINNED) * extent([turned(v) for v in profiles[model].column(name) if v is not None])
             for depth, shown in curves[name]:
-                if shown is None or not all(profile.depth[0] <= depth <= profile.depth[-1] for _, profile in parts):
-                    continue
-                near = [[profile.at(part, depth + step) for part, profile in parts] for step in (0.0, -5.0e-4, 5.0e-4)]
-                if any(None in values for values in near):
+                found = [values_near(parts, depth) for parts in ways] if shown is not None else []
+                found = [[turned(value) for value in near] for near in found if near]
+                if not found:
                     continue
                 compared += 1
-                near, shown = [turned(sum(values)) for values in near], turned(shown)
-                rounding = close + ROUNDING * abs(near[0])
-                if not min(near) - rounding <= shown <= max(near) + rounding:
-                    faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {near[0]}")
+                rounding = [close + ROUNDING * abs(near[0]) for near in found]
+                if not any(min(near) - r <= turned(shown) <= max(near) + r for near, r in zip(found, rounding)):
+                    faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {turned(found[0][0])}")
     return faults + ([f"only {compared} values of curves were compared"] if told != [] and compared < FEWEST_POINTS else [])
 
 
