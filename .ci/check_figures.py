@@ -65,6 +65,8 @@ NOISY = f"""&job title = 'Noisy survey', models = 'mcge', 'soft', hdf5 = .false.
   azi = {", ".join(f"{40 + 0.4 * math.cos(3 * s * s):.2f}" for s in STATIONS)} /
 &hole name = 'open', diameter = 215.9, friction = 0.3 /
 &fluid density = 1300 /
+&component name = 'collars', kind = 'collar', length = 60, od = 165, id = 71.4, yield = 758 /
+&component name = 'heavy', length = 400, od = 127, id = 76.2, mass = 73.4, joint_od = 165, joint_spacing = 9.5, yield = 379 /
 &component name = 'pipe', od = 127, id = 108.6, mass = 31.9, joint_od = 165, joint_spacing = 9.5, yield = 724 /
 &load_case name = 'up', operation = 'up', bit_depth = 3000 /
 &load_case name = 'down', operation = 'down', bit_depth = 3000 /
@@ -390,7 +392,7 @@ def faults_of_noise(program, scratch):
     if run.returncode:
         return [f"noisy: exit status {run.returncode}: {run.stderr}"]
     page = folder / "report.html"
-    (curves, complaints), (made, _), (peaks, _) = opened([View(page, script=CURVES), View(page, "chart=Forces&depth=2000"), View(page, script=PEAKS)])
+    (curves, complaints), (made, _), (peaks, _) = opened([View(page, script=CURVES), View(page, "case=up&chart=Forces&depth=2000"), View(page, script=PEAKS)])
     faults, sizes = [], collections.Counter()
     for profile in json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page.read_text(encoding="utf-8"), re.S).group(1))["profiles"]:
         sizes[profile["case"]] += len(json.dumps(profile, ensure_ascii=False, separators=(",", ":")).encode())

@@ -36,7 +36,7 @@ contains
       type(thinned_type) :: curve
       curve%name = name
       curve%values = values
-      call thin_curve(curve, depths(), rows_for_others(name, starts, n), 1.0_wp, within)
+      call thin_curve(curve, depths(), [starts, starts(2) - 1], 1.0_wp, within)
       curve%own = .true.
       curve%read = read_at(curve, depths(), depths())
    end function thinned
@@ -67,8 +67,8 @@ contains
       call assertTrue(all(is_missing(values(5:))))
    end subroutine test_between
 
-   !> A stress is written by its moment: least value, then points, factor and addend of each component. The moment is close enough
-   !> for it. One that does not go with the moment stays alone.
+   !> A stress is written by its moment: its peaks, then points, factor and addend of each component. The moment is close enough for
+   !> it. One that does not go with the moment stays alone.
    subroutine test_parts()
       type(thinned_type) :: curves(2)
       character(:), allocatable :: text
@@ -80,6 +80,7 @@ contains
       curves(1)%values = moment
       curves(2) = thinned('bending_stress', stress, finest)
       curves(2)%own = .false.
+      call assertTrue(any(rows_for_others(curves, 1, starts) == maxloc(stress, dim=1)), message='its peak is kept')
       curves(1) = thinned('bending', moment, finest*part_for_others(curves, 1, starts))
       text = ''
       within = finest
@@ -87,6 +88,7 @@ contains
       call assertEqual('["bending",', text(:11))
       call assertTrue(index(text, ',100,10,') > 0 .and. index(text, ',100,30,') > 0, message=text)
       call assertTrue(all(abs(curves(2)%read - stress) <= curves(2)%band))
+      call assertEqual(maxval(stress), maxval(curves(2)%read), 1.0e-12_wp)
       stress(50) = 31.0_wp
       curves(2) = thinned('bending_stress', stress, finest)
       text = ''

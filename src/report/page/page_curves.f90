@@ -102,7 +102,7 @@ contains
       do k = 1, list%count
          if (.not. allocated(curves(k)%values)) cycle
          if (.not. allocated(curves(k)%kept)) &
-            call thin_curve(curves(k), md, rows_for_others(curves(k)%name, starts, size(md)), units%angle, &
+            call thin_curve(curves(k), md, rows_for_others(curves, k, starts), units%angle, &
                             share%within*part_for_others(curves, k, starts))
          call write_by_others(curves, k, md, starts, share%within > finest, texts(k)%text, within(k))
          if (texts(k)%text == '') call write_by_first(first, curves(k), md, texts(k)%text)

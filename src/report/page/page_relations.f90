@@ -66,7 +66,7 @@ contains
          do i = 1, size(linear, 2)
             k = place_of(linear(2, i))
             if (curve%name /= linear(1, i) .or. k == 0) cycle
-            if (curves(k)%own) call make_by_parts(curves(k), curve, starts, made, found%text)
+            if (curves(k)%own) call make_by_parts(curves(k), curve, md, starts, made, found%text)
          end do
          do i = 1, size(sums, 2)
             k = place_of(sums(2, i))
@@ -95,28 +95,15 @@ contains
       end function place_of
    end subroutine write_by_others
 
-   !> A curve that is the sum of two, in JSON: their names, then depth and value of its largest and of its least value. `made`: the
-   !> values as the page reads them.
+   !> A curve that is the sum of two, in JSON: their names, then its peaks. `made`: the values as the page reads them.
    pure subroutine make_by_two(one, other, curve, md, made, text)
       type(thinned_type), intent(in) :: one, other, curve
       real(wp), intent(in) :: md(:)
       real(wp), allocatable, intent(out) :: made(:)
       character(:), allocatable, intent(out) :: text
-      logical :: kept(size(md))
-      integer :: i, ends(2)
       made = sum_of(one%read, other%read)
-      kept = .true.
-      if (one%own .and. other%own) kept = one%kept .or. other%kept
-      ends(1) = maxloc(curve%values, dim=1)
-      ends(2) = minloc(curve%values, dim=1, mask=.not. is_missing(curve%values))
-      kept(ends) = .true.
-      made(ends) = curve%values(ends)
-      made = line_at(pack(md, kept), pack(made, kept), md)
-      text = by_other//one%name//'","'//other%name//'"'
-      do i = 1, size(ends)
-         text = text//','//to_text(anint(per_unit*md(ends(i)))/per_unit, depth_digits)//','//to_text(curve%values(ends(i)), digits)
-      end do
-      text = text//']'
+      call keep_peaks(curve, md, (one%kept .or. other%kept) .or. .not. (one%own .and. other%own), made)
+      text = by_other//one%name//'","'//other%name//'"'//peaks_text(curve, md)//']'
    end subroutine make_by_two
 
    elemental function sum_of(a, b) result(sum)
@@ -126,21 +113,39 @@ contains
       if (.not. (is_missing(a) .or. is_missing(b))) sum = a + b
    end function sum_of
 
-   !> True for a curve by which others are written, component by component.
-   pure function is_source(name) result(is)
-      character(*), intent(in) :: name
-      logical :: is
-      is = any(linear(2, :) == name)
-   end function is_source
-
-   !> Rows of a curve that must be kept for others that are written by it: the first and the last of each component.
-   pure function rows_for_others(name, starts, number) result(rows)
-      character(*), intent(in) :: name
-      integer, intent(in) :: starts(:), number      !< number of rows
+   !> Rows of a curve that must be kept for others that are written by it: the first and the last of each component, and their
+   !> largest and least values.
+   pure function rows_for_others(curves, number, starts) result(rows)
+      type(thinned_type), intent(in) :: curves(:)
+      integer, intent(in) :: number               !< of the curve
+      integer, intent(in) :: starts(:)            !< first rows of components
       integer, allocatable :: rows(:)
+      integer :: k
       rows = [integer ::]
-      if (is_source(name) .and. least_rows*size(starts) <= number) rows = [starts, starts(2:) - 1]
+      do k = number + 1, size(curves)
+         if (.not. is_by(curves(k), curves(number), starts)) cycle
+         if (size(rows) == 0) rows = [starts, starts(2:) - 1]
+         rows = [rows, ends_of(curves(k))]
+      end do
    end function rows_for_others
+
+   !> True if a curve may be written by another one, component by component.
+   pure function is_by(curve, source, starts) result(is)
+      type(thinned_type), intent(in) :: curve, source
+      integer, intent(in) :: starts(:)
+      logical :: is
+      is = .false.
+      if (.not. (allocated(curve%values) .and. allocated(source%values))) return
+      if (any(linear(1, :) == curve%name .and. linear(2, :) == source%name)) is = goes_with(source, curve, starts)
+   end function is_by
+
+   !> Rows of the largest and of the least value.
+   pure function ends_of(curve) result(ends)
+      type(thinned_type), intent(in) :: curve
+      integer :: ends(2)
+      ends(1) = maxloc(curve%values, dim=1)
+      ends(2) = minloc(curve%values, dim=1, mask=.not. is_missing(curve%values))
+   end function ends_of
 
    !> Part of the tolerance of a curve with which those that are written by it keep theirs [-].
    pure function part_for_others(curves, number, starts) result(part)
@@ -151,11 +156,8 @@ contains
       real(wp), allocatable :: parts(:, :)
       integer :: k
       part = 1.0_wp
-      if (.not. is_source(curves(number)%name)) return
       do k = number + 1, size(curves)
-         if (.not. allocated(curves(k)%values)) cycle
-         if (.not. any(linear(1, :) == curves(k)%name .and. linear(2, :) == curves(number)%name)) cycle
-         if (.not. goes_with(curves(number), curves(k), starts)) cycle
+         if (.not. is_by(curves(k), curves(number), starts)) cycle
          parts = parts_by(curves(number), curves(k), starts)
          if (maxval(abs(parts(1, :))) > 0.0_wp) &
             part = min(part, inner_range(curves(k)%values)/(maxval(abs(parts(1, :)))*inner_range(curves(number)%values)))
@@ -199,29 +201,60 @@ contains
       if (number < size(starts)) last = starts(number + 1) - 1
    end function last_of
 
-   !> A curve by another one: its least value, then points, factor and addend of each component, in JSON; '' where these would be
-   !> longer. `made`: the values as the page reads them.
-   pure subroutine make_by_parts(source, curve, starts, made, text)
+   !> A curve by another one, in JSON: its name, both peaks, then points, factor and addend of each component; '' where these would
+   !> be longer. `made`: the values as the page reads them.
+   pure subroutine make_by_parts(source, curve, md, starts, made, text)
       type(thinned_type), intent(in) :: source, curve
+      real(wp), intent(in) :: md(:)
       integer, intent(in) :: starts(:)
       real(wp), allocatable, intent(out) :: made(:)
       character(:), allocatable, intent(out) :: text
-      real(wp) :: parts(2, size(starts)), lowest
+      real(wp) :: parts(2, size(starts))
       integer :: i, last
       text = ''
       if (.not. goes_with(source, curve, starts)) return
       parts = parts_by(source, curve, starts)
       made = source%read
-      lowest = rounded_nearest(minval(curve%values), digits)
-      text = by_other//source%name//'",'//to_text(lowest, digits)
+      text = by_other//source%name//'"'//peaks_text(curve, md)
       do i = 1, size(starts)
          last = last_of(starts, i, curve)
-         made(starts(i):last) = max(lowest, parts(1, i)*made(starts(i):last) + parts(2, i))
+         made(starts(i):last) = parts(1, i)*made(starts(i):last) + parts(2, i)
          text = text//','//to_text(count(source%kept(starts(i):last)))//','//to_text(parts(1, i), digits)//','// &
                 to_text(parts(2, i), digits)
       end do
       text = text//']'
+      call keep_peaks(curve, md, source%kept, made)
    end subroutine make_by_parts
+
+   !> Depth and value of the largest and of the least value, in JSON.
+   pure function peaks_text(curve, md) result(text)
+      type(thinned_type), intent(in) :: curve
+      real(wp), intent(in) :: md(:)
+      character(:), allocatable :: text
+      integer :: i, ends(2)
+      ends = ends_of(curve)
+      text = ''
+      do i = 1, size(ends)
+         text = text//','//to_text(anint(per_unit*md(ends(i)))/per_unit, depth_digits)//','// &
+                to_text(curve%values(ends(i)), digits)
+      end do
+   end function peaks_text
+
+   !> Values as the page reads them: at the points none is beyond the peaks of the curve, and these are exact.
+   pure subroutine keep_peaks(curve, md, points, made)
+      type(thinned_type), intent(in) :: curve
+      real(wp), intent(in) :: md(:)
+      logical, intent(in) :: points(:)
+      real(wp), intent(inout) :: made(:)
+      logical :: kept(size(md))
+      integer :: ends(2)
+      ends = ends_of(curve)
+      where (.not. is_missing(made)) made = max(curve%values(ends(2)), min(curve%values(ends(1)), made))
+      made(ends) = curve%values(ends)
+      kept = points
+      kept(ends) = .true.
+      made = line_at(pack(md, kept), pack(made, kept), md)
+   end subroutine keep_peaks
 
    !> Largest value of a curve without its sign.
    pure function peak_of(curve) result(peak)
@@ -247,7 +280,7 @@ contains
          read = read_at(first%curves(i), first%md, md)
          if (any(is_missing(read) .neqv. is_missing(curve%values))) return
          if (any(.not. is_missing(read) .and. abs(read - curve%values) > curve%band)) return
-         if (abs(peak_of(first%curves(i)) - peak_of(curve)) > curve%band) return
+         if (abs(peak_of(first%curves(i)) - peak_of(curve)) > alike*peak_of(curve)) return
          text = to_text(first%place)
          curve%read = read
       end do

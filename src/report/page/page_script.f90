@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'oVk3SMAM1SGsmG5PWVlZDhbTZ/puC7o4SZFjRQ76YKk='
+   character(*), parameter :: script_hash = '+rPCDBbzcmOAElkD/Wva13Ij0lAWHvSVhSvXPKMuLPk='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -510,12 +510,23 @@ module dg_page_script
       'depths) : even(depths)', &
       'return {d, v: values_of(values, first, step, d.length, levels)}', &
       '}', &
-      'function curve_by({d, v}, least, pieces) {', &
+      'function with_peaks(d, v, peaks) {', &
+      'const [, most, , least] = peaks, at = [...d], made = [...v].map(value => Math.max(least, Math.min(most, value)'// &
+      '))', &
+      'for (let k = 0; k < 4; k += 2) {', &
+      'const far = i => Math.abs(at[i] - peaks[k]) < .001 ? Math.abs(made[i] - peaks[k + 1]) : Infinity', &
+      'const near = at.findIndex(depth => depth > peaks[k] - .001), i = far(near + 1) < far(near) ? near + 1 : near', &
+      'at.splice(i, far(i) < Infinity ? 1 : 0, peaks[k])', &
+      'made.splice(i, made.length - at.length + 1, peaks[k + 1])', &
+      '}', &
+      'return {d: Float64Array.from(at), v: Float64Array.from(made)}', &
+      '}', &
+      'function curve_by({d, v}, peaks, pieces) {', &
       'const made = new Float64Array(v.length)', &
       'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
-      'for (const end = i + pieces[k]; i < end; i++) made[i] = Math.max(least, v[i] * pieces[k + 1] + pieces[k + 2])', &
+      'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
       '}', &
-      'return {d, v: made}', &
+      'return with_peaks(d, made, peaks)', &
       '}', &
       'function sum_of(a, b, peaks) {', &
       'const d = [], v = [], next = [0, 0]', &
@@ -528,13 +539,7 @@ module dg_page_script
       'return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))', &
       '}, 0))', &
       '}', &
-      'for (let k = 0; k < peaks.length; k += 2) {', &
-      'const far = i => Math.abs(d[i] - peaks[k]) < .001 ? Math.abs(v[i] - peaks[k + 1]) : Infinity', &
-      'const near = d.findIndex(depth => depth > peaks[k] - .001), i = far(near + 1) < far(near) ? near + 1 : near', &
-      'd.splice(i, far(i) < Infinity ? 1 : 0, peaks[k])', &
-      'v.splice(i, v.length - d.length + 1, peaks[k + 1])', &
-      '}', &
-      'return {d: Float64Array.from(d), v: Float64Array.from(v)}', &
+      'return with_peaks(d, v, peaks)', &
       '}', &
       'function inverse_of({d, v}) {', &
       'const at = [], made = []', &
@@ -543,18 +548,19 @@ module dg_page_script
       ') || 1', &
       'for (let k = steps - 1; k >= 0; k--) {', &
       'const there = v[i] * ratio ** (k / steps), part = k && (there - v[i]) / (v[i - 1] - v[i])', &
-      'at.push(part ? d[i] + part * (d[i - 1] - d[i]) : d[i])', &
+      'at.push(part ? d[i] + part * (d[i - 1] - d[i]) : d[i])']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       'made.push(there > 0 ? 1 / there : NaN)', &
       '}', &
       '}', &
-      'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}', &
       '}', &
       'function curve_from(p, curve, rows, inverse) {', &
-      'const [name, other, ...pieces] = curve', &
+      'const [name, ...more] = curve, two = typeof more[0] === ''string''', &
       'if (inverse) return inverse_of(curve_from(p, curve, rows))', &
-      'if (typeof other === ''string'') return sum_of(p.curves[name], p.curves[other], pieces)', &
-      'return typeof name === ''string'' ? curve_by(p.curves[name], other, pieces) : curve_of(curve, rows)', &
+      'if (two) return sum_of(p.curves[name], p.curves[more[0]], more.slice(1))', &
+      'return typeof name === ''string'' ? curve_by(p.curves[name], more.slice(0, 4), more.slice(4)) : curve_of(curve'// &
+      ', rows)', &
       '}', &
       'function well_figures(b) {', &
       'const {root, state, shown} = b', &
@@ -657,12 +663,12 @@ module dg_page_script
       'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said(value_at(p, state.ti'// &
       'nt, state.depth)))', &
       '}', &
-      '}', &
+      '}']
+   character(169), parameter :: script_lines_7(66) = [character(169) :: &
       'function draw_assembly() {', &
       'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290', &
       'assembly.replaceChildren()', &
-      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)']
-   character(169), parameter :: script_lines_7(62) = [character(169) :: &
+      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)', &
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
@@ -732,7 +738,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(662) = [ &
+   character(169), parameter :: script_lines(666) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
