@@ -113,8 +113,8 @@ contains
       if (.not. (is_missing(a) .or. is_missing(b))) sum = a + b
    end function sum_of
 
-   !> Rows of a curve that must be kept for others that are written by it: the first and the last of each component, and their
-   !> largest and least values.
+   !> Rows of a curve that must be kept for others that are written by it. These are the first and the last of each component, and
+   !> those of the largest and the least value of each other curve.
    pure function rows_for_others(curves, number, starts) result(rows)
       type(thinned_type), intent(in) :: curves(:)
       integer, intent(in) :: number               !< of the curve
