@@ -82,6 +82,9 @@ module dg_case_result
       real(wp) :: warned = 0.0_wp        !< difference over that of the analysis, where a warning names it; else 0 [-]
       real(wp) :: share = 0.0_wp         !< difference in the part where they differ most, over the larger of both [-]
       real(wp) :: md(2) = 0.0_wp         !< where that part begins and ends [m]
+      real(wp) :: yielding = 0.0_wp      !< part of the beam's contact that goes where walls yield a little more [-]
+      real(wp) :: point = 0.0_wp         !< where the beam presses its wall most per length [m]
+      real(wp) :: wall = 0.0_wp          !< stiffness of the wall there [N/m2]
    end type unlike_contact_type
 
    !> Result of a case without its weight on bit.

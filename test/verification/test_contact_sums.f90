@@ -14,6 +14,8 @@ module dg_test_contact_sums
 
    !> Words of the message that contact forces differ.
    character(*), parameter :: said = 'Contact force uncertain by '
+   !> Words of the message on contact at points of a rigid wall.
+   character(*), parameter :: points = 'The string presses a rigid wall at single points, most at 597.9 m'
    !> The walls of the rod.
    character(*), parameter :: walls = '&solver gk_contact = 1.0e5, gk_max = 1.0e6 /'
 
@@ -203,20 +205,29 @@ contains
       call assertRelativelyEqual(moment, maxval(result%profile%bending), 1.0e-3_wp, message='largest moment')
       call assertRelativelyEqual(side, result%bit_side_force, 1.0e-3_wp, message='side force')
       call solve_bent_blade('', result)
+      call assertGreaterThan(index(result%message, points), 0, message='a rigid wall')
+      call assertGreaterThan(index(result%message, 'Set wall_stiffness of the hole, 1e7 kN/m2'), 0, message='advice')
+      call solve_bent_blade('', halved, ', wall_stiffness = 1.0e7')
+      call assertEqual(0, index(halved%message, points), message='as advised')
+      call assertLessThan(halved%normal_force, (1.0_wp - result%unlike_contact%yielding)*result%normal_force, message='smaller')
       call assertRelativelyEqual(result%unlike_contact%by_beam, result%normal_force, within, message='both analyses')
       call solve_bent_blade("&solver fidelity = 'reference' /", halved)
       call assertRelativelyEqual(halved%unlike_contact%by_beam, result%unlike_contact%by_beam, within, message='halved')
       call assertRelativelyEqual(halved%normal_force, result%normal_force, within, message='halved: contact')
    end subroutine test_bend_in_a_blade
 
-   !> A motor that slides, its bend within the blade, with a line for the solver.
-   subroutine solve_bent_blade(solver, result)
+   !> A motor that slides, its bend within the blade, with a line for the solver, and keys of its hole.
+   subroutine solve_bent_blade(solver, result, hole)
       character(*), intent(in) :: solver
       type(case_result_type), intent(out) :: result
+      character(*), intent(in), optional :: hole
+      character(:), allocatable :: keys
       type(text_type), allocatable :: deck(:)
       allocate (deck(0))
+      keys = ''
+      if (present(hole)) keys = hole
       call append_text(deck, '&trajectory md = 0, 600, inc = 40, 40, azi = 30, 30 /')
-      call append_text(deck, '&hole diameter = 215.9, friction = 0.25 /')
+      call append_text(deck, '&hole diameter = 215.9, friction = 0.25'//keys//' /')
       call append_text(deck, '&fluid density = 1200 /')
       call append_text(deck, "&component kind = 'bit', length = 0.1, od = 180, id = 50.8, mass = 150, joint_od = 215.9 /")
       call append_text(deck, "&component kind = 'motor', length = 1.6, od = 171.4, id = 80, mass = 140 /")

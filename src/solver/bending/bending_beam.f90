@@ -60,6 +60,7 @@ module dg_bending_beam
       !> The same law, no stiffer than Newton's steps tolerate, and how far inwards the wall is moved for that [m].
       type(gap_law_type), allocatable :: point_press(:)
       real(wp), allocatable :: point_moved(:)
+      real(wp) :: pressed_softly = 0.0_wp          !< sum of contact against walls that yield too much [N]
    end type bending_beam_type
 
    !> The solved beam.

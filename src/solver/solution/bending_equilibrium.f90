@@ -1,7 +1,7 @@
 !> Equilibrium of the beam that gives the moments (dg_bending_profile), near the string of the analysis.
 module dg_bending_equilibrium
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
    use dg_bending_layout, only: solved_string_type
    use dg_bending_nodes, only: shape_at
    use dg_bending_rows, only: alike
@@ -51,9 +51,12 @@ contains
       type(bending_beam_type), intent(inout) :: beam
       real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
       type(bending_beam_type) :: next
+      type(bent_type) :: bent
       real(wp) :: closer(size(y, 1), size(y, 2)), missed
       logical :: found
       integer :: step
+      call find_forces(beam, y, bent)
+      beam%pressed_softly = sum(bent%pressed) + sum(bent%points)
       next = beam
       closer = y
       do step = 1, most_steps

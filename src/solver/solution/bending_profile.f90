@@ -115,6 +115,12 @@ contains
       end if
       result%moment_error = result%moment_error + alike       ! the rows may differ from the beam by this
       result%beam_nodes = size(beam%md)
+      associate (found => result%unlike_contact, hard => sum(bent%pressed) + sum(bent%points))
+         found%yielding = (hard - beam%pressed_softly)/max(hard, found%by_beam)
+         e = maxloc(sum(bent%pressed, dim=1)/beam%element%length, dim=1)
+         found%point = beam%md(e)
+         found%wall = gaps%law(beam%owner(e))%contact/mesh%length(beam%owner(e))
+      end associate
       if (are_worth_fitting(model%trajectory, mesh, result%coiled, result%unlike_contact%share)) &
          call fit_gaps(mesh, solved%bends, beam, bent, gaps, work%normal, fitted)
       call set_bit(model%trajectory, mesh, beam, bent, result)

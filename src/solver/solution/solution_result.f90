@@ -14,7 +14,7 @@ module dg_solution_result
    use dg_outside_hole, only: measure_rows, outside_type
    use dg_recovery, only: part_profile, recover_profile
    use dg_solution, only: solution_type
-   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, warn_of_contact, warn_of_slope
+   use dg_static_result, only: add_message, add_outside, add_remarks, fill_result, warn_of_contact, warn_of_points, warn_of_slope
    use dg_unit_kind, only: in_units, unit_length
    use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
    implicit none
@@ -128,5 +128,6 @@ contains
       if (is_missing(result%moment_error)) return
       if (steep(2) > steep(1)) call warn_of_slope(model%units, steep, maxval(solution%mesh%length), result)
       call warn_of_contact(model%units, result)
+      call warn_of_points(model%units, result)
    end subroutine find_moments
 end module dg_solution_result

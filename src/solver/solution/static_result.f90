@@ -12,7 +12,7 @@ module dg_static_result
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_no_equilibrium, only: add_place, no_stable
-   use dg_numerics, only: gap_location_name, numerics_type
+   use dg_numerics, only: default_wall, gap_location_name, numerics_type
    use dg_outcome, only: outcome_converged, outcome_outside, outcome_singular
    use dg_outside_hole, only: measure_outside, outside_message, outside_place, outside_type
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
@@ -21,14 +21,14 @@ module dg_static_result
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: either, to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
-   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_wall
    use dg_units, only: unit_system_type
    use dg_weight_on_bit, only: most_load_at_bit
    use dg_workspace, only: workspace_type
    implicit none
    private
    public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, warn_of_range, &
-             warn_of_slope, warn_of_contact
+             warn_of_points, warn_of_slope, warn_of_contact
 
    !> Results affected when gaps are not at the place asked for. The figure is from GP1. Its side forces with gaps at x0 or at
    !> nodes of 5 m elements differ by up to 12 % from those of 0.5 m.
@@ -44,6 +44,9 @@ module dg_static_result
    real(wp), parameter :: in_balance = 1.0e-8_wp
    !> Least difference of contact forces, over the whole, that a message reports [-].
    real(wp), parameter :: unlike = 3.0e-3_wp
+   !> Part of the contact that goes where walls yield a little more, from which a message says so [-]. Stiffness of a wall that is
+   !> as good as rigid, and of sandstone [N/m2].
+   real(wp), parameter :: yields = 0.05_wp, nearly_rigid = 0.9_wp*default_wall, sandstone = 1.0e10_wp
    !> A message names a part of the string only if it is shorter than this part of it [-].
    real(wp), parameter :: nearly_all = 0.9_wp
    !> A message reports another hook load that differs by more than `worth_telling` of the largest axial force [-]. It reports
@@ -257,14 +260,14 @@ contains
       character(:), allocatable :: place, percents
       associate (found => result%unlike_contact, md => result%profile%md)
          if (.not. found%by_analysis > least_contact) return
-         share = abs(found%by_beam - found%by_analysis)/found%by_analysis
+         share = max(abs(found%by_beam - found%by_analysis)/found%by_analysis, found%share)
          if (.not. share > unlike) return
          result%unlike_contact%warned = share
          place = ''
          if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
          percents = to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)//' %'
-         call add_message(result, 'Contact force uncertain by '//percents//place//': '// &
+         call add_message(result, 'Contact force uncertain by '//percents//place//': in all '// &
                           in_units(units, unit_force, found%by_analysis, shown)//' by the elements of hook load and torque, '// &
                           in_units(units, unit_force, found%by_beam, shown)//' by the shorter ones of moments and side '// &
                           'forces. '// &
@@ -272,6 +275,20 @@ contains
                           ' may be off by '//percents)
       end associate
    end subroutine warn_of_contact
+
+   !> Warn of contact at points of a wall that is as good as rigid. Rock yields there, which makes contact smaller.
+   pure subroutine warn_of_points(units, result)
+      type(unit_system_type), intent(in) :: units
+      type(case_result_type), intent(inout) :: result
+      associate (found => result%unlike_contact)
+         if (result%coiled .or. found%yielding < yields .or. found%wall < nearly_rigid .or. found%by_beam < least_contact) return
+         call add_message(result, 'The string presses a rigid wall at single points, most at '// &
+                          in_units(units, unit_length, found%point, shown_depth)//'. Rock yields there, so contact force is '// &
+                          'smaller by '//to_text(rounded_up(100.0_wp*found%yielding, shown_clearances), shown_clearances)// &
+                          ' % or more. Drag, moments and side forces change with it. Set wall_stiffness of the hole, '// &
+                          in_units(units, unit_wall, sandstone, shown)//' for sandstone')
+      end associate
+   end subroutine warn_of_points
 
    !> Add remarks on the course of the solution. Shorter elements are not advised for helically buckled strings, which often
    !> keep such contact points on them.
