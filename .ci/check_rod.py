@@ -83,6 +83,9 @@ def wide(*blades):
 TILTED = wide((0.02, 443.6, 9.0), (0.01, 440.6, 3.0), (1.5, 440.6, 18.0))
 TILTED_LOW = wide((0.1, 441.4, 9.0), (0.3, 440.6, 3.0))
 
+# a bend in the middle of a short blade: three points of contact press each other
+BENT_BLADE = [BIT, between(1.6), blade(0.4, 212.7, bend=1.5, bend_position=0.2), between(7.0), blade(0.4, 209.6), COLLAR, HEAVY]
+
 BUILD_AND_TURN = [0, 100, 260, 400, 500], [0, 0, 30, 45, 45], [30, 30, 60, 110, 110]
 CURVE = [0, 60, 180, 300], [30, 30, 52, 74], [0, 0, 20, 52]
 STRAIGHTER = [0, 66, 145], [35, 49, 50], [164, 171, 177]
@@ -117,6 +120,7 @@ CASES = {
     "motor_sliding": case(CURVE, motor(1.0, 214.3), 290, "sliding_drilling", toolface=30.0, wob=60.0e3),
     "tilted_down": case(STRAIGHTER, TILTED, 135, "trip_in", bore=444.5, wall=1.0e7),
     "tilted_rotary": case(DROP_AND_TURN, TILTED_LOW, 320, "rotary_drilling", bore=444.5, wob=56.0e3, tob=7.9e3),
+    "bent_blade": case(GENTLE, BENT_BLADE, 200, toolface=30.0, wall=1.0e7, fine=0.35),
     "sharp_motor": case(CURVE, motor(2.0, 214.3), 290, toolface=30.0, fine=0.5),
 }
 

@@ -93,6 +93,14 @@ contains
       allocate (deck(0))
       call append_text(deck, '&trajectory md = 0, 80, 200, inc = 40, 46, 52, azi = 0, 12, 40 /')
       call append_text(deck, '&hole diameter = 215.9, friction = 0.25 /')
+      call append_motor(deck)
+      call append_text(deck, "&load_case name = 'a', operation = 'sliding_drilling', bit_depth = 200, wob = 60, toolface = 60 /")
+      call compare(deck, -205.4_wp, 0.0_wp, 146322.2_wp)
+   end subroutine test_bent_motor
+
+   !> Mud, and a motor with a bend of 1.5 deg in the middle of its lower blade, of 0.4 m, below heavy-weight pipe.
+   subroutine append_motor(deck)
+      type(text_type), allocatable, intent(inout) :: deck(:)
       call append_text(deck, '&fluid density = 1200 /')
       call append_text(deck, "&component kind = 'bit', length = 0.1, od = 180, id = 50.8, mass = 150, joint_od = 215.9 /")
       call append_text(deck, "&component kind = 'motor', length = 1.6, od = 171.4, id = 80, mass = 140 /")
@@ -102,9 +110,7 @@ contains
       call append_text(deck, "&component kind = 'stabilizer', length = 0.4, od = 165.1, id = 71.4, mass = 136, joint_od = 209.6 /")
       call append_text(deck, "&component kind = 'collar', length = 30, od = 165.1, id = 71.4, mass = 136 /")
       call append_text(deck, '&component od = 127, id = 76.2, mass = 73, joint_od = 168.3 /')
-      call append_text(deck, "&load_case name = 'a', operation = 'sliding_drilling', bit_depth = 200, wob = 60, toolface = 60 /")
-      call compare(deck, -205.4_wp, 0.0_wp, 146322.2_wp)
-   end subroutine test_bent_motor
+   end subroutine append_motor
 
    !> Blades of 5 mm with clearances of 0.8 and 2 mm on a side, pulled. They were lost where depths are merged.
    subroutine test_short_blades()
@@ -228,15 +234,7 @@ contains
       if (present(hole)) keys = hole
       call append_text(deck, '&trajectory md = 0, 600, inc = 40, 40, azi = 30, 30 /')
       call append_text(deck, '&hole diameter = 215.9, friction = 0.25'//keys//' /')
-      call append_text(deck, '&fluid density = 1200 /')
-      call append_text(deck, "&component kind = 'bit', length = 0.1, od = 180, id = 50.8, mass = 150, joint_od = 215.9 /")
-      call append_text(deck, "&component kind = 'motor', length = 1.6, od = 171.4, id = 80, mass = 140 /")
-      call append_text(deck, "&component kind = 'stabilizer', length = 0.4, od = 171.4, id = 80, mass = 140, joint_od = 212.7, "// &
-                       'bend = 1.5, bend_position = 0.2 /')
-      call append_text(deck, "&component kind = 'motor', length = 7, od = 171.4, id = 100, mass = 120 /")
-      call append_text(deck, "&component kind = 'stabilizer', length = 0.4, od = 165.1, id = 71.4, mass = 136, joint_od = 209.6 /")
-      call append_text(deck, "&component kind = 'collar', length = 30, od = 165.1, id = 71.4, mass = 136 /")
-      call append_text(deck, '&component od = 127, id = 76.2, mass = 73, joint_od = 168.3 /')
+      call append_motor(deck)
       call append_text(deck, "&load_case name = 'a', operation = 'sliding', bit_depth = 600, wob = 60, toolface = 0 /")
       if (solver /= '') call append_text(deck, solver)
       call solve_deck(deck, 0.0_wp, .false., result)
