@@ -30,9 +30,10 @@ contains
       else if (locked > 0) then
          call add_line(lines, '<p class="note">No solution failed.'//locked_text()//'</p>')
       else if (total == 1) then
-         call add_line(lines, '<p class="note">The solution converged.</p>')
+         call add_line(lines, '<p class="note">The solution was found. The answer stands under Can it be done?</p>')
       else
-         call add_line(lines, '<p class="note">All '//solutions_text(total)//' converged.</p>')
+         call add_line(lines, '<p class="note">All '//solutions_text(total)//' were found. The answers stand '// &
+                       'under Can it be done?</p>')
       end if
       if (size(outcome%parts) > 1) then
          allocate (rows(size(outcome%parts)))

@@ -135,7 +135,7 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      character(:), allocatable :: text, names, head
+      character(:), allocatable :: text, names, head, more
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
       integer :: first, k
       left = results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown
@@ -156,14 +156,15 @@ contains
             names = names//model%cases(results(k)%case_index)%name
          end do
          left = left .and. .not. alike
-         if (.not. any(extra)) cycle
+         more = unchecked_text(extra, components_of(model, results, alike))
+         if (more == '') cycle
          if (count(alike) > most_names) names = to_text(count(alike))//' cases'
          if (text == '') then
             head = head//' for '//names
          else
             text = text//'. For '//names//': '
          end if
-         text = text//unchecked_text(extra, components_of(model, results, alike))
+         text = text//more
       end do
       if (text /= '') text = head//', as the deck gives no limit: '//text//'.'
    end function unchecked_line
