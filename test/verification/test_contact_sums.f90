@@ -3,7 +3,7 @@
 !> of the wall, mostly 1e5 and 1e6 kN/m2, so that it does not judge the wall.
 module dg_test_contact_sums
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_kinds, only: wp
    use dg_test_lone_contacts, only: solve_deck
    use dg_test_wells, only: note
@@ -33,6 +33,8 @@ contains
       call suite%addTest(TestMethod('blade_lengths', test_blade_lengths))
       call suite%addTest(TestMethod('default_wall', test_default_wall))
       call suite%addTest(TestMethod('bend_in_a_blade', test_bend_in_a_blade))
+      call suite%addTest(TestMethod('totals_only', test_totals_only))
+      call suite%addTest(TestMethod('jammed_motor', test_jammed_motor))
       call suite%addTest(TestMethod('two_analyses', test_two_analyses))
       call suite%addTest(TestMethod('coiled', test_coiled))
    end function contact_sums_suite
@@ -222,11 +224,21 @@ contains
       call assertRelativelyEqual(halved%normal_force, result%normal_force, within, message='halved: contact')
    end subroutine test_bend_in_a_blade
 
+   !> A point of a sweep has the totals of its load case. It had the contact of long elements: 12 % less.
+   subroutine test_totals_only()
+      type(case_result_type) :: result, point
+      call solve_bent_blade('', result)
+      call solve_bent_blade('', point, totals_only=.true.)
+      call assertRelativelyEqual(result%hookload, point%hookload, 1.0e-9_wp, message='hook load')
+      call assertRelativelyEqual(result%normal_force, point%normal_force, 1.0e-9_wp, message='contact')
+   end subroutine test_totals_only
+
    !> A motor that slides, its bend within the blade, with a line for the solver, and keys of its hole.
-   subroutine solve_bent_blade(solver, result, hole)
+   subroutine solve_bent_blade(solver, result, hole, totals_only)
       character(*), intent(in) :: solver
       type(case_result_type), intent(out) :: result
       character(*), intent(in), optional :: hole
+      logical, intent(in), optional :: totals_only
       character(:), allocatable :: keys
       type(text_type), allocatable :: deck(:)
       allocate (deck(0))
@@ -237,8 +249,40 @@ contains
       call append_motor(deck)
       call append_text(deck, "&load_case name = 'a', operation = 'sliding', bit_depth = 600, wob = 60, toolface = 0 /")
       if (solver /= '') call append_text(deck, solver)
-      call solve_deck(deck, 0.0_wp, .false., result)
+      call solve_deck(deck, 0.0_wp, .false., result, totals_only=totals_only)
    end subroutine solve_bent_blade
+
+   !> A motor with a bend of 1.5 deg that touches along its 9 m, with 1.6 mm of room. It jams, and nothing brings it down. Helical
+   !> buckling was given as the reason. With blades alone that touch, as the message advises, it slides.
+   subroutine test_jammed_motor()
+      type(case_result_type) :: result
+      call solve_motor(', joint_od = 308', result_locked_up, result)
+      call assertGreaterThan(index(result%message, 'Locked up: the stiff assembly holds the string'), 0, message=result%message)
+      call solve_motor('', result_converged, result)
+   end subroutine test_jammed_motor
+
+   !> A motor that slides below two blades, with keys of its housing, to an expected status.
+   subroutine solve_motor(keys, status, result)
+      character(*), intent(in) :: keys
+      integer, intent(in) :: status        !< expected
+      type(case_result_type), intent(out) :: result
+      type(text_type), allocatable :: deck(:)
+      allocate (deck(0))
+      call append_text(deck, '&trajectory md = 0, 610, 1220, 2743, inc = 0, 0, 45, 45, azi = 4*10 /')
+      call append_text(deck, '&hole diameter = 311.15, friction = 0.25 /')
+      call append_text(deck, '&fluid density = 1200 /')
+      call append_text(deck, "&component kind = 'bit', length = 0.37, od = 230, joint_od = 311.15 /")
+      call append_text(deck, "&component kind = 'motor', length = 9.1, od = 244.5, id = 101.6, bend = 1.5, bend_position = 1.8"// &
+                       keys//' /')
+      call append_text(deck, "&component kind = 'stabilizer', length = 1.8, od = 230, id = 76.2, joint_od = 308 /")
+      call append_text(deck, "&component kind = 'mwd', length = 9.1, od = 203.2, id = 76.2 /")
+      call append_text(deck, "&component kind = 'stabilizer', length = 1.8, od = 230, id = 76.2, joint_od = 308 /")
+      call append_text(deck, "&component kind = 'collar', length = 55, od = 203.2, id = 71.4 /")
+      call append_text(deck, '&component od = 127, id = 76.2, mass = 73.4, joint_od = 165.1, length = 180 /')
+      call append_text(deck, '&component od = 127, id = 108.6, mass = 31.9, joint_od = 168.3 /')
+      call append_text(deck, "&load_case name = 'a', operation = 'sliding', bit_depth = 2743, wob = 89, toolface = 0 /")
+      call solve_deck(deck, 0.0_wp, .false., result, status)
+   end subroutine solve_motor
 
    !> The contact force on the elements of hook load and torque is that on the elements of moments, in sum and part by part. So
    !> it is

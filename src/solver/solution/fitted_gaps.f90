@@ -12,13 +12,15 @@ module dg_fitted_gaps
    use dg_gap_state, only: depth_of, gap_law_type, state_elastic, state_free
    use dg_gap_table, only: gap_table_type, fix_gap
    use dg_mesh, only: mesh_type
+   use dg_mesh_for_case, only: near_edges
    use dg_trajectory, only: trajectory_type
    implicit none
    private
    public :: fitted_gaps_type, are_worth_fitting, fit_gaps
 
    !> Difference of the contact force of a part of the string from the beam, over the whole, above which gaps are fitted [-].
-   real(wp), parameter :: worth_fitting = 1.0e-3_wp
+   !> The second holds in strings with blades, bends or pads.
+   real(wp), parameter :: worth_fitting = 1.0e-3_wp, at_edges = 3.0e-4_wp
 
    type :: fitted_gaps_type
       type(gap_table_type) :: gaps
@@ -38,7 +40,7 @@ contains
       logical :: are
       real(wp) :: left_out
       left_out = 2.0_wp*maxval(trajectory%arcs(mesh%arc(:mesh%elements))%curvature*mesh%clearance)
-      are = .not. coiled .and. share > max(worth_fitting, left_out)
+      are = .not. coiled .and. share > max(merge(at_edges, worth_fitting, any(near_edges(mesh))), left_out)
    end function are_worth_fitting
 
    !> Fit the gaps of all elements that touch by the analysis or by the beam, except contacts at a point, which have one place.

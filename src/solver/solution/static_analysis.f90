@@ -24,21 +24,23 @@ module dg_static_analysis
    use dg_error, only: error_type
    use dg_finite_result, only: finish_result
    use dg_fitted_gaps, only: fitted_gaps_type
+   use dg_lock_up_result, only: result_of_lock_up
    use dg_mesh, only: new_mesh
-   use dg_mesh_for_case, only: cut_elements, mesh_for_case, shortest, shortest_cut
+   use dg_mesh_for_case, only: cut_elements, mesh_for_case, near_edges, shortest, shortest_cut
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type
    use dg_numerics, only: numerics_type, patience, settings_of_attempt
    use dg_no_equilibrium, only: list_tried, add_tried
    use dg_outcome, only: outcome_converged, outcome_outside, outcome_stopped
    use dg_predictor, only: predict, start_type
+   use dg_profile, only: profile_type
    use dg_profile_rows, only: part_rows
    use dg_refinement, only: transfer_solution
    use dg_solution, only: solution_type
    use dg_solution_result, only: coiled, make_result, solve_fitted, wanted_type
    use dg_soft_string_loads, only: soft_totals_type
    use dg_stability, only: find_stability_margin
-   use dg_static_result, only: add_message, look_outside, result_of_lock_up, warn_of_range
+   use dg_static_result, only: add_message, look_outside, warn_of_range
    use dg_stiff_drag, only: find_stiff_drag
    use dg_stopping, only: is_stopped, stop_type
    use dg_text, only: to_text
@@ -78,7 +80,7 @@ contains
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      logical, intent(in), optional :: totals_only   !< true: neither profile nor moments, which take time
+      logical, intent(in), optional :: totals_only   !< true: no profile, and moments only where totals need them
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
@@ -190,6 +192,7 @@ contains
       type(numerics_type) :: numerics
       type(soft_totals_type) :: totals
       type(fitted_gaps_type) :: fitted
+      type(wanted_type) :: needed
       real(wp) :: margin, strained
       integer :: most                     ! iterations of all attempts
       integer :: tried                    ! attempts made before
@@ -201,6 +204,9 @@ contains
             call result_of_lock_up(model, case_index, totals, strained, result)
             return
          end if
+         ! totals of a stiff assembly are only right with the contact of short elements
+         needed = wanted
+         if (model%numerics%moments .and. any(near_edges(mesh))) needed = wanted_type()
          most = min(model%numerics%max_iterations, size(history) + int(patience(model%numerics)*most_work/mesh%elements))
          call prepare(model, case_index, solution)
          solution%stop = stop
@@ -220,10 +226,11 @@ contains
          margin = missing
          if (outcome == outcome_converged .and. solution%compressed > buckling_share) &
             call find_stability_margin(model%trajectory, solution, margin)
-         call make_result(model, case_index, numerics, outcome, wanted, solution, fitted, result)
+         call make_result(model, case_index, numerics, outcome, needed, solution, fitted, result)
          numerics%max_iterations = most
          if (outcome == outcome_converged) &
             call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
+         if (.not. wanted%profile) result%profile = profile_type()
          result%stability_margin = margin
          result%attempts = last - mesh_try%first + 1
       end associate

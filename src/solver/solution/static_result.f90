@@ -3,7 +3,7 @@ module dg_static_result
    use dg_kinds, only: wp
    use dg_constants, only: degree
    use dg_case_result, only: add_sentence, case_result_type, is_pushed, iteration_type, push_needed, result_converged, &
-                             result_locked_up, result_not_converged
+                             result_not_converged
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states
    use dg_fluid_pressure, only: hanger_pull, surface_push
@@ -18,16 +18,14 @@ module dg_static_result
    use dg_recovery, only: buoyed_axial_weight, check_equilibrium, recover_bit, recover_gaps
    use dg_rounding, only: rounded_up
    use dg_solution, only: solution_type
-   use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_text, only: either, to_text
    use dg_trajectory, only: inclination_of, position_at, top_md
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment, unit_wall
    use dg_units, only: unit_system_type
-   use dg_weight_on_bit, only: most_load_at_bit
    use dg_workspace, only: workspace_type
    implicit none
    private
-   public :: add_message, add_outside, add_remarks, fill_result, result_of_lock_up, look_outside, warn_of_range, &
+   public :: add_message, add_outside, add_remarks, fill_result, look_outside, warn_of_range, &
              warn_of_points, warn_of_slope, warn_of_contact
 
    !> Results affected when gaps are not at the place asked for. The figure is from GP1. Its side forces with gaps at x0 or at
@@ -263,6 +261,7 @@ contains
          share = max(abs(found%by_beam - found%by_analysis)/found%by_analysis, found%share)
          if (.not. share > unlike) return
          result%unlike_contact%warned = share
+         if (is_pressed_at_points(result) .and. share < found%yielding) return
          place = ''
          if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
@@ -276,16 +275,26 @@ contains
       end associate
    end subroutine warn_of_contact
 
+   !> True if a good part of the contact is at points of a wall that is as good as rigid.
+   pure function is_pressed_at_points(result) result(is)
+      type(case_result_type), intent(in) :: result
+      logical :: is
+      associate (found => result%unlike_contact)
+         is = .not. result%coiled .and. found%yielding >= yields .and. found%wall >= nearly_rigid .and. &
+              found%by_beam >= least_contact
+      end associate
+   end function is_pressed_at_points
+
    !> Warn of contact at points of a wall that is as good as rigid. Rock yields there, which makes contact smaller.
    pure subroutine warn_of_points(units, result)
       type(unit_system_type), intent(in) :: units
       type(case_result_type), intent(inout) :: result
       associate (found => result%unlike_contact)
-         if (result%coiled .or. found%yielding < yields .or. found%wall < nearly_rigid .or. found%by_beam < least_contact) return
+         if (.not. is_pressed_at_points(result)) return
          call add_message(result, 'The string presses a rigid wall at single points, most at '// &
-                          in_units(units, unit_length, found%point, shown_depth)//'. Rock yields there, so contact force is '// &
-                          'smaller by '//to_text(rounded_up(100.0_wp*found%yielding, shown_clearances), shown_clearances)// &
-                          ' % or more. Drag, moments and side forces change with it. Set wall_stiffness of the hole, '// &
+                          in_units(units, unit_length, found%point, shown_depth)//'. Rock yields there, so contact force and '// &
+                          'drag are smaller by '//to_text(rounded_up(100.0_wp*found%yielding, shown_clearances), &
+                          shown_clearances)//' % or more. Moments and side forces change, too. Set wall_stiffness of the hole, '// &
                           in_units(units, unit_wall, sandstone, shown)//' for sandstone')
       end associate
    end subroutine warn_of_points
@@ -316,45 +325,6 @@ contains
       call outside_message(units, outside, text)
       call add_message(result, text)
    end subroutine add_outside
-
-   !> Make the result of a case that is locked up: a message without numbers. Either friction of the helically buckled string
-   !> grows without bound, or no pipe carries the pull against it.
-   subroutine result_of_lock_up(model, case_index, totals, strained, result)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(soft_totals_type), intent(in) :: totals   !< of the soft string that locks up
-      real(wp), intent(in) :: strained      !< its largest axial strain [-]
-      type(case_result_type), intent(out) :: result
-      real(wp) :: position(3), tangent(3), axial(1), torque(1), most
-      call position_at(model%trajectory, model%cases(case_index)%bit_depth, position, tangent)
-      result%case_index = case_index
-      result%model = model_mcge
-      result%status = result_locked_up
-      result%inclination = inclination_of(tangent)
-      allocate (result%gaps(0), result%history(0))
-      if (.not. totals%runaway) then
-         call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, other=other_loads_type(coiled=.true.))
-         result%message = 'Locked up: friction holds the string. '//in_units(model%units, unit_force, &
-                          axial(1) - surface_push(model, case_index), shown)//' at surface would move it and stretch it by '// &
-                          to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
-         return
-      end if
-      result%message = 'Locked up: with the bit at '//in_units(model%units, unit_length, &
-                                                                     model%cases(case_index)%bit_depth, shown_depth)// &
-                       ', friction of helical buckling between surface and '// &
-                       to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
-                       ' takes up any push from surface. '
-      most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
-      result%lock_up_load = most
-      if (most > 0.0_wp) then
-         result%message = result%message//'No push that pipe bears brings more than '// &
-                          in_units(model%units, unit_force, most, shown)//' to the bit'
-      else
-         result%message = result%message//'No push at surface brings the string down to this depth'
-         if (most < 0.0_wp) result%message = result%message//'. A pull of '// &
-                                             in_units(model%units, unit_force, -most, shown)//' at the bit would bring it there'
-      end if
-   end subroutine result_of_lock_up
 
    !> Largest distance of a node outside the hole, over the clearance [-], and that node. Between two gaps the string does not
    !> feel the wall. If a node is outside by a good part of the clearance, the solution is not valid. Where a gap beside the
