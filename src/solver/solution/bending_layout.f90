@@ -7,6 +7,7 @@ module dg_bending_layout
    use dg_mesh, only: mesh_type
    use dg_model, only: model_type
    use dg_moved_walls, only: firm, soften_walls
+   use dg_numerics, only: default_wall
    use dg_profile, only: profile_type
    use dg_trajectory, only: arc_at, closest_point, frame_on_arc, trajectory_type
    use dg_workspace, only: workspace_type
@@ -323,9 +324,9 @@ contains
    pure subroutine set_wall(contact, maximum, law)
       real(wp), intent(in) :: contact, maximum       !< given: elastic, and beyond its range [N/m2]
       type(gap_law_type), intent(inout) :: law
-      real(wp), parameter :: nearly_rigid = 1.0e11_wp, rigid = 1.0e13_wp      ! N/m2
+      real(wp), parameter :: rigid = 1.0e13_wp      ! N/m2
       real(wp) :: harder
-      harder = min(1.0_wp + rigid/nearly_rigid*(contact/nearly_rigid)**6, max(1.0_wp, rigid/contact))
+      harder = min(1.0_wp + rigid/default_wall*(contact/default_wall)**6, max(1.0_wp, rigid/contact))
       law%contact = harder*contact
       law%maximum = min(harder*maximum, max(maximum, rigid))
    end subroutine set_wall
