@@ -297,9 +297,14 @@ contains
          begins(i) = i == 1
          if (i == 1) cycle
          begins(i) = differ(along%od(i - 1:i)) .or. differ(along%hole_diameter(i - 1:i)) .or. differ(along%per_moment(i - 1:i))
-         ! von Mises stress times what is in use at the other row: equal where the yield strength is
-         if (profile%side(i) == side_below) begins(i) = begins(i) .or. differ(along%von_mises(i - 1:i)* &
-                                                                              (1.0_wp - along%envelope_margin(i:i - 1:-1)))
+         if (profile%side(i) /= side_below) cycle
+         associate (left => along%envelope_margin(i - 1:i), stress => along%von_mises(i - 1:i))
+            if (any(is_missing(left)) .or. any(is_missing(stress))) then
+               begins(i) = begins(i) .or. (is_missing(left(1)) .neqv. is_missing(left(2)))
+            else      ! stress times what is in use at the other row: equal where the yield strength is
+               begins(i) = begins(i) .or. differ(stress*(1.0_wp - left([2, 1])))
+            end if
+         end associate
       end do
       starts = pack([(i, i=1, size(begins))], begins)
    contains

@@ -116,7 +116,7 @@ contains
       result%moment_error = result%moment_error + alike       ! the rows may differ from the beam by this
       result%beam_nodes = size(beam%md)
       associate (found => result%unlike_contact, hard => sum(bent%pressed) + sum(bent%points))
-         found%yielding = (hard - beam%pressed_softly)/max(hard, found%by_beam)
+         found%yielding = (hard - beam%pressed_softly)/max(hard, found%by_beam, tiny(1.0_wp))
          e = maxloc(sum(bent%pressed, dim=1)/beam%element%length, dim=1)
          found%point = beam%md(e)
          found%wall = gaps%law(beam%owner(e))%contact/mesh%length(beam%owner(e))
