@@ -58,8 +58,9 @@ contains
       scale = scale_type(levels=floating)
       if (2.0_wp*band*most_levels < high - low) return
       ! so many steps that the largest value is one of them, and no fewer than a digit has
-      steps = ceiling(most*max(0.5_wp/band, (base - 2*spare)/(high - low)))
-      if (steps >= most_first) return
+      steps = most*max(0.5_wp/band, (base - 2*spare)/(high - low))
+      if (steps > most_first - 1.0_wp) return
+      steps = ceiling(steps)
       scale%step = most/steps
       scale%first = anint(low/scale%step - 0.5_wp)
       scale%levels = max(base, ceiling((high - low)/scale%step) + spare)
