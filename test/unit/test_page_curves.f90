@@ -58,7 +58,7 @@ contains
       call assertTrue(all(abs(curve%read - values) <= curve%band*1.001_wp), message='others')
    end subroutine test_peaks
 
-   !> Of two rows at one depth the first is above a jump; beside a missing value there is none.
+   !> Two rows at one depth are a jump, the upper side first. There is no value between a row and one without value.
    subroutine test_between()
       real(wp) :: values(6)
       values = line_at([1.0_wp, 2.0_wp, 2.0_wp, 4.0_wp], [0.0_wp, 1.0_wp, 5.0_wp, missing], &

@@ -34,8 +34,8 @@ module dg_unusual_rig
    real(wp), parameter :: most_overload = 2.0_wp
    !> Longest tail of a string below its packer [m].
    real(wp), parameter :: longest_tail = 300.0_wp
-   !> Range of a missing load over the block weight that is taken for the block [-]. Least block weight over the weight of the
-   !> string at which it can be told from errors of that weight [-].
+   !> Range of a missing load over the block weight that is taken for the block [-]. The block must weigh at least this part of
+   !> the string, or the missing load may be an error of the string's weight [-].
    real(wp), parameter :: least_lack = 0.7_wp, most_lack = 1.3_wp, least_told = 0.1_wp
    !> Depths that are the same [m].
    real(wp), parameter :: same_depth = 1.0_wp

@@ -65,7 +65,7 @@ contains
       type(along_string_type), intent(in) :: along
       type(unit_system_type), intent(in) :: units
       type(share_type), intent(in) :: share
-      type(written_type), intent(inout) :: first !< profile of this load case that is written first; this one, if there is none
+      type(written_type), intent(inout) :: first !< first written profile of the load case; set to this one if not set
       type(text_type), intent(out) :: texts(:)   !< as many
       real(wp), intent(out) :: within(:)         !< of a column's range, to which each is thinned [-]
       type(text_type), intent(out) :: rows

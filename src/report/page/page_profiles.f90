@@ -80,14 +80,13 @@ contains
       type(share_type) :: share
       type(written_type) :: first
       integer, allocatable :: rows(:)
-      integer :: i, k, n, level, letters, cases
+      integer :: i, k, n, letters, cases
       allocate (curves%texts(list%count, size(results)), curves%within(list%count, size(results)), curves%rows(size(results)))
       curves%within = finest
       cases = count([(any(results%case_index == i .and. has_curves(results)), i=1, maxval(results%case_index))])
       do i = 1, maxval(results%case_index)
          rows = pack([(k, k=1, size(results))], results%case_index == i .and. has_curves(results))
          if (size(rows) == 0) cycle
-         level = 0
          share = share_type()
          do
             first = written_type(place=count(has_curves(results(:rows(1)))) - 1)
@@ -98,11 +97,13 @@ contains
             end do
             letters = letters_of(curves%rows(rows)) + sum([(letters_of(curves%texts(:, rows(k))), k=1, size(rows))])
             if (letters <= min(case_letters, most_letters/cases) .or. share%within >= most_within) exit
-            if (level > 0) share%within = coarser*share%within
-            if (level == 0) share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
-            level = level + 1
+            if (allocated(share%columns)) then
+               share%within = coarser*share%within
+            else
+               share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
+            end if
          end do
-         if (level > 0) curves%reduced = curves%reduced + 1
+         if (allocated(share%columns)) curves%reduced = curves%reduced + 1
       end do
    end subroutine find_curves
 
@@ -119,7 +120,7 @@ contains
       text = to_text(finest/percent, tolerance_digits)//' %'
    end function thinned_text
 
-   !> Sentence on load cases with many points: columns left out, and curves thinned more. Empty if there are none.
+   !> Sentence on load cases with many points: they have fewer columns, and less exact curves. It is empty where there are none.
    pure function reduced_text(curves) result(text)
       type(curves_type), intent(in) :: curves
       character(:), allocatable :: text

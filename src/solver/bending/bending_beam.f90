@@ -33,7 +33,7 @@ module dg_bending_beam
    implicit none
    private
    public :: bending_beam_type, bent_type, node_unknowns
-   public :: set_elements, press_points, find_forces, length_of
+   public :: set_elements, press_points, contact_sum, find_forces, length_of
 
    !> Unknowns of a node: y_1, y_2 [m], their slopes [-].
    integer, parameter :: node_unknowns = 4
@@ -120,6 +120,13 @@ contains
       call press_points(beam, y(1:2, beam%point), point)
       bent%points = point%force
    end subroutine find_forces
+
+   !> Sum of all contact forces [N].
+   pure function contact_sum(bent) result(force)
+      type(bent_type), intent(in) :: bent
+      real(wp) :: force
+      force = sum(bent%pressed) + sum(bent%points)
+   end function contact_sum
 
    !> Length of a vector across the hole, in its own unit.
    pure function length_of(vector) result(length)

@@ -10,12 +10,12 @@
 !> gradient methods, J. Optim. Theory Appl. 4, 303-320).
 module dg_moved_walls
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces
-   use dg_bending_element, only: contact_places
+   use dg_bending_beam, only: bending_beam_type, bent_type
+   use dg_bending_element, only: beam_element_type, contact_places
    use dg_gap_state, only: depth_of, gap_law_type
    implicit none
    private
-   public :: move_walls, soften_walls, firm, firmer, less_firm
+   public :: misplacement, move_walls, soften_walls, firm, firmer, less_firm
 
    !> Largest stiffness of a wall at one place of contact that Newton's steps tolerate from any shape [N/m]. Slim strings,
    !> which are a thousand times less stiff than collars, have `less_firm`. Next to an equilibrium walls may be `firmer` times
@@ -28,38 +28,55 @@ module dg_moved_walls
 
 contains
 
-   !> Move walls inwards by the excess of their yielding under the contact forces of a given shape. Make them as stiff as
-   !> Newton's steps tolerate next to an equilibrium.
-   pure subroutine move_walls(at_place, y, beam, missed)
-      real(wp), intent(in) :: at_place                  !< stiffness at each place to which they have been softened [N/m]
-      real(wp), contiguous, intent(in) :: y(:, :)       !< an equilibrium against them: offsets and slopes (4,n) [m, -]
+   !> Move walls inwards by the excess of their yielding under the contact forces of an equilibrium against them. Make them as
+   !> stiff as Newton's steps tolerate next to it.
+   pure subroutine move_walls(at_place, bent, beam)
+      real(wp), intent(in) :: at_place              !< stiffness at each place to which they have been softened [N/m]
+      type(bent_type), intent(in) :: bent           !< its forces
       type(bending_beam_type), intent(inout) :: beam
-      real(wp), intent(out) :: missed                   !< largest distance of a true wall from where it was, over the clearance [-]
-      type(bending_beam_type) :: before
-      type(bent_type) :: bent
       integer :: e, p
-      call find_forces(beam, y, bent)
-      before = beam
-      missed = 0.0_wp
       call soften_walls(huge(1.0_wp), firmer*at_place, beam)
       do e = 1, size(beam%element)
-         associate (law => beam%element(e)%law, now => before%element(e), length => beam%element(e)%length)
-            if (.not. now%press%maximum < law%maximum) cycle
+         associate (element => beam%element(e))
             do p = 1, contact_places
-               if (.not. bent%pressed(p, e) > 0.0_wp) cycle
-               associate (force => contact_places*bent%pressed(p, e)/length)
-                  missed = max(missed, abs(yielding(law, now%press, force) - now%moved(p))/max(law%clearance, least_room))
-                  beam%element(e)%moved(p) = yielding(law, beam%element(e)%press, force)
-               end associate
+               if (bent%pressed(p, e) > 0.0_wp) &
+                  element%moved(p) = yielding(element%law, element%press, load_of(element, bent%pressed(p, e)))
             end do
          end associate
       end do
       do p = 1, size(beam%point)
-         missed = max(missed, abs(yielding(beam%point_law(p), before%point_press(p), bent%points(p)) - before%point_moved(p)) &
-                              /max(beam%point_law(p)%clearance, least_room))
          beam%point_moved(p) = yielding(beam%point_law(p), beam%point_press(p), bent%points(p))
       end do
    end subroutine move_walls
+
+   !> Largest distance of a pressed wall from its true place, over the clearance [-].
+   pure function misplacement(bent, beam) result(most)
+      type(bent_type), intent(in) :: bent           !< forces of an equilibrium against the walls
+      type(bending_beam_type), intent(in) :: beam
+      real(wp) :: most
+      integer :: e, p
+      most = 0.0_wp
+      do e = 1, size(beam%element)
+         associate (element => beam%element(e))
+            do p = 1, contact_places
+               if (bent%pressed(p, e) > 0.0_wp) most = max(most, abs(element%moved(p) - yielding( &
+                  element%law, element%press, load_of(element, bent%pressed(p, e))))/max(element%law%clearance, least_room))
+            end do
+         end associate
+      end do
+      do p = 1, size(beam%point)
+         most = max(most, abs(beam%point_moved(p) - yielding(beam%point_law(p), beam%point_press(p), bent%points(p))) &
+                          /max(beam%point_law(p)%clearance, least_room))
+      end do
+   end function misplacement
+
+   !> Force per metre of wall at one place of contact of an element [N/m].
+   pure function load_of(element, force) result(load)
+      type(beam_element_type), intent(in) :: element
+      real(wp), intent(in) :: force          !< at that place [N]
+      real(wp) :: load
+      load = contact_places*force/element%length
+   end function load_of
 
    !> Put walls back to their places, no stiffer than given and than Newton's steps tolerate.
    pure subroutine soften_walls(stiffness, at_place, beam)

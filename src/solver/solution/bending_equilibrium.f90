@@ -1,13 +1,13 @@
 !> Equilibrium of the beam that gives the moments (dg_bending_profile), near the string of the analysis.
 module dg_bending_equilibrium
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, contact_sum, find_forces, length_of
    use dg_bending_layout, only: solved_string_type
    use dg_bending_nodes, only: shape_at
    use dg_bending_rows, only: alike
    use dg_bending_solution, only: solve_bending
    use dg_mesh, only: mesh_type
-   use dg_moved_walls, only: firmer, move_walls
+   use dg_moved_walls, only: firmer, misplacement, move_walls
    implicit none
    private
    public :: solve_anchored, settle_firmly, is_near
@@ -52,20 +52,21 @@ contains
       real(wp), contiguous, intent(inout) :: y(:, :)   !< offsets and slopes (4,n) [m, -]
       type(bending_beam_type) :: next
       type(bent_type) :: bent
-      real(wp) :: closer(size(y, 1), size(y, 2)), missed
+      real(wp) :: closer(size(y, 1), size(y, 2))
       logical :: found
       integer :: step
       call find_forces(beam, y, bent)
-      beam%pressed_softly = sum(bent%pressed) + sum(bent%points)
+      beam%pressed_softly = contact_sum(bent)
       next = beam
       closer = y
       do step = 1, most_steps
-         call move_walls(solved%firm*firmer**(step - 1), closer, next, missed)
-         if (step > 1 .and. missed < in_place) return
+         call move_walls(solved%firm*firmer**(step - 1), bent, next)
          call solve_anchored(mesh, solved, next, closer, firmly, found)
          if (.not. found) return
          y = closer
          beam = next
+         call find_forces(beam, y, bent)
+         if (misplacement(bent, beam) < in_place) return
       end do
    end subroutine settle_firmly
 

@@ -12,7 +12,7 @@
 !> Parts that slope against the hole by more than a tenth stay as in the analysis. The beam of small slopes is not valid there.
 module dg_bending_profile
    use dg_kinds, only: wp
-   use dg_bending_beam, only: bending_beam_type, bent_type, find_forces, length_of
+   use dg_bending_beam, only: bending_beam_type, bent_type, contact_sum, find_forces, length_of
    use dg_bending_element, only: moments_of_shape
    use dg_bending_equilibrium, only: is_near, settle_firmly, solve_anchored
    use dg_bending_layout, only: find_breaks, read_solved_string, solved_string_type, new_beam, stands_alone
@@ -115,7 +115,7 @@ contains
       end if
       result%moment_error = result%moment_error + alike       ! the rows may differ from the beam by this
       result%beam_nodes = size(beam%md)
-      associate (found => result%unlike_contact, hard => sum(bent%pressed) + sum(bent%points))
+      associate (found => result%unlike_contact, hard => contact_sum(bent))
          found%yielding = (hard - beam%pressed_softly)/max(hard, found%by_beam, tiny(1.0_wp))
          e = maxloc(sum(bent%pressed, dim=1)/beam%element%length, dim=1)
          found%point = beam%md(e)

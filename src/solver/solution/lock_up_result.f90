@@ -43,18 +43,21 @@ contains
                           to_text(100.0_wp*strained, shown)//' %, which no pipe bears'
          return
       end if
-      result%message = 'Locked up: with the bit at '//in_units(model%units, unit_length, &
-                                                                     model%cases(case_index)%bit_depth, shown_depth)// &
-                       ', friction of helical buckling between surface and '// &
-                       to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
-                       ' takes up any push from surface. '
       limp = model
       limp%stiff_drag = 0.0_wp
       call soft_string_at(limp, case_index, [top_md(model%trajectory)], axial, torque, totals=without, &
                           other=other_loads_type(coiled=.true.))
-      if (.not. without%runaway) result%message = 'Locked up: the stiff assembly holds the string. Its bend or its blades '// &
-         'press the hole, which takes '//in_units(model%units, unit_force, abs(model%stiff_drag), shown)//' of friction. Check '// &
-         'the diameters that touch, the diameter of the hole and the bend. '
+      if (without%runaway) then
+         result%message = 'Locked up: with the bit at '// &
+                          in_units(model%units, unit_length, model%cases(case_index)%bit_depth, shown_depth)// &
+                          ', friction of helical buckling between surface and '// &
+                          to_text(anint(totals%runaway_md/model%units%length))//' '//trim(model%units%length_label)// &
+                          ' takes up any push from surface. '
+      else
+         result%message = 'Locked up: the stiff assembly holds the string. Its bend or its blades press the hole, which takes '// &
+                          in_units(model%units, unit_force, abs(model%stiff_drag), shown)//' of friction. Check the '// &
+                          'diameters that touch, the diameter of the hole and the bend. '
+      end if
       most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
       result%lock_up_load = most
       if (most > 0.0_wp) then
