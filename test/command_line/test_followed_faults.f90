@@ -242,7 +242,8 @@ contains
                   "Is it in psi? Then write 20.68. Is it in kPa? Then write 3", "3000", "20.68")
       call follow("bit_depth = 9000", "bit_depth = 9,000", "decimals have a point: 9.000. Thousands have no mark: 9000", "9,000", &
                   "9000", deck)
-      call follow("md = 0, 9000", "md = 0, 2743.2", "Is md of the survey in m? 2743.2 m are 9000 ft", "2743.2", "9000", deck)
+      call follow("md = 0, 9000", "md = 0, 2743.2", "Is md of the survey in m? 2743.2 m are 9000 ft. In a file write "// &
+                  "survey_units = 'SI'", "2743.2", "9000", deck)
       call follow("kind = 'collar', length = 90", "kind = 'PDC', length = 90, joint_od = 8.5", &
                   "Only a bit may fill its hole: is it one? Then write kind = 'bit'", "'PDC'", "'bit'", deck)
       call follow("&component od = 5, id = 4.276, yield = 135 /"//newline, "", &

@@ -62,9 +62,12 @@ contains
 
    !> Names and units of columns.
    subroutine test_headings()
+      character(*), parameter :: feet = 'MD,Inc,Azi;0,0,0;4593,10,10'
       call follow('MD,Inc,MD,Azi;0,0,0,0;1400,10,1400,10', 'the header names md twice; keep one', sound)
       call follow('depths in feet;MD,Inc,Azi;0,0,0;4600,10,10', 'name the unit in the heading, as in MD (ft)', &
                   'depths in feet;MD (ft),Inc,Azi;0,0,0;4600,10,10')
+      call follow(feet, 'the survey ends at 4593 m, 3.304 times as deep as bit and hole. Is it in ft? In a file write '// &
+                  "survey_units = 'field'", feet, new_keys=", survey_units = 'field'")
       call follow('MD,Inc deg,Inc min,Azi;0,0,0,0;1400,10,30,10', 'inclination and azimuth in decimal degrees, one column each', &
                   'MD,Inc,Azi;0,0,0;1400,10.5,10')
       call follow('Tiefe a,Inc,Azi;0,0,0;1400,10,10', 'Or name the column in &trajectory by md_column', &

@@ -58,7 +58,6 @@ contains
                   draft%holes(i + 1)%sound = .false.
                   cycle
                end if
-               hole%has_bottom = .true.
             end if
             if (.not. hole%sound) cycle
             call check_section(hole%section, i, draft%units, in_itself)

@@ -38,7 +38,7 @@ module dg_unusual_input
    !> Friction in casing over that of open hole, above which the two may be swapped [-]. Fits of measured wells have up to 1.4.
    real(wp), parameter :: rougher = 1.6_wp
    !> Part by which a ratio of depths may differ from that of metre and foot [-]: the deepest bit is seldom at the last station.
-   real(wp), parameter :: as_feet = 0.01_wp
+   real(wp), parameter :: as_feet = 0.02_wp
    !> Outside diameters of casing that no usual casing has inside [m]. Others are both: 7 5/8 in comes with 6 5/8 in inside,
    !> 9 7/8 in with 8 5/8 in, 22 in with 20 in. Diameters in mm have round-off [m].
    real(wp), parameter :: casing_sizes(*) = inch*[5.0_wp, 7.0_wp, 9.625_wp, 10.75_wp, 11.75_wp, 13.375_wp, 16.0_wp, 18.625_wp], &
@@ -333,14 +333,16 @@ contains
       if (size(uses) > 0) depth = max(depth, maxval(uses%depth))
    end function deepest_bit
 
-   !> A survey that ends as many times deeper than bit and hole as a metre has feet.
+   !> A survey that ends as many times deeper than bit and hole as a metre has feet. A hole that ends with the survey does so by
+   !> default.
    subroutine note_survey_in_feet(draft, uses, notes)
       type(draft_type), intent(in) :: draft
       type(string_use_type), intent(in) :: uses(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: last, deepest
       last = draft%stations%md(size(draft%stations%md))
-      deepest = max(deepest_bit(draft, uses), maxval(draft%holes%section%md_bottom))
+      deepest = max(deepest_bit(draft, uses), maxval(draft%holes%section%md_top), &
+                    maxval(draft%holes%section%md_bottom, mask=draft%holes%has_bottom))
       if (abs(last*foot - deepest) > as_feet*deepest .or. .not. in_metres(draft%units)) return
       call append_text(notes, 'group &trajectory: the survey ends at '//in_units(draft%units, unit_length, last, depth_digits)// &
                        ', '//to_text(last/deepest, digits)//' times as deep as bit and hole. Is it in ft? In a file write '// &

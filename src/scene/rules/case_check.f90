@@ -85,7 +85,7 @@ contains
       if (abs(units%length - foot) > depth_round_off .or. depth < least_ratio*bottom .or. &
           depth*foot > bottom*(1.0_wp + depth_round_off)) return
       text = '. Is md of the survey in m? '//to_text(bottom/foot, metre_digits)//' m are '// &
-             to_text(bottom/foot**2, metre_digits)//' ft'
+             to_text(bottom/foot**2, metre_digits)//" ft. In a file write survey_units = 'SI'"
    end function metres_question
 
    !> Check that there is a string of that name.
