@@ -116,10 +116,18 @@ contains
       call mistake(angles, 'inc = 178, 178, 178, 178, 175, 170, azi = 0, 0, 0, 90, 91, 90', 'Are inc and azi swapped?')
       call mistake(angles, 'inc = 60, 60, 60, 60, 100, 100, azi = 0, 0, 0, 78, 78, 78', &
                    'inclined by 60 deg from surface on, and its azimuth goes from 0 to 78 deg. Are inc and azi swapped?')
+      call mistake(angles, 'inc = 35, 35, 35, 35, 60, 135, azi = 0, 0, 20, 40, 60, 60', &
+                   'inclined by 35 deg from surface on, and its azimuth goes from 0 to 60 deg. Are inc and azi swapped?')
+      call usual(angles, 'inc = 0, 0, 20, 40, 60, 60, azi = 35, 35, 35, 35, 60, 135')
       call usual(angles, 'inc = 0, 0, 0, 78, 78, 78, azi = 60, 60, 60, 60, 100, 100')
       call usual(angles, 'inc = 45, 45, 45, 45, 45, 45, azi = 30, 30, 30, 60, 60, 60')
       call usual(angles, 'inc = 45, 45, 45, 60, 70, 90, azi = 0, 0, 0, 60, 60, 60')
       call usual(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 350, 350, 350, 350, 350, 80')
+      call mistake(angles, 'inc = 90, 90, 70, 30, 30, 30, azi = 6*178', 'the hole is level at surface, inc = 90 deg, and goes '// &
+                   'down deeper, inc = 30 deg. Is inc counted from the horizontal? Then write 90 - inc')
+      call usual(angles, 'inc = 0, 0, 20, 60, 60, 60, azi = 6*178')
+      call usual(angles, 'inc = 90, 90, 88, 86, 84, 82, azi = 6*178')
+      call usual(angles, 'inc = 78, 78, 85, 90, 95, 99, azi = 6*178')
       call usual(angles, 'inc = 0, 0, 0, 5, 5, 5, azi = 350, 350, 350, 350, 120, 250')
    end subroutine test_azimuths
 

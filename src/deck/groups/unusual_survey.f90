@@ -33,11 +33,14 @@ module dg_unusual_survey
    real(wp), parameter :: alike = 0.01_wp*degree
    !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
    real(wp), parameter :: long_turn = 100.0_wp*degree, inclined = 10.0_wp*degree
-   !> Thresholds of swapped columns [m, rad]. The hole is inclined at surface by more than `slant` and keeps its inclination
-   !> within `kept`, or begins with more than a slant rig drills. Its azimuth begins at zero, stays below `lying` and changes
-   !> by more than `bent`, like an inclination.
-   real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 10.0_wp*degree, steepest_rig = 50.0_wp*degree
+   !> Thresholds of swapped columns [m, rad]. The hole is inclined at surface by more than `slant`. It keeps its inclination
+   !> within `kept` until half of the turn, or begins with more than a slant rig drills. Its azimuth begins at zero, stays below
+   !> `lying` and changes by more than `bent`, like an inclination.
+   real(wp), parameter :: surface = 10.0_wp, slant = 5.0_wp*degree, kept = 5.0_wp*degree, steepest_rig = 50.0_wp*degree
    real(wp), parameter :: zero = 0.5_wp*degree, lying = 120.0_wp*degree, bent = 15.0_wp*degree
+   !> A hole that is level at surface goes down by more than this [rad]. Holes from a mine stay nearly level, crossings begin
+   !> below 85 deg.
+   real(wp), parameter :: plunge = 30.0_wp*degree
    integer, parameter :: few_digits = 3, digits = 4, depth_digits = 6
 
 contains
@@ -50,6 +53,7 @@ contains
       call note_inclinations(draft, notes)
       before = size(notes)
       call note_swapped(draft, notes)
+      call note_level(draft, notes)
       call note_doglegs(draft, notes)
       if (size(notes) == before) call note_steps(draft, notes)
       if (size(notes) == before) call note_turns(draft, notes)
@@ -94,17 +98,34 @@ contains
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: azimuth(size(draft%stations%md))
+      integer :: half
       azimuth = modulo(draft%stations%azimuth, 2.0_wp*pi)
+      half = findloc(azimuth >= 0.5_wp*maxval(azimuth), .true., dim=1)
       associate (inclination => draft%stations%inclination)
          if (draft%stations%md(1) > surface .or. minval(inclination) < slant) return
          if (azimuth(1) > zero) return
-         if (maxval(inclination) - minval(inclination) > kept .and. inclination(1) < steepest_rig) return
+         if (maxval(inclination(:half)) - minval(inclination(:half)) > kept .and. inclination(1) < steepest_rig) return
          if (maxval(azimuth) > lying .or. maxval(azimuth) < bent) return
          call append_text(notes, 'group &trajectory: the hole is inclined by '//to_text(inclination(1)/degree, digits)// &
                           ' deg from surface on, and its azimuth goes from 0 to '//to_text(maxval(azimuth)/degree, digits)// &
                           ' deg. Are inc and azi swapped?')
       end associate
    end subroutine note_swapped
+
+   !> Inclination from the horizontal: the hole is level at surface and goes down deeper.
+   subroutine note_level(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp), parameter :: level = 0.5_wp*pi
+      associate (inclination => draft%stations%inclination)
+         if (draft%stations%md(1) > surface .or. abs(inclination(1) - level) > zero) return
+         if (maxval(inclination) > level + zero .or. minval(inclination) > level - plunge) return
+         call append_text(notes, 'group &trajectory: the hole is level at surface, inc = '// &
+                          to_text(inclination(1)/degree, digits)//' deg, and goes down deeper, inc = '// &
+                          to_text(minval(inclination)/degree, digits)//' deg. Is inc counted from the horizontal? '// &
+                          'Then write 90 - inc')
+      end associate
+   end subroutine note_level
 
    !> The sharpest dogleg, where it is sharp for its hole, and stations that point another way than both neighbours.
    subroutine note_doglegs(draft, notes)
