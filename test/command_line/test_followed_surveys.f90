@@ -68,6 +68,8 @@ contains
                   'depths in feet;MD (ft),Inc,Azi;0,0,0;4600,10,10')
       call follow(feet, 'the survey ends at 4593 m, 3.304 times as deep as bit and hole. Is it in ft? In a file write '// &
                   "survey_units = 'field'", feet, new_keys=", survey_units = 'field'")
+      call follow('MD,Inc,Azi;0,0,0.61;500,20,0.61;900,40,0.8;1400,60,1.3', 'In a file write its unit into the heading: '// &
+                  'Azi (rad)', 'MD,Inc,Azi (rad);0,0,0.61;500,20,0.61;900,40,0.8;1400,60,1.3')
       call follow('MD,Inc deg,Inc min,Azi;0,0,0,0;1400,10,30,10', 'inclination and azimuth in decimal degrees, one column each', &
                   'MD,Inc,Azi;0,0,0;1400,10.5,10')
       call follow('Tiefe a,Inc,Azi;0,0,0;1400,10,10', 'Or name the column in &trajectory by md_column', &

@@ -99,6 +99,12 @@ contains
       call mistake(angles, 'inc = 0, 0, 0, 1.222, 1.047, 1.134, azi = 0, 0, 6.196, 0.087, 0.175, 6.2', expected)
       call mistake(angles, 'inc = 0, 0, 0.349, 0.698, 1.047, 1.047, azi = 0, 0, 6.196, 0.087, 0.175, 0.175', expected)
       call mistake(angles, 'inc = 0, 0, 0, 1.7, 1.047, 1.134, azi = 0, 0, 0, 3.1, -3.1, -3', expected)
+      call mistake(angles, 'inc = 0, 0, 20, 60, 60, 60, azi = 0.61, 0.61, 0.61, 0.8, 1.1, 1.3962', 'azimuth goes from 0.61 '// &
+                   'to 1.396 deg. Is it in radians? It is read as degrees')
+      call usual(angles, 'inc = 0, 0, 20, 60, 60, 60, azi = 35, 35, 35, 45.8, 63, 80')
+      call usual(angles, 'inc = 0, 0, 20, 60, 60, 60, azi = 0.61, 0.61, 0.61, 0.8, 0.7, 1.3962')
+      call usual(angles, 'inc = 0, 0, 20, 60, 60, 60, azi = 2, 2, 2, 2.5, 3, 5.5')
+      call usual(angles, 'inc = 0, 0, 0, 60, 60, 60, azi = 2.0944, 2.0944, 2.0944, 2.0944, 2.0944, 2.0944')
       call usual(angles, 'inc = 0, 0.5, 1.2, 0.7, 1.2, 0.9, azi = 0, 120, 250, 10, 200, 5')
       call usual(angles, 'inc = 0, 0, 1, 0.5, 1, 0.5, azi = 4, 4, 4, 4, 4, 4')
       call usual(angles, 'inc = 0, 0, 0, 0, 0, 0.5, azi = 4, 4, 4, 4, 4, 4')

@@ -29,6 +29,10 @@ module dg_unusual_survey
    integer, parameter :: few = 3
    !> Largest inclination of a survey in radians, read as degrees, where its azimuths are below 2 pi, too [rad].
    real(wp), parameter :: largest_of_both = 1.8_wp*degree
+   !> Azimuths in radians of stations inclined by more than this turn one way by more than that [rad]: by 11 deg, read as 0.2 deg.
+   !> Numbers with one decimal are degrees, as people write them.
+   real(wp), parameter :: azimuth_told = 5.0_wp*degree, least_turn = 0.2_wp*degree, one_decimal = 0.1_wp*degree, &
+                          round_off = 1.0e-6_wp*degree
    !> Azimuths that differ by less are alike [rad].
    real(wp), parameter :: alike = 0.01_wp*degree
    !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
@@ -52,6 +56,7 @@ contains
       integer :: before
       call note_inclinations(draft, notes)
       before = size(notes)
+      call note_azimuths(draft, notes)
       call note_swapped(draft, notes)
       call note_level(draft, notes)
       call note_doglegs(draft, notes)
@@ -78,6 +83,26 @@ contains
                           ' deg. Are the inclinations in radians? They are read as degrees')
       end associate
    end subroutine note_inclinations
+
+   !> Azimuths that look like radians while inclinations do not: within a full turn they grow or fall from station to station. Those
+   !> of a hole to the north in degrees go up and down, or stay.
+   subroutine note_azimuths(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp), allocatable :: azimuth(:)
+      integer :: n
+      associate (inclination => draft%stations%inclination)
+         if (maxval(inclination) <= 2.0_wp*pi*degree) return
+         azimuth = pack(modulo(draft%stations%azimuth, 2.0_wp*pi), inclination > azimuth_told)
+         n = size(azimuth)
+         if (n < few .or. maxval(azimuth) > 2.0_wp*pi*degree .or. abs(azimuth(n) - azimuth(1)) < least_turn) return
+         if (any((azimuth(2:) - azimuth(:n - 1))*(azimuth(n) - azimuth(1)) < 0.0_wp)) return
+         if (all(abs(azimuth - one_decimal*anint(azimuth/one_decimal)) < round_off)) return
+         call append_text(notes, 'group &trajectory: azimuth goes from '//to_text(azimuth(1)/degree, digits)//' to '// &
+                          to_text(azimuth(n)/degree, digits)//' deg. Is it in radians? It is read as degrees. In a file write '// &
+                          'its unit into the heading: Azi (rad)')
+      end associate
+   end subroutine note_azimuths
 
    !> True if azimuths read as degrees change and look like radians: all from 0 to 2 pi, or all from -pi to pi. Those of a hole that
    !> is nearly vertical and was measured go all around.
