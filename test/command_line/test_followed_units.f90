@@ -103,6 +103,10 @@ contains
                   'Is it in 1/psi? Then write 10', 'cased = .true., casing_od = 9.625, wear_factor = 10')
       call follow('SI', "'trip_out'", "'backream', rpm = 60, trip_speed = 18", 'Is it in m/min? Then write 0.3', &
                   "'backream', rpm = 60, trip_speed = 0.3")
+      call follow('SI', '&rig', '&strength slip_length = 0.4 / &rig', 'group &strength: slip_length = 0.4 mm is unusual. Usual '// &
+                  'is at least 100 mm. Is it in m? Then write 400', '&strength slip_length = 400 / &rig')
+      call follow('field', '&rig', '&strength slip_length = 0.4064 / &rig', 'slip_length = 0.4064 in is unusual. Usual is '// &
+                  'at least 3.937 in. Is it in m? Then write 16', '&strength slip_length = 16 / &rig')
    end subroutine test_ranges
 
    subroutine test_stiffness_and_drag()

@@ -20,6 +20,7 @@ module dg_deck_notes
    use dg_unusual_input, only: largest_pressure
    use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
+   use dg_usual_range, only: note_range, usual_slips
    implicit none
    private
    public :: note_oddities
@@ -72,6 +73,8 @@ contains
                                        pressure > 0.0_wp .and. is_gas(fluid%density, pressure)))
          end associate
       end do
+      if (job%design%slip_length > 0.0_wp) &
+         call note_range(draft%units, 'group &strength', usual_slips, job%design%slip_length, notes)
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
          'group &solver: eps_n0 is large: contact this close to the wall is ignored, so contact force and friction are '// &
          'too small')

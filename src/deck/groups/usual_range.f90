@@ -4,9 +4,9 @@ module dg_usual_range
    use dg_constants, only: degree, pi
    use dg_likely_unit, only: unit_questions
    use dg_text, only: append_text, either, text_type, to_text
-   use dg_unit_kind, only: at_most, heaviest_mud, in_units, unit_angle, unit_density, unit_factor, unit_force, unit_gravity, &
-                           unit_length, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, unit_stress, &
-                           unit_temperature, unit_wall, unit_wear
+   use dg_unit_kind, only: at_most, heaviest_mud, in_units, unit_angle, unit_density, unit_diameter, unit_factor, unit_force, &
+                           unit_gravity, unit_length, unit_moment, unit_none, unit_pressure, unit_rotation, unit_speed, &
+                           unit_stress, unit_temperature, unit_wall, unit_wear
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -14,7 +14,7 @@ module dg_usual_range
              usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
-             usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers
+             usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips
 
    !> Usual range of a key.
    type :: usual_type
@@ -30,12 +30,13 @@ module dg_usual_range
                          usual_hours = 16, usual_warming_top = 17, usual_warming_bottom = 18, usual_ambient_top = 19, &
                          usual_ambient_bottom = 20, usual_measured = 21, usual_joint_spacing = 22, usual_joint_length = 23, &
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
-                         usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32
+                         usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32, &
+                         usual_slips = 33
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(32) = [ &
+   type(usual_type), parameter :: usual(33) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -68,7 +69,8 @@ module dg_usual_range
       usual_type('running_force', unit_force, 0.0_wp, 20.0e3_wp, 'API 10D, 20 in: 2,240 lbf'), &
       usual_type('wall_stiffness', unit_wall, 5.0e4_wp, 1.0e12_wp, 'soft clay 0.1 MPa; steel 200 GPa'), &
       usual_type('wall_stiffness', unit_wall, 1.0e8_wp, 1.0e12_wp, 'clay of deep wells 0.1 GPa, sandstone 10 GPa'), &
-      usual_type('spacing', unit_length, 4.0_wp, 150.0_wp, 'three a joint of casing, 13.3 ft, to one in ten joints')]
+      usual_type('spacing', unit_length, 4.0_wp, 150.0_wp, 'three a joint of casing, 13.3 ft, to one in ten joints'), &
+      usual_type('slip_length', unit_diameter, 0.1_wp, 1.0_wp, 'slips of drill pipe 0.3 to 0.45 m, hand slips of tubing 0.2 m')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
