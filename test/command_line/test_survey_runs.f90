@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('columns', test_columns))
       call suite%addTest(TestMethod('positions', test_positions))
       call suite%addTest(TestMethod('well_trace', test_well_trace))
+      call suite%addTest(TestMethod('ends_above_bit', test_ends_above_bit))
    end function survey_runs_suite
 
    !> Three ways for the hole above; straight is what a station at surface by hand makes.
@@ -118,6 +119,22 @@ contains
       call expect(run%output, '2 stations to 1524 measured')
       call expect(run%output, 'TVD, north, east agree with those of the file')
    end subroutine test_well_trace
+
+   !> A survey in ft with one decimal that ends 11 mm above the bit holds the bit at its end. One that ends higher has one message
+   !> for all cases.
+   subroutine test_ends_above_bit()
+      character(*), parameter :: feet = 'MD (ft),Inc,Azi;0,0,0;', more = " /;&load_case name = 'd', operation = 'down', "// &
+         'bit_depth = 1390 /;&sweep operations = ''down'', bit_depth_from = 1300, bit_depth_to = 1390, bit_depth_step = 45, '// &
+         "measured_depths = 1390, measured_operations = 'down', measured_hookloads = 500"
+      type(run_type) :: run
+      run = check(feet//'4560.33,10,10', more)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call expect(run%output, 'trip_out at 1389.989 m')
+      run = check(feet//'4560.2,10,10', more)
+      call expect(run%diagnostics, 'bit_depth = 1390 m lies below the survey, which ends at 1389.94896 m')
+      call assertEqual(index(run%diagnostics, newline), index(run%diagnostics, newline//scratch//'/deck.nml', back=.true.), &
+                       message='two lines: '//run%diagnostics)
+   end subroutine test_ends_above_bit
 
    !> Checks a deck that names a survey, and perhaps a parent, whose lines are parted by semicolons.
    function check(table, keys, above) result(run)

@@ -21,8 +21,9 @@ module dg_deck_check
    private
    public :: close_holes, check_draft, check_case, report_faults
 
-   !> Words of check_passage, up to the case, and of check_in_string.
+   !> Words of check_passage, up to the case, of check_in_string and of check_reach.
    character(*), parameter :: passes_not = 'does not pass', case_mark = ') in ', sinks_not = ' floats: '
+   character(*), parameter :: reaches_not = ' lies below the '
 
 contains
 
@@ -216,9 +217,16 @@ contains
       type(draft_case_type), intent(inout) :: item
       type(error_list_type), intent(inout) :: faults
       type(error_list_type) :: found
-      if (draft%has_stations) call reach('survey', draft%stations%md(size(draft%stations%md)))
-      if (all(draft%holes%sound) .and. size(draft%holes) > 0) &
-         call reach('lowest hole section', draft%holes(size(draft%holes))%section%md_bottom)
+      real(wp) :: last
+      last = huge(last)
+      if (draft%has_stations) last = draft%stations%md(size(draft%stations%md))
+      call reach('survey', last)
+      if (all(draft%holes%sound) .and. size(draft%holes) > 0) then
+         ! a hole as deep as the survey adds nothing
+         associate (bottom => draft%holes(size(draft%holes))%section%md_bottom)
+            if (bottom < last) call reach('lowest hole section', bottom)
+         end associate
+      end if
       if (found%count > 0) item%sound = .false.
       call report_faults(draft, found, faults, item)
    contains
@@ -291,6 +299,8 @@ contains
                if (is_listed(faults, words(:index(words, case_mark) + len(case_mark) - 1), line)) cycle
             end if
             if (index(words, sinks_not) > 0 .and. is_listed(faults, sinks_not)) cycle
+            ! cases at the same depth
+            if (index(words, reaches_not) > 0 .and. is_listed(faults, words)) cycle
             if (index(words, passes_not) > 0 .and. is_listed(faults, inches_meant)) cycle
             ! a hole in another unit is too narrow for all
             if (index(words, hole_question) > 0) then

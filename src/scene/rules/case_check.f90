@@ -16,8 +16,11 @@ module dg_case_check
    implicit none
    private
    public :: hole_question, pipe_question
-   public :: check_operation, check_reach, check_string_name, check_string_length, check_passage
+   public :: check_operation, check_reach, check_string_name, check_string_length, check_passage, lies_below
 
+   !> Depth below the end of a survey that is round-off: a depth in ft with one decimal has 15 mm. In a short hole it is a part of
+   !> its depth [m, -].
+   real(wp), parameter :: rounded_depth = 0.02_wp, rounded_part = 1.0e-4_wp
    integer, parameter :: metre_digits = 6
    !> Depth of a bit over that of its survey, from which the survey may be in m and the bit in ft [-].
    real(wp), parameter :: least_ratio = 2.5_wp
@@ -67,7 +70,7 @@ contains
       real(wp), intent(in) :: bottom               !< its end [m]
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
-      if (depth > bottom*(1.0_wp + depth_round_off)) then
+      if (lies_below(depth, bottom)) then
          call add_part_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
                              what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
                              depth_words(units, bottom)//either(metres_question(units, depth, bottom), '', what == 'survey'))
@@ -75,6 +78,13 @@ contains
          depth = min(depth, bottom)
       end if
    end subroutine check_reach
+
+   !> True for a depth below an end by more than round-off.
+   elemental function lies_below(depth, bottom) result(below)
+      real(wp), intent(in) :: depth, bottom        !< [m]
+      logical :: below
+      below = depth > bottom + min(rounded_depth, rounded_part*bottom)
+   end function lies_below
 
    !> Question for a survey in m in a deck in ft, where the bit would then be in the hole; '' for others.
    pure function metres_question(units, depth, bottom) result(text)

@@ -1,6 +1,7 @@
 !> The groups &sweep of a deck: which string over which depths, with what was measured there.
 module dg_deck_sweep
    use dg_kinds, only: wp
+   use dg_case_check, only: lies_below
    use dg_checked_group, only: checked_group_type, claim_name, group_fault, named, reals_of, texts_of
    use dg_deck_draft, only: draft_type
    use dg_deck_range, only: read_range
@@ -70,6 +71,9 @@ contains
       if (.not. any(size(operations) == [1, n]) .or. .not. any(size(hookloads) == [0, n]) .or. &
           .not. any(size(torques) == [0, n])) return
       allocate (listed(n))
+      associate (last => sweep%depths(size(sweep%depths)))
+         where (.not. lies_below(depths, last)) depths = min(depths, last)
+      end associate
       do i = 1, n
          listed(i)%name = 'point '//to_text(i)
          listed(i)%bit_depth = depths(i)
