@@ -99,6 +99,9 @@ contains
       call follow('MD (furlong),Inc,Azi;0,0,0;7,10,10', 'a heading may name m, ft or usft, deg or rad', &
                   'MD (m),Inc,Azi;0,0,0;1408,10,10')
       call follow('MD,Inc (gon),Azi;0,0,0;1400,11,10', 'or usft, deg or rad', 'MD,Inc (deg),Azi;0,0,0;1400,9.9,10')
+      call follow(';0,0.00,0.00;700,0,10;1400,10,10', 'survey.csv:2: survey: the header names no md and no inc, it holds '// &
+                  'numbers. Write a line with the names of the columns above it, as MD,Inc,Azi', ';'//sound)
+      call follow('0 0 0 7;1400 10 80 7', 'above it, as MD Inc Azi', 'MD Inc Azi TF;0 0 0 7;1400 10 80 7')
       call follow('', 'it needs a header naming md, inc, azi', sound)
       call follow(blanks//'0 0 0 1;1400 10 80 1', 'no heading of two words: separate them by commas or tabs', &
                   'MD,Inc,Azi,Bit Run;0,0,0,1;1400,10,80,1')

@@ -1,5 +1,6 @@
 !> Which columns of a survey table are measured depth, inclination and azimuth, by their headings or as the deck names them.
 module dg_survey_columns
+   use dg_deck_number, only: is_number
    use dg_kinds, only: wp
    use dg_readable, only: squeezed
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
@@ -232,6 +233,11 @@ contains
          if (keys /= '') keys = keys//' and '
          keys = keys//trim(column_name(column))//'_column'
       end do
+      if (all([(is_number(layout%headings(column)%text), column=1, size(layout%headings))])) then
+         words = words//', it holds numbers. Write a line with the names of the columns above it, as MD'//layout%separator// &
+                 'Inc'//layout%separator//'Azi'
+         return
+      end if
       words = words//'. '//seen_headings(layout%headings)//known//'. Or name the column in &trajectory by '//keys// &
               ', with its heading as it stands in the file'
    end function missing_columns
