@@ -49,6 +49,9 @@ contains
       call follow('MD,Inc,Azi;0,0,0;700,x1,10;1400,10,10', 'is not a number. '//no_station, &
                   'MD,Inc,Azi;0,0,0;#700,x1,10;1400,10,10')
       call follow('MD,Inc,Azi;0,0,0;1400,200,10', 'is out of range; needs a number, 0 to 180', sound)
+      call follow('Inc,MD,Azi;0,0,0;350,4,10;700,7,10;1000,9,10;1400,10,10', 'survey.csv:3: survey: inc = 350 is out of range; '// &
+                  'needs a number, 0 to 180 deg. So are 3 more stations. Do the columns stand below their headings?'// &
+                  achar(10), 'MD,Inc,Azi;0,0,0;350,4,10;700,7,10;1000,9,10;1400,10,10')
       call follow('MD,Inc,Azi;0,0,0;1400,10,N10E', 'Write azimuths from 0 to 360 deg', sound)
       call follow('MD,Inc,Azi;0,0,0;#REF!,5,10;1400,10,10', 'an error of a spreadsheet. Give its number', &
                   'MD,Inc,Azi;0,0,0;700,5,10;1400,10,10')

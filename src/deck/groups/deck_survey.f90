@@ -31,6 +31,8 @@ module dg_deck_survey
    !> Angle between a parent and the first station of its sidetrack from which on they hardly belong together [rad].
    real(wp), parameter :: apart = 1.0_wp*degree
    integer, parameter :: angle_digits = 3
+   !> Stations of a file that are out of range one by one.
+   integer, parameter :: most_single = 3
 
 contains
 
@@ -269,23 +271,31 @@ contains
 
    contains
 
-      !> Stations of a file have the ranges of those in the deck.
+      !> Stations of a file have the ranges of those in the deck. Many out of range have one message, with the first.
       subroutine check_range(key, values)
          character(*), intent(in) :: key
          real(wp), intent(in) :: values(:)      !< [SI]
          type(key_rule_type) :: rules(size(keys_of(group%name)))
          type(key_rule_type) :: rule
+         character(:), allocatable :: others
          real(wp) :: held
-         integer :: k
-         logical :: holds
+         integer :: k, wrong
+         logical :: holds(size(values))
          rules = keys_of(group%name)
          rule = rules(key_place(group%name, key))
          do k = 1, size(values)
             held = values(k)
-            call hold_in_range(rule, held, holds)
-            if (holds) cycle
+            call hold_in_range(rule, held, holds(k))
+         end do
+         wrong = count(.not. holds)
+         others = ''
+         if (wrong > most_single) others = '. So are '//to_text(wrong - 1)//' more stations. Do the columns stand below their '// &
+                                           'headings?'
+         do k = 1, size(values)
+            if (holds(k)) cycle
             call station_fault(group, stations, k, key//' = '//to_text(values(k)/unit_factor(units, rule%unit), depth_digits)// &
-                               ' is out of range; needs a number, '//range_text(rule, units), sound, faults)
+                               ' is out of range; needs a number, '//range_text(rule, units)//others, sound, faults)
+            if (others /= '') exit
          end do
       end subroutine check_range
    end subroutine check_stations
