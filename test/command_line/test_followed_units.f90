@@ -220,9 +220,12 @@ contains
                'Then write '// &
                   '8.504', 'diameter = 8.504,')
       call follow('SI', 'od = 127, id = 108.6, mass = 32, joint_od = 168.3', 'od = 5, id = 4.276, mass = 32, joint_od = 6.625', &
-                  "'DP': it is 6.625 mm wide in holes of 215.9 mm and more; mind the units. Is its diameter in inches? Then "// &
-                  'write 168.3', &
+                  "'DP': it is 6.625 mm wide in holes of 215.9 mm and more; mind the units of od, id and joint_od. Is joint_od "// &
+                  'in inches? Then write 168.3', &
                   'od = 127, id = 108.6, mass = 32, joint_od = 168.3')
+      call follow('SI', 'od = 127, id = 108.6, mass', 'od = 5, id = 4.276, mass', 'has 0.04141; mind the units, and the '// &
+                  'density of what is not steel. Is od in inches? Then write 127. Is id in inches? Then write 108.6', &
+                  'od = 127, id = 108.6, mass')
       call follow('field', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.625', 'od = 127, id = 108.6, joint_od = 168.3', &
                   "'DP' with 168.3 in does not pass the hole of 8.681 in (line 3) in case 'up'. Diameters of this deck are in "// &
                   'in. Is this one in mm? Then write 6.626', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.626')

@@ -194,9 +194,10 @@ contains
       associate (part => item%component, units => draft%units)
          if (narrowest > widest_hole*closed_diameter(part)) then
             call note('it is '//in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
-                      in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units'// &
+                      in_units(units, unit_diameter, narrowest, digits)//' and more; mind the units of od'// &
+                      either(', id and joint_od', ' and id', part%joint_od > part%od)// &
                       unit_questions(units, unit_diameter, closed_diameter(part)/units%diameter, narrowest/widest_hole, &
-                                     narrowest, few_digits, 'its diameter'))
+                                     narrowest, few_digits, either('joint_od', 'od', part%joint_od > part%od)))
             return      ! its mass follows
          end if
          if (part%centralizer%present .and. part%centralizer%od <= closed_diameter(part)) call note('its couplings or joints, '// &
@@ -212,7 +213,8 @@ contains
             if (part%id > 0.0_wp) then
                call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
                   'density has '//to_text(tube/units%mass_per_length, few_digits)// &
-                  '; mind the units, and the density of what is not steel'//mass_question())
+                  '; mind the units, and the density of what is not steel'//mass_question()//width_question('od', part%od)// &
+                  width_question('id', part%id))
             else
                call note('it has no id. Stiffness and strength are those of a solid bar, which has '// &
                   in_units(units, unit_mass, tube, few_digits)//', not mass = '// &
@@ -234,6 +236,16 @@ contains
          if (has_joints(item%component) .and. .not. is_insulated(item%component)) text = unit_questions(draft%units, unit_mass, &
             item%component%mass/draft%units%mass_per_length, least_pipe_mass*tube, most_mass*tube, few_digits, 'mass')
       end function mass_question
+      !> Question for the unit of a diameter, in which the tube has the mass.
+      function width_question(key, width) result(text)
+         character(*), intent(in) :: key
+         real(wp), intent(in) :: width           !< [m]
+         character(:), allocatable :: text
+         associate (larger => item%component%mass/tube)
+            text = unit_questions(draft%units, unit_diameter, width/draft%units%diameter, width*sqrt(larger/most_mass), &
+                                  width*sqrt(larger/least_mass), few_digits, key)
+         end associate
+      end function width_question
       subroutine note(text)
          character(*), intent(in) :: text
          call append_text(notes, 'group &component in line '//to_text(item%line)//': '//quoted(item%component%name)//': '//text)
