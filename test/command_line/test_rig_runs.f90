@@ -113,7 +113,20 @@ contains
       call assertEqual(0, index(unwrapped(run%output), question), message=run%output)
       run = run_deck_text(deck(0.5_wp*friction, rig_group(block)))
       call assertEqual(0, index(unwrapped(run%output), question), message='half the friction: '//run%output)
+      run = run_deck_text(pick_up(bare(0.0_wp)))
+      call assertTrue(index(unwrapped(run%output), question) > 0, message='pick-up: '//run%output)
+      run = run_deck_text(pick_up(bare(block)))
+      call assertEqual(0, index(unwrapped(run%output), question), message='pick-up with block: '//run%output)
+      run = run_deck_text(pick_up(deck(1.2_wp, rig_group(block))))
+      call assertEqual(0, index(unwrapped(run%output), question), message='friction of 1.2: '//run%output)
    contains
+      !> A deck without its cases below the first.
+      function pick_up(all) result(text)
+         character(*), intent(in) :: all
+         character(:), allocatable :: text
+         text = all(:index(all, "&load_case name = 'd'") - 1)//rig_group(block)
+      end function pick_up
+
       !> A deck with what the string weighs, and `added` to it.
       function bare(added) result(text)
          real(wp), intent(in) :: added       !< [kN]

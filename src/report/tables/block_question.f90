@@ -18,7 +18,8 @@ module dg_block_question
 contains
 
    !> Question where all measured loads are below the weight indicator by about the block weight; '' else. Wrong friction cannot
-   !> make both pick-up and slack-off too low, nor the load of a string that does not move along the hole.
+   !> make both pick-up and slack-off too low, nor the load of a string that does not move along the hole. Nor can it lower a
+   !> pick-up by more than all of its drag.
    pure function block_question(units, cases, results) result(text)
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: cases(:)
@@ -37,7 +38,8 @@ contains
       if (any(counted .and. .not. abs(lacking - block) < one_off*block)) return
       if (.not. abs(sum(lacking - block, counted)) < all_off*sum(block, counted)) return
       both_ways = any(counted .and. block_way(cases%operation) > 0) .and. any(counted .and. block_way(cases%operation) < 0)
-      if (.not. (both_ways .or. any(counted .and. .not. moves_axially(cases%operation)))) return
+      if (.not. (both_ways .or. any(counted .and. .not. moves_axially(cases%operation)) .or. &
+                 any(counted .and. block_way(cases%operation) > 0 .and. lacking > abs(results%friction)))) return
       text = 'Measured hook loads are '//in_units(units, unit_force, sum(lacking, counted)/n, shown)// &
              ' below the weight indicator on average, and the block adds '// &
              in_units(units, unit_force, sum(block, counted)/n, shown)//' to it. Were they measured without the block? '// &
