@@ -118,10 +118,6 @@ contains
       call note('500.0, 900.0', '899.5, 900.0', 'the hole turns by 1800 deg/30 m, more than results were ever checked for')
       call note('id = 108.6', 'id = 108.6, mass = 300', 'mass = 300, but a tube of its od, id and density has 26.73;')
       call note('id = 108.6', 'id = 108.6, youngs = 20', 'youngs = 20; steel has 206')
-      call note("kind = 'collar', length = 100.0"//newline//'  od = 171.45, id = 71.4 /', &
-                "kind = 'motor', bend = 1.5, bend_position = 2, length = 9, od = 171.45, id = 71.4 /"// &
-                " &load_case name = 'r', operation = 'rotary', bit_depth = 900 /", &
-                'operations that rotate are solved with a straight housing')
       call note('&fluid density = 1200.0 /', "&fluid density = 1, where = 'inside' / &fluid density = 3000, where = 'outside' /", &
                 "'drillpipe' floats at 800 m: with what is in it it weighs less than the fluid outside that it displaces")
    end subroutine test_notes

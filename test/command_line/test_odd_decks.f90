@@ -72,7 +72,8 @@ contains
       call note("&boundary", "&component string = 'liner', od = 139.7, id = 121.4 /"//newline//"&boundary", &
                 "string 'liner' is used by no case")
       call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'model soft ignores the bent housing')
-      call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'bent by 1.5 deg at 2 m')
+      call note('od = 171.45', 'od = 171.45, bend = 1.5, bend_position = 2', 'bent by 1.5 deg at 2 m, straight where the '// &
+                'string rotates')
    end subroutine test_unused
 
    !> A shell that allows 200 MB: solved, or refused in words whose advice helps. The limit of processor time ends a program that

@@ -8,7 +8,6 @@ module dg_deck_notes
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
-   use dg_load_case, only: rotates
    use dg_likely_unit, only: mud_question, unit_questions
    use dg_minimum_curvature, only: dogleg_between
    use dg_missing, only: is_missing, missing
@@ -92,34 +91,20 @@ contains
          call append_text(notes, 'more notes on components are left out')
          exit
       end do
-      call note_tools(draft, job, uses, notes)
+      call note_tools(draft, job, notes)
    end subroutine note_oddities
 
-   !> Note bent housings, pads and eccentric blades that a model, or a string that turns, leaves out.
-   subroutine note_tools(draft, job, uses, notes)
+   !> Note bent housings, pads and eccentric blades that a model leaves out.
+   subroutine note_tools(draft, job, notes)
       type(draft_type), intent(in) :: draft
       type(job_type), intent(in) :: job
-      type(string_use_type), intent(in) :: uses(:)
       type(text_type), allocatable, intent(inout) :: notes(:)
-      integer :: i, k
-      logical :: turns
+      integer :: i
       do i = 1, size(draft%components)
          associate (item => draft%components(i))
             if (has_bend(item%component)) call note_model(item%line, 'the bent housing')
             if (has_pad(item%component)) call note_model(item%line, 'the force of the pads')
             if (is_eccentric(item%component)) call note_model(item%line, 'the offset of the blades')
-            if (.not. (has_bend(item%component) .or. is_eccentric(item%component))) cycle
-            turns = .false.
-            do k = 1, size(draft%cases)
-               turns = turns .or. draft%cases(k)%load_case%string == item%string .and. &
-                       rotates(draft%cases(k)%load_case%operation)
-            end do
-            do k = 1, size(uses)
-               turns = turns .or. uses(k)%string == item%string .and. uses(k)%turns
-            end do
-            if (turns) call append_text(notes, 'group &component in line '//to_text(item%line)// &
-                                        ': operations that rotate are solved with '// &
-                                        trim(merge('a straight housing', 'centred blades    ', has_bend(item%component))))
          end associate
       end do
    contains

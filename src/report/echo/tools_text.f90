@@ -22,11 +22,12 @@ contains
       type(component_type), intent(in) :: part
       character(:), allocatable :: text
       text = ''
-      if (has_bend(part)) text = ', bent by '//shown(unit_angle, part%bend)//' at '//shown(unit_length, part%bend_position)
+      if (has_bend(part)) text = ', bent by '//shown(unit_angle, part%bend)//' at '//shown(unit_length, part%bend_position)// &
+         ', straight where the string rotates'
       if (has_pad(part)) text = text//', pushed by pads with '//shown(unit_force, part%pad_force)//' to '// &
          shown(unit_angle, part%pad_clock)//' at '//shown(unit_length, part%pad_position)
       if (is_eccentric(part)) text = text//', blades off centre by '//shown(unit_diameter, part%blade_offset)//' at '// &
-         shown(unit_angle, part%blade_clock)//' from the toolface'
+         shown(unit_angle, part%blade_clock)//' from the toolface, centred where the string rotates'
       if (.not. is_missing(part%sensor)) text = text//', survey sensor at '//shown(unit_length, part%sensor)
       if (abs(part%yield_loss - usual_yield_loss) > 0.0_wp) text = text//', yield loss '//shown(unit_loss, part%yield_loss)
       associate (rating => part%rating)
