@@ -34,12 +34,12 @@ module dg_run_cases
    use dg_stopping, only: stop_type
    use dg_study, only: phase_cases, run_type
    use dg_summary_file, only: write_summary
-   use dg_text, only: quoted, text_type, to_text
+   use dg_text, only: either, quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_utilisation, only: find_utilisation
    use dg_verdict, only: answer_yes, verdict_type
    use dg_verdict_table, only: verdict_table
-   use dg_warnings_table, only: warnings_table
+   use dg_warnings_table, only: doubt_of_deck, warnings_table
    use dg_well_head, only: well_head
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
@@ -140,6 +140,8 @@ contains
       logical, target :: solved(size(results))
       type(verdict_type) :: verdict
       integer :: row, next
+      logical :: doubt
+      doubt = doubt_of_deck(job, model, [case_result_type ::]) /= ''
       call start_progress(progress, 'load cases', '', job%quiet)
       solved = .false.
       do row = 1, size(results)      ! before threads begin: gfortran keeps the length of such a text in a static variable
@@ -164,7 +166,8 @@ contains
          if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)
          do while (next <= size(results))
             if (.not. solved(next)) exit
-            call note_outcome(place(job, model, number_of(next), case_of(next)), results(next), failures(next)%error, status)
+            call note_outcome(place(job, model, number_of(next), case_of(next)), results(next), failures(next)%error, doubt, &
+                              status)
             call write_case_files(job, model, results(next), alongs(next), status)
             next = next + 1
          end do
@@ -204,17 +207,19 @@ contains
       call solve_case(model, number, case_index, result, error, stop=stop)
    end subroutine solve_watched
 
-   !> Tells what went wrong with a case and raises the exit status by it.
-   subroutine note_outcome(where, result, error, status)
+   !> Tells what went wrong with a case and raises the exit status by it. Unusual numbers of the deck are the likeliest reason.
+   subroutine note_outcome(where, result, error, doubt, status)
       character(*), intent(in) :: where
       type(case_result_type), intent(in) :: result
       type(error_type), allocatable, intent(in) :: error
+      logical, intent(in) :: doubt             !< the deck has warnings
       integer, intent(inout) :: status
       if (allocated(error)) then
          call report_line(where//': '//error%message)
          status = graver(status, error%status)
       else if (result%status == result_not_converged .and. .not. is_interrupted()) then
-         call report_line(where//': did not converge; '//result%message)
+         call report_line(where//': did not converge; '//either('the deck has warnings, see them first. ', '', doubt)// &
+                          result%message)
          status = graver(status, status_not_converged)
       end if
    end subroutine note_outcome

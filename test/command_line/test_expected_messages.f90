@@ -129,6 +129,10 @@ contains
       call lose('element_length = 10.0', "max_iterations = 1 / &load_case name = 'm', operation = 'up', bit_depth = 900, "// &
                 "measured_hookload = 300 / &calibrate parameter = 'sticking', sticking_depth = 600, model = 'mcge'", &
                 "case 'm', model mcge: no solution; free string: ")
+      ! a case that does not converge names the warnings on the deck first
+      call lose('element_length = 10.0', 'max_iterations = 1, eps_n0 = 0.02', "did not converge; the deck has warnings, see "// &
+                'them first. No')
+      call lose('element_length = 10.0', 'max_iterations = 1', 'did not converge; No')
    contains
       subroutine lose(old, new, expected)
          character(*), intent(in) :: old, new, expected
