@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('overpull_left_out', test_overpull))
       call suite%addTest(TestMethod('reaming', test_reaming))
       call suite%addTest(TestMethod('depth_that_is_reached', test_reach))
+      call suite%addTest(TestMethod('depth_within_strengths_and_rig', test_limit_reach))
       call suite%addTest(TestMethod('locked_up_without_numbers', test_locked_up))
       call suite%addTest(TestMethod('no_empty_chart', test_no_empty_chart))
       call suite%addTest(TestMethod('less_weight_than_locks_up', test_less_weight))
@@ -269,6 +270,35 @@ contains
       run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(1.01_wp*reach)))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
    end subroutine test_reach
+
+   !> The same after a NO by hook load and by torque: yes at that depth, NO 2 % below it. Where torque on bit alone is more than the
+   !> top drive has, no depth is possible.
+   subroutine test_limit_reach()
+      character(*), parameter :: models(2) = ['soft', 'mcge']
+      type(run_type) :: run
+      integer :: i
+      do i = 1, 2
+         call check(models(i), "operation = 'up'", 'max_hookload = 500', 'max_hookload = 180')
+         call check(models(i), "operation = 'rotary', wob = 5, tob = 3", 'max_torque = 30', 'max_torque = 10')
+      end do
+      run = run_deck_text(deck("operation = 'rotary', wob = 30, tob = 31", .false.))
+      call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'No shallower bit depth is possible either') > 0, message=run%output)
+   contains
+      subroutine check(model, loads, old, new)
+         character(*), intent(in) :: model, loads, old, new
+         character(:), allocatable :: text, depth
+         real(wp) :: reach
+         text = replaced(replaced(deck(loads, .false.), "models = 'soft'", "models = '"//model//"'"), old, new)
+         run = run_deck_text(text)
+         depth = number_after(run%output(index(run%output, newline//'slide '):), 'Deepest bit depth possible: about ')
+         read (depth, *) reach
+         run = run_deck_text(replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(reach)))
+         call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=depth//' told: '//run%output)
+         run = run_deck_text(replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(1.02_wp*reach)))
+         call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=depth//' told: '//run%output)
+      end subroutine check
+   end subroutine test_limit_reach
 
    !> The number behind words of a text; '0' where they are absent.
    function number_after(text, words) result(number)

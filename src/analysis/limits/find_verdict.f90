@@ -6,13 +6,15 @@
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
-   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
+   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, &
+                                  passed_weight, weight_share
    use dg_fluid_pressure, only: hanger_pull, is_hung, surface_push
    use dg_job, only: model_mcge
+   use dg_limit_reach, only: find_limit_reach
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
@@ -22,7 +24,7 @@ module dg_find_verdict
    use dg_turning_loads, only: find_turning_loads
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
-   use dg_utilisation, only: as_much, find_utilisation, limit_von_mises, utilisation_type
+   use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_left_out, &
                          note_uncertain, set_name, verdict_type
@@ -30,7 +32,7 @@ module dg_find_verdict
    use dg_whole_string, only: whole_string_type
    implicit none
    private
-   public :: find_verdict, passed_weight
+   public :: find_verdict
 
    !> Number of halvings of an overpull.
    integer, parameter :: halvings = 16
@@ -86,6 +88,8 @@ contains
             if (verdict%friction /= friction_upper_end_alone .and. block_way(load_case%operation) <= 0) &
                call find_ways_down(model, result, verdict)
          end if
+         if (wants_reach(model, result, verdict)) &
+            call find_limit_reach(model, result, whole%utilisation, design, rig_limit, verdict%reach)
          if (verdict%part > 0) &
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate
@@ -99,6 +103,19 @@ contains
       logical :: cannot
       cannot = result%model == model_mcge .and. result%coiled .and. rotates(model%cases(result%case_index)%operation)
    end function cannot_scale
+
+   !> True for a NO by strengths, slips or rig alone that a shallower bit may mend.
+   pure function wants_reach(model, result, verdict) result(wants)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      type(verdict_type), intent(in) :: verdict
+      logical :: wants
+      associate (load_case => model%cases(result%case_index))
+         wants = verdict%answer == answer_no .and. verdict%limit <= limit_count .and. load_case%wob >= 0.0_wp .and. &
+                 verdict%friction /= friction_upper_end_alone .and. .not. is_hung(model, load_case) .and. &
+                 .not. cannot_scale(model, result)
+      end associate
+   end function wants_reach
 
    !> True for a NO by string weight or lock-up of a string that moves along the hole without turning.
    pure function lacks_weight(load_case, verdict) result(lacks)
@@ -347,26 +364,6 @@ contains
          verdict%md%present = .false.
       end associate
    end subroutine judge_weight
-
-   !> Limit of the string's weight that a converged result passes; 0: none.
-   !> - string weight: the hook load is below zero
-   !> - lock-up: the friction of helical buckling takes it, which only beams have in their hook load
-   !> It is 0 if the survey begins below surface.
-   pure function passed_weight(model, method, case_index, hookload, largest) result(limit)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: method        !< number of the model that was solved (dg_job)
-      integer, intent(in) :: case_index
-      real(wp), intent(in) :: hookload     !< [N]
-      real(wp), intent(in) :: largest      !< largest axial force along the string, absolute, the scale of round-off [N]
-      integer :: limit
-      limit = 0
-      if (top_md(model%trajectory) > 0.0_wp) return
-      if (is_pushed(hookload + hanger_pull(model, case_index), [largest])) then
-         limit = limit_string_weight
-      else if (method /= model_mcge) then
-         if (locks_up(model, case_index)) limit = limit_lock_up
-      end if
-   end function passed_weight
 
    !> Judge the hours of rotation until fatigue of pipe or connections. They decide if the case uses more of them than of other
    !> limits, and no other limit is passed. Fatigue counts as checked if the bending has endless life, or the damage is known.

@@ -6,9 +6,9 @@ module dg_friction_reserve
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_case_result, only: case_result_type
+   use dg_case_result, only: case_result_type, is_pushed
    use dg_design_factors, only: design_factors_type
-   use dg_fluid_pressure, only: surface_push
+   use dg_fluid_pressure, only: hanger_pull, surface_push
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: block_way, load_case_type, rotates
    use dg_missing, only: given, optional_real
@@ -18,9 +18,10 @@ module dg_friction_reserve
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
    use dg_verdict, only: limit_lock_up, limit_string_weight
+   use dg_weight_on_bit, only: locks_up
    implicit none
    private
-   public :: find_friction_reserve, find_possible_friction, find_shifted, own_weight, weight_share
+   public :: find_friction_reserve, find_possible_friction, find_shifted, own_weight, passed_weight, weight_share
 
    !> Smallest and largest factor of the search, and its accuracy [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
@@ -233,4 +234,24 @@ contains
          share = merge(locked, 0.0_wp, result%hookload < 0.0_wp)
       end if
    end function weight_share
+
+   !> Limit of the string's weight that a converged result passes; 0: none.
+   !> - string weight: the hook load is below zero
+   !> - lock-up: the friction of helical buckling takes it, which only beams have in their hook load
+   !> It is 0 if the survey begins below surface.
+   pure function passed_weight(model, method, case_index, hookload, largest) result(limit)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: method        !< number of the model that was solved (dg_job)
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: hookload     !< [N]
+      real(wp), intent(in) :: largest      !< largest axial force along the string, absolute, the scale of round-off [N]
+      integer :: limit
+      limit = 0
+      if (top_md(model%trajectory) > 0.0_wp) return
+      if (is_pushed(hookload + hanger_pull(model, case_index), [largest])) then
+         limit = limit_string_weight
+      else if (method /= model_mcge) then
+         if (locks_up(model, case_index)) limit = limit_lock_up
+      end if
+   end function passed_weight
 end module dg_friction_reserve

@@ -64,7 +64,7 @@ module dg_verdict
       logical :: packer_pushes = .false.            !< pressures at a packer also take it
       logical :: buckled_by_formula = .false.       !< above the published load; else by beams
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
-      type(optional_real) :: reach                  !< no, going down: depth that the string reaches by its weight, 0: none [m]
+      type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is also passed
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
       logical :: weight_alone = .false.             !< no by lock-up without a solution: only limits by pressure are known

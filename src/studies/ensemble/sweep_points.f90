@@ -6,7 +6,7 @@ module dg_sweep_points
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
-   use dg_find_verdict, only: passed_weight
+   use dg_friction_reserve, only: passed_weight
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name, model_soft
    use dg_load_case, only: operation_label
