@@ -284,7 +284,19 @@ contains
       run = run_deck_text(deck("operation = 'rotary', wob = 30, tob = 31", .false.))
       call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), 'No shallower bit depth is possible either') > 0, message=run%output)
+      call assertEqual(3, unsolved('31', 'NO       Rotary drilling at 15000 ft. Torque of the top drive: 31 kft.lbf at the bit '// &
+                                   'alone, 30 kft.lbf allowed, 1 kft.lbf too much. Not solved: other limits are not checked'))
+      call assertEqual(3, unsolved('29', 'unknown  Rotary drilling at 15000 ft. Not converged'))
    contains
+      !> Exit status of a case that has not converged, with a torque on bit [kft.lbf] and its answer.
+      integer function unsolved(tob, answer)
+         character(*), intent(in) :: tob, answer
+         run = run_deck_text(replaced(deck("operation = 'rotary', wob = 30, tob = "//tob, .false.), "'soft'", "'mcge'")// &
+                             '&solver max_iterations = 1 /'//newline)
+         unsolved = run%status
+         call assertTrue(index(unwrapped(run%output), newline//'slide  '//answer) > 0, message=run%output)
+      end function unsolved
+
       subroutine check(model, loads, old, new)
          character(*), intent(in) :: model, loads, old, new
          character(:), allocatable :: text, depth

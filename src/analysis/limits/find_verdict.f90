@@ -21,7 +21,7 @@ module dg_find_verdict
    use dg_packer, only: packer_push
    use dg_passed_pressure, only: find_passed_pressure
    use dg_trajectory, only: top_md
-   use dg_turning_loads, only: find_turning_loads
+   use dg_turning_loads, only: find_turning_loads, judge_bit_torque
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
    use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_von_mises, utilisation_type
@@ -39,7 +39,7 @@ module dg_find_verdict
 
 contains
 
-   !> Find the verdict of a result. It is unknown if the case has not converged. `whole` is only read if it has.
+   !> Find the verdict of a result. It is unknown or no if the case has not converged. `whole` is only read if it has.
    pure subroutine find_verdict(model, result, whole, design, rig_limit, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -52,7 +52,7 @@ contains
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
-            verdict%weight_alone = .true.
+            verdict%alone = .true.
             call find_passed_pressure(model, result%case_index, design, verdict%also, verdict%also_load, verdict%also_allowed, &
                                       verdict%pressures_judged)
             if (block_way(load_case%operation) <= 0) then
@@ -80,6 +80,9 @@ contains
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
             if (block_way(load_case%operation) < 0) call note_left_out(result%left_out_friction, result%hookload, verdict)
+         else
+            call judge_bit_torque(model, result%case_index, verdict)
+            return
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
             call judge_without_load(model, model, result, design, rig_limit, verdict)

@@ -1,20 +1,20 @@
-!> Loads at surface of a string that does not go down, or up, by itself, if it were turned.
+!> Loads at surface of a string that does not go down, or up, by itself, if it were turned. Torque on bit beyond the top drive.
 module dg_turning_loads
    use dg_kinds, only: wp
    use dg_component, only: is_coiled_tubing
    use dg_drillstring, only: component_tops, topmost
    use dg_fluid_pressure, only: surface_push
-   use dg_load_case, only: operation_rotary_drilling
+   use dg_load_case, only: operation_rotary_drilling, rotates
    use dg_missing, only: given
    use dg_model, only: model_type, string_index
    use dg_pipe_strength, only: torsional_strength
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_trajectory, only: top_md
-   use dg_utilisation, only: has_rating, limit_joint_torsion, limit_makeup, limit_torsion
-   use dg_verdict, only: verdict_type
+   use dg_utilisation, only: has_rating, limit_joint_torsion, limit_makeup, limit_top_drive, limit_torsion
+   use dg_verdict, only: answer_no, verdict_type
    implicit none
    private
-   public :: find_turning_loads
+   public :: find_turning_loads, judge_bit_torque
 
    !> Least hook load over the weight or contact force of a string that is more than round-off [-].
    real(wp), parameter :: least_hookload = 1.0e-6_wp
@@ -60,4 +60,22 @@ contains
       verdict%turning_hookload = given(axial(1))
       verdict%turning_torque = given(abs(torque(1)))
    end subroutine find_turning_loads
+
+   !> Judge a rotating case without a solution. It is impossible if torque on bit alone is more than the top drive has, as
+   !> friction adds to it.
+   pure subroutine judge_bit_torque(model, case_index, verdict)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(verdict_type), intent(inout) :: verdict
+      associate (load_case => model%cases(case_index), most => model%rig%max_torque)
+         if (.not. (most%present .and. rotates(load_case%operation))) return
+         if (.not. load_case%tob > most%value) return
+         verdict%answer = answer_no
+         verdict%limit = limit_top_drive
+         verdict%used = given(load_case%tob/most%value)
+         verdict%load = given(load_case%tob)
+         verdict%allowed = most
+         verdict%alone = .true.
+      end associate
+   end subroutine judge_bit_torque
 end module dg_turning_loads

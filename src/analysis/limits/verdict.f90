@@ -67,7 +67,7 @@ module dg_verdict
       type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is also passed
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
-      logical :: weight_alone = .false.             !< no by lock-up without a solution: only limits by pressure are known
+      logical :: alone = .false.                    !< no without a solution: of the other limits only pressure is known
       logical :: pressures_judged = .false.         !< burst or collapse of such a string has been judged
       type(optional_real) :: most_pull              !< no, pulling: largest overpull with which no limit is passed [N]
       integer :: pull_limit = 0                     !< limit that is passed with more

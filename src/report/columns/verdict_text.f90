@@ -79,7 +79,7 @@ contains
          text = text//'Model mcge solves its bending'
       case default
          text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
-                load_text(units, verdict%limit, verdict%load%value)
+                load_text(units, verdict%limit, verdict%load%value)//either(' at the bit alone', '', verdict%alone)
          if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed, '// &
             load_text(units, verdict%limit, verdict%load%value - verdict%allowed%value)//' too much'
          if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)//' of overpull at the bit'
@@ -202,13 +202,13 @@ contains
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
             text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
-         else if (verdict%weight_alone) then
+         else if (verdict%alone) then
             text = text//'. String weight is enough below about '//times_text(verdict, verdict%possible_friction%value)
          else
             text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
-      if (verdict%weight_alone) text = text//'. Not solved: '// &
+      if (verdict%alone) text = text//'. Not solved: '// &
          either('of the other limits only pressure is checked', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
 
