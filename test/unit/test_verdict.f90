@@ -308,9 +308,9 @@ contains
       call assertEqual(limit_string_weight, verdict%limit)
       allocate (character(0) :: text)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'Nearest of the limits checked: string weight along the hole, WOB takes 204 of 341 kN, '// &
-                            '60 % used, ') == 1, message=text)
-      call assertTrue(index(text, ' left on the hook') > 0, message=text)
+      call assertTrue(index(text, 'Nearest of the limits checked: string weight along the hole (341 kN), WOB takes 204 kN '// &
+                            'of it, 60 % used, ') == 1, message=text)
+      call assertTrue(index(text, ' left as hook load') > 0, message=text)
       call assertTrue(any(verdict%not_checked), message='the rig has no limit')
       verdict%not_checked = .false.
       text = verdict_sentences(si_units(), model%cases(1), verdict)

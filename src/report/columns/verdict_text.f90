@@ -243,18 +243,21 @@ contains
       else
          text = either('Nearest of the limits checked', 'Nearest limit', any(verdict%not_checked))
       end if
-      text = text//': '//shown_title(verdict%limit)//place_text(units, verdict)//', '
-      if (verdict%limit == limit_string_weight) then
-         text = text//takers_text(load_case, verdict)//' '
-      end if
+      text = text//': '//shown_title(verdict%limit)//place_text(units, verdict)
       by_wob = any(verdict%limit == [limit_lock_up, limit_wob_yield])
-      if (by_wob) text = text//'WOB '
-      if (verdict%allowed%present) text = text//number_text(units, verdict%limit, verdict%load%value)//' of '// &
-         load_text(units, verdict%limit, verdict%allowed%value)//either(' by the soft string, ', ', ', by_wob)
+      if (verdict%limit == limit_string_weight) then
+         text = text//' ('//force_text(units, verdict%allowed%value)//'), '//takers_text(load_case, verdict)//' '// &
+                force_text(units, verdict%load%value)//' of it, '
+      else if (verdict%allowed%present) then
+         text = text//either(', WOB ', ', ', by_wob)//number_text(units, verdict%limit, verdict%load%value)//' of '// &
+                load_text(units, verdict%limit, verdict%allowed%value)//either(' by the soft string, ', ', ', by_wob)
+      else
+         text = text//either(', WOB ', ', ', by_wob)
+      end if
       text = text//used_text(verdict%used%value)//' % used'
       if (verdict%allowed%present .and. .not. by_wob) text = text//', '// &
          load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
-      if (verdict%limit == limit_string_weight) text = text//' on the hook'
+      if (verdict%limit == limit_string_weight) text = text//' as hook load'
    end function nearest_text
 
    !> Used part of a limit in percent; 100 only where all of it is used.
