@@ -169,6 +169,7 @@ contains
       call assertTrue(has(lines, 'Inclined       up                    0.0      733.4     880.0     0.39     -17.29'// &
                           '        -     883.4         -     -'), message='up')
       call assertTrue(contains_text(lines, 'Weight indicator, block included, against measurement: mean error'))
+      call assertTrue(contains_text(lines, '(no block)') .and. contains_text(lines, '(+ block)'), message='hook load and indicator')
       do i = 1, size(lines)
          call assertLessThanOrEqual(len(lines(i)%text), page_width, message=lines(i)%text)
       end do

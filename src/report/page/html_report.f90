@@ -198,6 +198,8 @@ contains
          '<p>error: difference between calculated and measured '// &
          trim(merge('weight indicator', 'hook load       ', model%rig%given))//', in percent of the measured value. '// &
          'reference error: the same for the reference hook load.</p>')
+      if (model%rig%given) call add_line(lines, '<p>hook load: of the string, without the block. weight indicator: with '// &
+         'block_weight of &amp;rig.</p>')
       call append_summary(lines, job, model, results, wholes, page_columns)
    end subroutine append_results
 

@@ -67,13 +67,15 @@ contains
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      character(:), allocatable :: head
       integer :: least, most
+      head = '<li>Hook load'//either(' without the block: ', ': ', model%rig%given)
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
-         call add_line(lines, '<li>Hook load: '//said_number(job%units, unit_force, results(1)%hookload, few)//'.</li>')
+         call add_line(lines, head//said_number(job%units, unit_force, results(1)%hookload, few)//'.</li>')
       else
-         call add_line(lines, '<li>Hook load: from '// &
+         call add_line(lines, head//'from '// &
                        said_number(job%units, unit_force, results(least)%hookload, few)//' ('// &
                        html_safe(model%cases(results(least)%case_index)%name)//') to '// &
                        said_number(job%units, unit_force, results(most)%hookload, few)//' ('// &

@@ -39,7 +39,7 @@ module dg_table_1
       number_type('error', 'Relative|error|', 9, 2, for_measured), &
       number_type('friction', 'Frictional|resistance|(drag)', 11, 2, for_moving), &
       number_type('torque', 'Torque|at|surface', 9, 2, for_turning), &
-      number_type('weight_indicator', 'Weight|indicator|', 10, 1, for_rigs), &
+      number_type('weight_indicator', 'Weight|indicator|(+ block)', 10, 1, for_rigs), &
       number_type('reference', 'Reference|hook load|', 10, 1, for_reference), &
       number_type('reference_error', 'Ref.|error|', 6, 2, for_reference)]
 
@@ -167,13 +167,18 @@ contains
       end do
    end subroutine add_case
 
-   !> Head of a column. With &rig measured values are those of the indicator.
+   !> Head of a column. With &rig measured values are those of the indicator, and hook loads say that they have no block.
    pure function head_of(column, layout) result(head)
       integer, intent(in) :: column
       type(layout_type), intent(in) :: layout
       character(:), allocatable :: head
       head = trim(numbers(column)%head)
-      if (numbers(column)%name == 'measured' .and. any(layout%shown .and. numbers%rows == for_rigs)) head = 'Measured|indicator|'
+      if (.not. any(layout%shown .and. numbers%rows == for_rigs)) return
+      select case (numbers(column)%name)
+      case ('measured'); head = 'Measured|indicator|'
+      case ('hookload', 'reference'); head = head//'(no block)'
+      case default       ! of any run
+      end select
    end function head_of
 
    !> True if a column applies to a case. As in the paper, friction belongs to axial motion and torque to rotation. Torque on
