@@ -210,12 +210,16 @@ contains
                        verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_verdict
 
-   !> Ratings that are lacking are named where a component of the string has one.
+   !> Ratings that are lacking are named where a component of the string has one. Without any, tension stands for connections.
    subroutine test_not_checked()
       type(model_type) :: model
       type(case_result_type) :: result
       type(verdict_type) :: verdict
       call build(model, result)
+      call judge(model, result, verdict)
+      call assertEqual(1, count(verdict%not_checked(joint_ratings)))
+      call assertTrue(verdict%not_checked(limit_joint_tension))
+      model%strings(1)%components(1)%makeup_torque = 1.0e4_wp
       call judge(model, result, verdict)
       call assertFalse(any(verdict%not_checked(joint_ratings)))
       model%strings(1)%components(1)%rating%tension = 1.0_wp

@@ -443,9 +443,9 @@ contains
       call judge(model, given(1.0e7_wp), verdict)
       allocate (character(0) :: names)
       names = unchecked_codes(verdict)
-      call assertEqual('joint_torsion make_up_torque slips fatigue', names)
+      call assertEqual('joint_torsion make_up_torque slips joint_tension fatigue', names)
       names = unchecked_text(verdict%not_checked, model%strings(1)%components)
-      call assertEqual('joint torsion, make-up torque, slips, fatigue', names)
+      call assertEqual('connections (no make-up torque or rating), slips, fatigue', names)
       ! one part more, which alone has a joint torsion and no yield
       model%strings(1)%components = [model%strings(1)%components, model%strings(1)%components(1)]
       model%strings(1)%components(1)%kind = 'drillpipe'

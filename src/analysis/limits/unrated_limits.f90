@@ -1,6 +1,7 @@
 !> Limits that apply to a load case and have no rating in the deck.
 module dg_unrated_limits
    use dg_kinds, only: wp
+   use dg_component, only: is_coiled_tubing
    use dg_connection_rating, only: is_rated
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_tops, topmost
@@ -8,8 +9,8 @@ module dg_unrated_limits
    use dg_missing, only: optional_real
    use dg_model, only: hold_fixed, hold_free, model_type, string_index
    use dg_trajectory, only: top_md
-   use dg_utilisation, only: has_rating, joint_ratings, lacks_rating, limit_joint_torsion, limit_makeup, limit_rig, limit_slips, &
-                             limit_top_drive, limit_torsion, part_limits
+   use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_joint_tension, limit_joint_torsion, &
+                             limit_makeup, limit_rig, limit_slips, limit_top_drive, limit_torsion, part_limits
    use dg_verdict, only: limit_fatigue, limit_joint_fatigue, limit_packer_force, limit_seal_travel
    implicit none
    private
@@ -36,6 +37,8 @@ contains
          end do
          if (.not. turns) unrated([limit_torsion, limit_joint_torsion, limit_makeup]) = .false.
          if (.not. any(is_rated(parts%rating))) unrated(joint_ratings) = .false.
+         ! connections carry the pull of the pipe, also of one that does not turn
+         if (.not. any(has_joint_rating(parts))) unrated(limit_joint_tension) = .not. any(is_coiled_tubing(parts))
          top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
          unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp)
       end associate

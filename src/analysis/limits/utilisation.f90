@@ -25,7 +25,7 @@ module dg_utilisation
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name, has_rating, &
+   public :: utilisation_type, find_utilisation, limit_count, limit_name, governing_name, has_rating, has_joint_rating, &
              lacks_rating, part_limits
    public :: limit_von_mises, limit_tension, limit_torsion, limit_joint_torsion, limit_makeup, limit_burst, limit_collapse, &
              limit_slips, limit_rig, limit_top_drive, limit_joint_tension, limit_joint_compression, limit_joint_burst, &
@@ -215,6 +215,13 @@ contains
       case default; has = .false.
       end select
    end function has_rating
+
+   !> True if the deck gives a component any strength of its connections.
+   elemental function has_joint_rating(part) result(has)
+      type(component_type), intent(in) :: part
+      logical :: has
+      has = has_rating(part, limit_joint_torsion) .or. has_rating(part, limit_makeup) .or. is_rated(part%rating)
+   end function has_joint_rating
 
    !> True if a component needs the strength of a limit and lacks it. All but the bit need a yield strength. Pipe also needs
    !> strengths of its joints. Only for the limits of components.

@@ -4,7 +4,8 @@ module dg_unchecked_text
    use dg_component, only: component_type
    use dg_fatigue_curve, only: fatigue_none
    use dg_text, only: either, to_text
-   use dg_utilisation, only: has_rating, lacks_rating, limit_burst, limit_collapse, limit_tension, limit_torsion, limit_von_mises
+   use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_burst, limit_collapse, &
+                             limit_joint_tension, limit_joint_torsion, limit_makeup, limit_tension, limit_torsion, limit_von_mises
    use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
    implicit none
    private
@@ -12,20 +13,26 @@ module dg_unchecked_text
 
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
+   !> Limits of connections.
+   integer, parameter :: by_joint(7) = [limit_joint_torsion, limit_makeup, joint_ratings]
 
 contains
 
-   !> Names of limits that were not checked, one name for all that need a yield strength. Components that lack the rating are
-   !> named if others have it.
+   !> Names of limits that were not checked. All that need a yield strength have one name, all of connections too if no component
+   !> has a rating of them. Components that lack the rating are named if others have it.
    pure function unchecked_text(not_checked, components) result(text)
       logical, intent(in) :: not_checked(:)      !< one for each limit (dg_verdict)
       type(component_type), intent(in) :: components(:)
       character(:), allocatable :: text
+      logical :: bare
       integer :: i
       text = ''
+      bare = .not. any(has_joint_rating(components))
       if (not_checked(limit_tension)) text = 'pipe strength'//unrated_names(components, limit_tension)//' (no yield)'
+      if (bare .and. not_checked(limit_joint_tension)) text = text//either(', ', '', text /= '')// &
+         'connections (no make-up torque or rating)'
       do i = 1, every_limit_count
-         if (.not. not_checked(i) .or. any(by_yield == i)) cycle
+         if (.not. not_checked(i) .or. any(by_yield == i) .or. (bare .and. any(by_joint == i))) cycle
          if (text /= '') text = text//', '
          text = text//trim(limit_title(i))//unrated_names(components, i)
          if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &

@@ -250,7 +250,7 @@ contains
    end function room_of_held_bit
 
    !> True for coiled tubing, which cannot be turned.
-   pure function is_coiled_tubing(component) result(is)
+   elemental function is_coiled_tubing(component) result(is)
       type(component_type), intent(in) :: component
       logical :: is
       is = .false.
