@@ -88,6 +88,7 @@ contains
       call assertTrue(index(run%output, 'WOB where buckling begins   0.0 klbf (slide, buckles without WOB)') > 0, &
                       message=run%output)
       call assertTrue(index(run%output, newline//'! cannot be done') > 0, message=run%output)
+      call assertTrue(index(run%output, newline//'    without MWD, jar (no yield)'//newline) > 0, message=run%output)
       allocate (rows, source=lines_of(results_path//'/summary.csv'))
       if (anyExceptions()) return
       call assertEqual('can_be_done', field(rows(1)%text, col_answer))

@@ -3,13 +3,14 @@ module dg_unchecked_text
    use dg_kinds, only: wp
    use dg_component, only: component_type
    use dg_fatigue_curve, only: fatigue_none
+   use dg_model, only: model_type
    use dg_text, only: either, to_text
    use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_burst, limit_collapse, &
                              limit_joint_tension, limit_joint_torsion, limit_makeup, limit_tension, limit_torsion, limit_von_mises
    use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
    implicit none
    private
-   public :: unchecked_text, unchecked_codes, uncertain_codes
+   public :: unchecked_text, unchecked_codes, uncertain_codes, components_without_yield
 
    !> Limits that all need one thing, the yield strength.
    integer, parameter :: by_yield(5) = [limit_von_mises, limit_tension, limit_torsion, limit_burst, limit_collapse]
@@ -40,6 +41,15 @@ contains
                    all(components%fatigue%exponent > 0.0_wp .or. components%fatigue%curve == fatigue_none)))//')'
       end do
    end function unchecked_text
+
+   !> Names of the components without a yield strength, of all strings; '' where none or all lack it.
+   pure function components_without_yield(model) result(names)
+      type(model_type), intent(in) :: model
+      character(:), allocatable :: names
+      integer :: i
+      names = unrated_names([(model%strings(i)%components, i=1, size(model%strings))], limit_tension)
+      names = names(min(len(' of '), len(names)) + 1:)
+   end function components_without_yield
 
    !> ' of NAME and NAME' of the components that lack a rating; '' where all that need one lack it.
    pure function unrated_names(components, limit) result(text)

@@ -28,6 +28,7 @@ module dg_html_report
    use dg_summary_file, only: summary_row
    use dg_table_1, only: page_columns
    use dg_text, only: text_type, to_text
+   use dg_unchecked_text, only: components_without_yield
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
    use dg_warnings_table, only: warning_sentences, warnings_heading
@@ -244,9 +245,12 @@ contains
       type(row_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
       logical, allocatable :: marked(:)
+      character(:), allocatable :: left_out
       integer :: i, k, columns
+      left_out = components_without_yield(model)
+      if (left_out /= '') left_out = ': they leave out '//left_out
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
-                    'the limit. Safety factors need a yield strength in the deck.</p>')
+                    'the limit. Safety factors need a yield strength in the deck'//html_safe(left_out)//'.</p>')
       call add_line(lines, '<p>Neutral point: the uppermost one, tension above, compression below. Overpull margin: pull '// &
                     'that may be added at the top until the pipe yields, bending included. Margin to rig limit: pull until '// &
                     'the limit of the rig. The smaller one counts. WOB at lock-up: WOB at zero hook load with friction of '// &

@@ -15,9 +15,10 @@ module dg_limits_table
    use dg_load_case, only: operation_static
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
-   use dg_number_text, only: fixed_text
+   use dg_number_text, only: append_wrapped, fixed_text
    use dg_text, only: append_text, either, lower_case, text_type, to_text
    use dg_trajectory, only: top_md
+   use dg_unchecked_text, only: components_without_yield
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_pressure, unit_stress, unit_factor, &
                            unit_label
    use dg_units, only: unit_system_type
@@ -68,6 +69,7 @@ contains
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), dimension(size(results)) :: numbers, nowhere
       type(text_type) :: names(size(results)), deciders(size(results))
+      character(:), allocatable :: left_out
       real(wp) :: turns
       integer :: i
       do i = 1, size(results)
@@ -93,6 +95,9 @@ contains
                           (wholes%least_standoff_md), .false.)
       call append_extreme(lines, units, names, 'Least safety against yield', quantity_none, 2, &
                           (wholes%least_safety), (wholes%least_safety_md), .false.)
+      left_out = components_without_yield(model)
+      if (left_out /= '' .and. any(wholes%least_safety%present)) &
+         call append_wrapped(lines, '    without '//left_out//' (no yield)')
       call find_overpull(wholes, numbers, deciders)
       do i = 1, size(results)
          deciders(i)%text = names(i)%text//', '//deciders(i)%text
