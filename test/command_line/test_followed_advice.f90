@@ -150,8 +150,8 @@ contains
    !> Advice on a case that does not converge. Model soft gives its hook load: a torque on bit of 5000 kft.lbf. A case that
    !> converges one day needs another in its place.
    subroutine test_not_converged()
-      character(*), parameter :: advice = 'No setting of &solver is known to help. Check the loads of this case. '// &
-                                         'Model soft gives hook load and torque without bending stiffness'
+      character(*), parameter :: advice = 'Check the loads of this case: no setting of &solver is known to help. '// &
+                                         'Model soft solves it without bending stiffness'
       call follow("&job units = 'field', models = 'mcge', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
                   '&trajectory md = 0, 2000, 8200, 9200, 15000, inc = 0, 0, 0, 90, 90, azi = 5*178 /'//newline// &
                   '&hole diameter = 8.5, friction = 0.3 /'//newline//'&fluid density = 9.6 /'//newline// &
@@ -163,15 +163,16 @@ contains
    !> Pipe that rubs between its joints where it is buckled: its hook load or torque changes, or it locks up. No such message for
    !> joints that fill their spacing, and for pipe with centralizers.
    subroutine test_bowed_pipe()
-      character(*), parameter :: left_out = 'Smeared joints leave out the friction there', sliding = "'sliding_drilling'", &
+      character(*), parameter :: left_out = 'Smeared tool joints leave out the friction of buckled pipe between them', &
+                                 sliding = "'sliding_drilling'", &
                                  unsure = 'UNCERTAIN: smeared tool joints leave out friction'
       type(run_type) :: run
-      call follow(slid_pipe('140'), left_out//', about 39 kN of hook load. This is a rough number by the soft string, '// &
-                  'beams often find more. Set tool_joints', "'smeared'", "'discrete'", 0)
-      call follow(slid_pipe('260'), left_out//'. The string may lock up by that friction. Set tool_joints', &
+      call follow(slid_pipe('140'), left_out//', roughly 39 kN of hook load, by beams often more. Set tool_joints', &
                   "'smeared'", "'discrete'", 0)
-      call follow(replaced(slid_pipe('140'), sliding, "'rotary_drilling'"), ' of torque. This is a rough number by the soft '// &
-                  'string. Set tool_joints', "'smeared'", "'discrete'", 0)
+      call follow(slid_pipe('260'), left_out//'. The string may lock up by it. Set tool_joints', &
+                  "'smeared'", "'discrete'", 0)
+      call follow(replaced(slid_pipe('140'), sliding, "'rotary_drilling'"), ' of torque. Set tool_joints', "'smeared'", &
+                  "'discrete'", 0)
       run = run_deck_text(longer(slid_pipe('140'), '1200'))
       call assertTrue(index(unwrapped(run%output), unsure) > 0, message=run%output)
       run = run_deck_text(replaced(longer(slid_pipe('140'), '1200'), "'smeared'", "'discrete'"))

@@ -17,10 +17,8 @@ module dg_bowed_pipe
    !> Friction that is left out, over weight, above which answers consider it [-].
    real(wp), parameter :: considered = 1.0e-3_wp
    !> Parts of the message.
-   character(*), parameter :: left_out = 'Buckled pipe touches the hole between its tool joints, too. Smeared joints leave '// &
-                                         'out the friction there'
-   character(*), parameter :: rough = 'This is a rough number by the soft string', &
-                              advice = "Set tool_joints = 'discrete' in &solver"
+   character(*), parameter :: left_out = 'Smeared tool joints leave out the friction of buckled pipe between them', &
+                              advice = ". Set tool_joints = 'discrete' in &solver"
    !> Digits of a force or torque in a message.
    integer, parameter :: shown = 2
 
@@ -46,13 +44,13 @@ contains
       if (change(1) > considered*totals%weight) result%left_out_friction = change(1)
       if (totals_apart%runaway .or. change(1) > totals%weight) then
          result%left_out_friction = huge(1.0_wp)
-         call add_message(result, left_out//'. The string may lock up by that friction. '//advice)
+         call add_message(result, left_out//'. The string may lock up by it'//advice)
       else if (change(1) > noticeable*max(abs(result%hookload), totals%weight)) then
-         call add_message(result, left_out//', about '//in_units(model%units, unit_force, change(1), shown)// &
-                          ' of hook load. '//rough//', beams often find more. '//advice)
+         call add_message(result, left_out//', roughly '//in_units(model%units, unit_force, change(1), shown)// &
+                          ' of hook load, by beams often more'//advice)
       else if (change(2) > noticeable*abs(smeared(2))) then
-         call add_message(result, left_out//', about '//in_units(model%units, unit_moment, change(2), shown)// &
-                          ' of torque. '//rough//'. '//advice)
+         call add_message(result, left_out//', roughly '//in_units(model%units, unit_moment, change(2), shown)// &
+                          ' of torque'//advice)
       end if
    end subroutine note_bowed_pipe
 

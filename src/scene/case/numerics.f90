@@ -11,7 +11,7 @@ module dg_numerics
    public :: numerics_type, default_wall, patience, settings_of_attempt, visit_numerics
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
-   public :: fidelity_name, settings_of, set_fidelity, other_location
+   public :: fidelity_name, settings_of, set_fidelity
    public :: solver_banded, solver_block, solver_name, solver_sparse
 
    integer, parameter :: gap_at_extremum = 1 !< the paper's x0, Eq. 2

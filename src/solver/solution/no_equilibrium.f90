@@ -4,10 +4,9 @@ module dg_no_equilibrium
    use dg_case_result, only: case_result_type, result_not_converged
    use dg_drillstring, only: component_at, component_tops
    use dg_model, only: model_type, string_index
-   use dg_numerics, only: gap_at_nodes, numerics_type, other_location
+   use dg_numerics, only: numerics_type
    use dg_text, only: either, to_text
    use dg_trajectory, only: top_md
-   use dg_tuning, only: attempt_type
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
@@ -41,33 +40,19 @@ contains
       end associate
    end subroutine add_place
 
-   !> Adds the attempts on one mesh to a list in words: 'elements up to 5 m (usual start, soft walls)'.
+   !> Adds the attempts on one mesh to a list in words: 'elements up to 5 m (2 starts), 1.2 m (1)'.
    pure subroutine list_tried(model, longest, attempts, text)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: longest                   !< length of an element [m]
-      type(attempt_type), intent(in) :: attempts(:)     !< in their order
+      integer, intent(in) :: attempts
       character(:), allocatable, intent(inout) :: text
-      integer :: i
+      character(:), allocatable :: mesh
+      mesh = in_units(model%units, unit_length, longest, shown)//' ('//to_text(attempts)
       if (allocated(text)) then
-         text = text//', '
+         text = text//', '//mesh//')'
       else
-         text = ''
+         text = 'elements up to '//mesh//either(' start)', ' starts)', attempts == 1)
       end if
-      text = text//'elements up to '//in_units(model%units, unit_length, longest, shown)
-      do i = 1, size(attempts)
-         text = text//merge(' (', ', ', i == 1)
-         if (attempts(i)%other_place) then
-            text = text//'gaps at '//either('the nodes', 'their extremum', &
-                                            other_location(model%numerics%gap_location) == gap_at_nodes)
-         else if (attempts(i)%spread) then
-            text = text//'soft walls'
-         else if (attempts(i)%reach > 1.0_wp) then
-            text = text//'long steps'
-         else
-            text = text//'usual start'
-         end if
-      end do
-      if (size(attempts) > 0) text = text//')'
    end subroutine list_tried
 
    !> Add to the message of a case without equilibrium what was tried, why the search ended, and what helps. Advice of the message
@@ -90,9 +75,9 @@ contains
          else if (unstable .and. (load_case%wob > 0.0_wp .or. abs(load_case%tob) > 0.0_wp)) then
             result%message = result%message//'. Lower wob or tob'
          else if (index(result%message, '. Set ') == 0) then
-            result%message = result%message//'. No setting of &solver is known to help. Check the loads of this case. '// &
-               'Model soft gives hook load and torque without bending stiffness'// &
-               either(' and helical buckling: a NO by it holds, a yes may not', '', result%coiled)
+            result%message = result%message//'. Check the loads of this case: no setting of &solver is known to help. '// &
+               'Model soft solves it without bending stiffness'// &
+               either(': its NO holds, its yes may not', '', result%coiled)
          end if
       end associate
       result%message = result%message//'. Tried in '//to_text(result%iterations)//' iterations: '//tried

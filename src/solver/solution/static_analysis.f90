@@ -106,8 +106,7 @@ contains
          call solve_on_mesh(known, case_index, mesh, wanted, history, stopped, result)
          if (i == 1) asked = min(asked, result%element_lengths(2))
          if (result%status /= result_not_converged) exit
-         call list_tried(model, result%element_lengths(2), &
-                         model%numerics%tuning%attempt(mesh%first:mesh%first + result%attempts - 1), tried)
+         call list_tried(model, result%element_lengths(2), result%attempts, tried)
          given_up = result%iterations
          if (given_up >= model%numerics%max_iterations .or. work_is_done(model%numerics, result) .or. is_stopped(stopped)) exit
          history = result%history(:given_up)       ! the next attempt's first row takes the place of the last one

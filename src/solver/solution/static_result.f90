@@ -163,11 +163,11 @@ contains
       if (max(by_contact, by_torque) < unlike) return
       length = sum(mesh%length, mask=work%sideways < 1.0_wp .and. mesh%friction_around > 0.0_wp .and. work%axial < 0.0_wp)
       call add_message(result, 'Over '//in_units(units, unit_length, length, shown_range)// &
-                       ' the rotating string does not stay on one side of the hole. Sideways friction is ignored there, so '// &
-                       'contact force may be up to '//to_text(rounded_up(100.0_wp*maxval(high), shown_clearances), &
-                       shown_clearances)//' % too high there, and torque at surface '// &
-                       to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' % too high. Where a '// &
-                       'bend or a pad presses it to one side, that side may be off by '// &
+                       ' the rotating string does not stay on one side of the hole. Sideways friction is left out there: '// &
+                       'contact force up to '//to_text(rounded_up(100.0_wp*maxval(high), shown_clearances), &
+                       shown_clearances)//' % too high, torque at surface '// &
+                       to_text(rounded_up(100.0_wp*by_torque, shown_clearances), shown_clearances)//' %. In bends and '// &
+                       'at pads the side of contact is off by up to '// &
                        to_text(anint(atan(maxval(mesh%friction_around, mask=high*pressed > 0.0_wp))/degree))//' deg')
    end subroutine warn_of_whirling
 
@@ -267,11 +267,10 @@ contains
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
          percents = to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)//' %'
          call add_message(result, 'Contact force uncertain by '//percents//place//': in all '// &
-                          in_units(units, unit_force, found%by_analysis, shown)//' by the elements of hook load and torque, '// &
-                          in_units(units, unit_force, found%by_beam, shown)//' by the shorter ones of moments and side '// &
-                          'forces. '// &
+                          in_units(units, unit_force, found%by_analysis, shown)//' by the usual elements, '// &
+                          in_units(units, unit_force, found%by_beam, shown)//' by shorter ones. '// &
                           either('Side forces and moments'//either('', ' there', place == ''), 'Drag', result%coiled)// &
-                          ' may be off by '//percents)
+                          ' may be off by as much')
       end associate
    end subroutine warn_of_contact
 
