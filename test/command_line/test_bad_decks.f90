@@ -288,6 +288,9 @@ contains
       run = run_deck_text(replaced(good_deck(), 'diameter = 215.9', 'diameter = wide'))
       call assertEqual(1, times(newline, run%diagnostics), message=run%diagnostics)
       call one_message(replaced(good_deck(), "name = 's'", "name = 's"), 'is not closed on its line')
+      run = run_deck_text(replaced(replaced(good_deck(), "'a deck'", "'a deck', units = 'SI"//newline), '215.9', '-215.9'))
+      call assertEqual(2, times(newline, run%diagnostics), message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, "units: the quote before 'SI") > 0, message=run%diagnostics)
       call one_message(replaced(good_deck(), "wob = 20.0", "wob = 20.0, hours = 5, rpm = nan"), 'rpm = nan is not a number')
       call one_message(replaced(replaced(good_deck(), "name = 'u'", "name = '=u'"), '  wob = 20.0 /', &
                                 "  wob = 20.0, length_reference = 'u' /"), 'begins with =')

@@ -29,7 +29,7 @@ module dg_open_deck
    use dg_numerics, only: settings_of
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
-   use dg_units, only: unit_system, unit_system_type, si_units
+   use dg_units, only: deck_system, unit_system, unit_system_type, si_units
    use dg_unusual_input, only: note_unusual
    use dg_unusual_rig, only: note_rig
    implicit none
@@ -170,7 +170,7 @@ contains
    end function inputs_of
 
    !> Find the units of the deck, which all else needs: SI by default. `known` is false if &job names an unknown system, and
-   !> the faults of &job are noted.
+   !> the faults of &job are noted. A system whose quote is not closed is known, so that other faults are found, too.
    subroutine find_units(path, groups, rules, units, known, faults)
       character(*), intent(in) :: path
       type(group_type), intent(in) :: groups(:)
@@ -180,6 +180,7 @@ contains
       type(error_list_type), intent(inout) :: faults
       type(checked_group_type) :: checked
       type(error_list_type) :: found
+      character(:), allocatable :: system
       integer :: i
       units = si_units()
       known = .true.
@@ -188,13 +189,28 @@ contains
          associate (keys => rules(group_place(rules, 'job'))%keys)
             call check_group(path, groups(i), keys, units, checked, found)
             if (.not. is_given(checked, 'units')) cycle
-            known = is_sound(checked, 'units')
+            system = open_units(groups(i))
+            known = is_sound(checked, 'units') .or. system /= ''
             if (.not. known) call check_group(path, groups(i), keys, units, checked, faults)
          end associate
-         if (known) units = unit_system(text_of(checked, 'units', ''))
+         if (known) units = unit_system(text_of(checked, 'units', system))
          return
       end do
    end subroutine find_units
+
+   !> First word of units behind a quote that is not closed, if it names a system; else ''.
+   pure function open_units(group) result(system)
+      type(group_type), intent(in) :: group
+      character(:), allocatable :: system
+      integer :: i
+      system = ''
+      do i = 1, size(group%entries)
+         if (group%entries(i)%key /= 'units' .or. .not. allocated(group%entries(i)%open)) cycle
+         system = group%entries(i)%open
+         system = system(:scan(system//',', ' ,/!') - 1)
+         if (deck_system(system) == 0) system = ''
+      end do
+   end function open_units
 
    !> Fills the job from &job, or from defaults where the deck has none.
    subroutine read_job(path, units, groups, job)

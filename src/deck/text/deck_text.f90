@@ -14,6 +14,7 @@ module dg_deck_text
       integer :: first = 0                   !< subscript of the first value; 0: none given
       integer :: last = 0                    !< subscript of the last value; 0: none given
       logical :: sound = .true.              !< no fault found in its text
+      character(:), allocatable :: open      !< text behind a quote that its line does not close; not allocated: none
       type(token_type), allocatable :: values(:)     !< words and quoted texts, repeated ones as often
    end type entry_type
 
@@ -161,6 +162,7 @@ contains
             if (any(before%kind == [token_comma, token_equals])) call fault('no value before a comma; give every value')
          case (token_open_text)
             group%torn = .true.
+            entry%open = token%text
             if (before%kind == token_word .and. verify(before%text, '0123456789.-+/') == 0) then
                call fault('the quote before '//quoted(token%text)// &
                           ' is not closed on its line; a number has no mark of inches behind it')
