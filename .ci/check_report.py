@@ -30,8 +30,8 @@ GOVERNING = "_sliding_3190"         # load case of GP1 that is nearest to a limi
 FIXED = 5                           # pictures of the page for where there is no script: of the run, and of that load case
 MOST_SHEETS = 6
 #: Verdict, well, string and chart of GP1, answers nearest to a limit, a line on the others, notes: they stand on the first sheet.
-FIRST_SHEET = ("Can it be done?", "Nearest to a limit: sliding_3190", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
-               "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "make-up torque, top drive, fatigue.")
+FIRST_SHEET = ("Can it be done?", "Nearest to a limit: 'sliding_3190'", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
+               "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "top drive, fatigue.")
 #: Answers of GP1 on paper in their order: five, then, behind the line on the others, the sixth.
 NEAREST = ("sliding_3190", "up_2770", "up_3190", "sliding_2075", "up_2075", "down_2075")
 TASK = {"up": "Trip out", "down": "Trip in", "sliding": "Sliding drilling"}

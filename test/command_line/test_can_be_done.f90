@@ -83,7 +83,7 @@ contains
                       message=run%output)
       call assertTrue(index(run%output, newline//'up     yes ') > 0, message=run%output)
       call assertTrue(index(run%output, 'Can it be done?'//newline// &
-                            '1 of 2: yes. NO: slide. Of the others nearest to a limit: up, ') > 0, &
+                            "1 of 2: yes. NO: 'slide'. Of those that can be done, nearest to a limit: 'up', ") > 0, &
                       message=run%output)
       call assertTrue(index(run%output, 'WOB where buckling begins   0.0 klbf (slide, buckles without WOB)') > 0, &
                       message=run%output)

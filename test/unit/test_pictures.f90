@@ -181,7 +181,7 @@ contains
       call chart_script(hookload_chart(job, sample_model(), results, [.false., .true., .false., .false., .true., .true.]), lines)
       call assertTrue(has_text(lines, "'i_up ! soft' 1"), message='one model says no')
       call assertTrue(has_text(lines, "'i_down !' 2"), message='all models say no')
-      call assertTrue(has_text(lines, 'no solution, by the model named'), message='what the name means')
+      call assertTrue(has_text(lines, 'no solution (with the name of a model: by that model alone)'), message='what the name means')
       model = sample_model()
       model%cases%measured_hookload = optional_real()
       model%cases%reference_hookload = optional_real()

@@ -75,7 +75,8 @@ contains
       if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
       call widen(chart%panels(1))
       if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
-      if (any(marked)) call add_key(chart, no_look, mark_meaning//either(', by the model named', '', named()))
+      if (any(marked)) call add_key(chart, no_look, mark_meaning// &
+                                     either(' (with the name of a model: by that model alone)', '', named()))
       if (with_error) then
          call add_rows(chart, place(), 'error against measurement', quantity_percent, names, 0.0_wp)
          do i = 1, size(job%models)

@@ -5,7 +5,7 @@ module dg_verdict_table
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped
-   use dg_text, only: append_text, either, text_or_nothing, text_type, to_text
+   use dg_text, only: append_text, either, quoted, text_or_nothing, text_type, to_text
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          is_near_by_friction, is_uncertain, is_without_check, limit_title, nearness
@@ -89,8 +89,8 @@ contains
       if (.not. any(near)) return
       k = maxloc(nearness(wholes%verdict), dim=1, mask=near)
       lead = ' Nearest to a limit: '
-      if (any(shown .and. wholes%verdict%answer /= answer_yes)) lead = ' Of the others nearest to a limit: '
-      text = text//lead//model%cases(results(k)%case_index)%name//', '
+      if (any(shown .and. wholes%verdict%answer /= answer_yes)) lead = ' Of those that can be done, nearest to a limit: '
+      text = text//lead//quoted(model%cases(results(k)%case_index)%name)//', '
       associate (verdict => wholes(k)%verdict)
          if (is_near_by_friction(verdict)) then
             text = text//reserve_text(verdict)//'.'
@@ -111,7 +111,7 @@ contains
             if (.not. shown(i) .or. wholes(i)%verdict%answer /= answer) cycle
             names = names + 1
             if (names > most_names) cycle
-            part = part//either(':', ',', names == 1)//' '//model%cases(results(i)%case_index)%name
+            part = part//either(':', ',', names == 1)//' '//quoted(model%cases(results(i)%case_index)%name)
          end do
          if (part == '') return
          if (names > most_names) part = part//' and '//to_text(names - most_names)//' more'
@@ -153,7 +153,7 @@ contains
             alike(k) = left(k) .and. .not. any((wholes(k)%verdict%not_checked .neqv. extra) .and. .not. everywhere)
             if (.not. alike(k)) cycle
             if (names /= '') names = names//', '
-            names = names//model%cases(results(k)%case_index)%name
+            names = names//quoted(model%cases(results(k)%case_index)%name)
          end do
          left = left .and. .not. alike
          more = unchecked_text(extra, components_of(model, results, alike))
@@ -210,7 +210,7 @@ contains
             if (results(k)%model /= leading_model(job) .or. results(k)%case_index /= results(i)%case_index) cycle
             if (wholes(k)%verdict%answer == wholes(i)%verdict%answer) cycle
             if (text /= '') text = text//', '
-            text = text//model%cases(results(i)%case_index)%name//' '//answer_word(wholes(i)%verdict%answer)
+            text = text//quoted(model%cases(results(i)%case_index)%name)//' '//answer_word(wholes(i)%verdict%answer)
          end do
       end do
       if (text /= '') text = 'Model '//trim(model_name(number))//' answers otherwise: '//text//'.'
