@@ -25,9 +25,10 @@ module dg_html_report
    use dg_page_figures, only: is_live
    use dg_page_script, only: script_hash, script_lines
    use dg_printed_text, only: printed_text_type
+   use dg_run_outcome, only: case_part, outcome_type
    use dg_summary_file, only: summary_row
    use dg_table_1, only: page_columns
-   use dg_text, only: text_type, to_text
+   use dg_text, only: either, text_type, to_text
    use dg_unchecked_text, only: components_without_yield
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
@@ -93,7 +94,7 @@ contains
       end if
       if (allocated(printed%lines)) then
          if (size(printed%lines) > 0) then
-            call open_fold(lines, 'Calibrations, sweeps, studies, comparisons')
+            call open_fold(lines, html_safe(studies_heading(printed%outcome)))
             call append_preformatted(lines, printed%lines)
             call close_fold(lines)
          end if
@@ -118,6 +119,24 @@ contains
       call add_line(lines, '</body></html>')
       call write_text_file(job%output_dir//'/report.html', lines%lines(:lines%count), error)
    end subroutine write_html_report
+
+   !> Heading of the tables of studies, with the names of the first ones.
+   pure function studies_heading(outcome) result(text)
+      type(outcome_type), intent(in) :: outcome
+      character(:), allocatable :: text
+      integer, parameter :: most_names = 4
+      integer :: i, names
+      text = 'Studies and comparisons'
+      names = 0
+      if (.not. allocated(outcome%parts)) return
+      do i = 1, size(outcome%parts)
+         if (outcome%parts(i)%name == case_part) cycle
+         names = names + 1
+         if (names > most_names) cycle
+         text = text//either(': ', ', ', names == 1)//outcome%parts(i)%name
+      end do
+      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
+   end function studies_heading
 
    !> Begins a part of the page that is folded: its heading opens it.
    subroutine open_fold(lines, heading)

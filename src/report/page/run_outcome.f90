@@ -10,7 +10,7 @@ module dg_run_outcome
    implicit none
    private
    public :: outcome_type, lost_type, add_part, note_lost, note_cases, add_lost, part_row, lost_row, solution_count, lost_count, &
-             locked_count
+             locked_count, case_part
 
    !> Load cases, a sweep, a Monte Carlo, a calibration, a steering.
    type :: part_type
@@ -39,6 +39,8 @@ module dg_run_outcome
       type(text_type), allocatable :: sentences(:)      !< of studies, for the head of the page
    end type outcome_type
 
+   !> Name of the part that are the load cases.
+   character(*), parameter :: case_part = 'load cases'
    !> Most rows of a run: a Monte Carlo may lose thousands of solutions.
    integer, parameter :: most_rows = 300
 
@@ -57,7 +59,7 @@ contains
    pure subroutine note_cases(outcome, results)
       type(outcome_type), intent(inout) :: outcome
       type(case_result_type), intent(in) :: results(:)
-      call add_part(outcome, 'load cases', size(results), count(results%status == result_locked_up), &
+      call add_part(outcome, case_part, size(results), count(results%status == result_locked_up), &
                     count(results%status == result_not_converged))
    end subroutine note_cases
 
