@@ -799,7 +799,7 @@ module dg_page_script
       '.head{display:grid;grid-template-columns:2fr 3fr;gap:6mm;break-inside:avoid}.head p{margin:.2em 0;font-size:8.'// &
       '5pt}.head h3{margin:0}.first{font-size:8.5pt}.lead h2{margin-top:.6em}.legend{gap:0}', &
       '.lead{display:flex;flex-direction:column}.lead .wide,.answers,.answers tbody{display:contents}', &
-      '.answers tr{display:grid;grid-template-columns:14em 4em 1fr;font-size:8pt;padding:.1em .4em;border-bottom:1px '// &
+      '.answers tr{display:grid;grid-template-columns:14em 6em 1fr;font-size:8pt;padding:.1em .4em;border-bottom:1px '// &
       'solid #ddd;break-inside:avoid}.answers td{padding:0;border:none}', &
       '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
