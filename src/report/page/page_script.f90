@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '+rPCDBbzcmOAElkD/Wva13Ij0lAWHvSVhSvXPKMuLPk='
+   character(*), parameter :: script_hash = 'i7Q830bVFM2IcmKQpkldslrO4GV5Ldvm0RqaBWSsbgA='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -584,9 +584,10 @@ module dg_page_script
       'const taken = []', &
       'return (x, y, text) => {', &
       'const half = 3.6 * text.length, at = Math.min(Math.max(x, half), width - half)', &
-      'if (taken.some(t => Math.abs(t.y - y) < 13 && Math.abs(t.at - at) < t.half + half + 4)) return', &
+      'if (taken.some(t => Math.abs(t.y - y) < 13 && Math.abs(t.at - at) < t.half + half + 4)) return false', &
       'taken.push({at, half, y})', &
       'make(svg, ''text'', {x: at, y, ''text-anchor'': ''middle''}, text)', &
+      'return true', &
       '}', &
       '}', &
       'function draw_section() {', &
@@ -662,13 +663,12 @@ module dg_page_script
       'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
       'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said(value_at(p, state.ti'// &
       'nt, state.depth)))', &
-      '}', &
       '}']
-   character(169), parameter :: script_lines_7(66) = [character(169) :: &
+   character(169), parameter :: script_lines_7(68) = [character(169) :: &
+      '}', &
       'function draw_assembly() {', &
       'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290', &
       'assembly.replaceChildren()', &
-      'assembly.setAttribute(''viewBox'', `0 0 ${W} ${T + 84}`)', &
       'if (!p) return () => {}', &
       'const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - '// &
       '30)', &
@@ -683,14 +683,16 @@ module dg_page_script
       'make(assembly, ''path'', {d: ''M'' + edge(start, bit, d => side * value_at(p, ''hole'', d)).join(''L''), class'// &
       ': ''wall''})', &
       '}', &
+      'let row = 0', &
       'for (const part of D.cases[p.case].parts) {', &
       'const from = Math.max(bit - part.to, top), to = bit - part.from', &
       'if (to <= top) continue', &
       'const body = [...edge(from, to, d => off(d) + part.od / 2), ...edge(to, from, d => off(d) - part.od / 2)]', &
       'make(make(assembly, ''path'', {d: ''M'' + body.join(''L'') + ''z'', class: ''body''}), ''title'', {}, part.nam'// &
       'e)', &
-      'write((x_of(from) + x_of(to)) / 2, 14, part.name)', &
+      'row = Math.max(row, [0, 1, 2, 3].findIndex(k => write((x_of(from) + x_of(to)) / 2, 14 - 13 * k, part.name)))', &
       '}', &
+      'assembly.setAttribute(''viewBox'', `0 ${-13 * row} ${W} ${T + 84 + 13 * row}`)', &
       'for (const t of ticks(0, shown_length * factor(''length''), W / 120)) write(x_of(bit - t / factor(''length''))'// &
       ', T - 4, String(t))', &
       'const contacts = (p.contacts ?? []).filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])', &
@@ -738,7 +740,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(666) = [ &
+   character(169), parameter :: script_lines(668) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

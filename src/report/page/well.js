@@ -15,13 +15,14 @@ function well_figures(b) {
    const pick = make(null, 'h:select', {'aria-label': 'colour of the well', onchange: () => { state.tint = pick.value; draw() }})
    const colour = part => `hsl(${230 - 225 * Math.min(part, 1)} 75% 48%)`     // blue, green, yellow, red
    let marks = []                                               // each moves the sign of the depth in a picture
-   function writer(svg, width) {                                // writes texts, each unless it would hide an earlier one
+   function writer(svg, width) {                                // writes texts, each unless it would hide an earlier one: false
       const taken = []
       return (x, y, text) => {
          const half = 3.6 * text.length, at = Math.min(Math.max(x, half), width - half)
-         if (taken.some(t => Math.abs(t.y - y) < 13 && Math.abs(t.at - at) < t.half + half + 4)) return
+         if (taken.some(t => Math.abs(t.y - y) < 13 && Math.abs(t.at - at) < t.half + half + 4)) return false
          taken.push({at, half, y})
          make(svg, 'text', {x: at, y, 'text-anchor': 'middle'}, text)
+         return true
       }
    }
    function draw_section() {                                    // the hole at the depth, seen down the hole, high side up
@@ -92,7 +93,6 @@ function well_figures(b) {
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
       const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290
       assembly.replaceChildren()
-      assembly.setAttribute('viewBox', `0 0 ${W} ${T + 84}`)
       if (!p) return () => {}
       const bit = D.cases[p.case].depth, top = bit - shown_length, x_of = d => 10 + (d - top) / shown_length * (W - 30)
       const hole = value_at(p, 'hole', bit), y_of = v => T / 2 - v / hole * (T - 110) / 1.2
@@ -105,13 +105,15 @@ function well_figures(b) {
       for (const side of [.5, -.5]) {
          make(assembly, 'path', {d: 'M' + edge(start, bit, d => side * value_at(p, 'hole', d)).join('L'), class: 'wall'})
       }
+      let row = 0                                               // of the uppermost name: short parts stand close together
       for (const part of D.cases[p.case].parts) {
          const from = Math.max(bit - part.to, top), to = bit - part.from
          if (to <= top) continue
          const body = [...edge(from, to, d => off(d) + part.od / 2), ...edge(to, from, d => off(d) - part.od / 2)]
          make(make(assembly, 'path', {d: 'M' + body.join('L') + 'z', class: 'body'}), 'title', {}, part.name)
-         write((x_of(from) + x_of(to)) / 2, 14, part.name)
+         row = Math.max(row, [0, 1, 2, 3].findIndex(k => write((x_of(from) + x_of(to)) / 2, 14 - 13 * k, part.name)))
       }
+      assembly.setAttribute('viewBox', `0 ${-13 * row} ${W} ${T + 84 + 13 * row}`)
       for (const t of ticks(0, shown_length * factor('length'), W / 120)) write(x_of(bit - t / factor('length')), T - 4, String(t))
       const contacts = (p.contacts ?? []).filter(c => c[0] > top && c[1] > 0).sort((a, b) => b[1] - a[1])
       for (const [d, force, clock] of contacts) {
