@@ -748,7 +748,7 @@ module dg_page_script
       script_lines_5, &
       script_lines_6, &
       script_lines_7]
-   character(400), parameter :: style_lines_1(31) = [character(400) :: &
+   character(400), parameter :: style_lines_1(32) = [character(400) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
@@ -783,8 +783,9 @@ module dg_page_script
       ':focus-visible{outline:3px solid #E69F00}', &
       '@media screen and (max-width:700px){.lower figure:first-child{max-width:12em;margin:0 auto}.live figure{margin'// &
       ':1em 0}.main,.lower{grid-template-columns:minmax(0,1fr)}}', &
-      '@media screen and (prefers-color-scheme:dark){.live{--ink:#dde2e6;--line:#2f363d;--soft:#8a939b;--paper:#14181'// &
-      'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}}', &
+      '@media screen and (prefers-color-scheme:dark){.live{--ink:#dde2e6;--line:#3b444c;--soft:#8a939b;--paper:#14181'// &
+      'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}', &
+      '.live svg [stroke="#c00000"]{stroke:#ff7a6b}.live .cross,.live .dot{stroke:#f06292}}', &
       '@media screen{.first{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head p{margin:'// &
       '.3em 0}.head h3{margin:.8em 0 .2em}}', &
       '.more{display:none}', &
@@ -806,6 +807,6 @@ module dg_page_script
       '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
-   character(400), parameter :: style_lines(31) = [ &
+   character(400), parameter :: style_lines(32) = [ &
       style_lines_1]
 end module dg_page_script
