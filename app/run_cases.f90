@@ -29,6 +29,7 @@ module dg_run_cases
    use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
+   use dg_solve_by_beams, only: model_of_result
    use dg_solve_case, only: solve_case
    use dg_standard_output, only: flush_output
    use dg_stopping, only: stop_type
@@ -139,6 +140,7 @@ contains
       type(case_watch_type), target :: watches(size(results))
       logical, target :: solved(size(results))
       type(verdict_type) :: verdict
+      type(model_type) :: its          ! model of a result
       integer :: row, next
       logical :: doubt
       doubt = doubt_of_deck(job, model, [case_result_type ::]) /= ''
@@ -151,15 +153,16 @@ contains
       end do
       next = 1
       !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
-      !$omp private(row, verdict)
+      !$omp private(row, verdict, its)
       do row = 1, size(results)
          call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
+         its = model_of_result(model, results(row))
          if (allocated(results(row)%profile%md)) then
-            call find_along_string(model, results(row), alongs(row))
-            call find_whole_string(model, results(row), alongs(row), job%rig_limit, wholes(row))
-            call find_utilisation(model, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
+            call find_along_string(its, results(row), alongs(row))
+            call find_whole_string(its, results(row), alongs(row), job%rig_limit, wholes(row))
+            call find_utilisation(its, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if
-         call find_verdict(model, results(row), wholes(row), job%design, job%rig_limit, verdict, upper)
+         call find_verdict(its, results(row), wholes(row), job%design, job%rig_limit, verdict, upper)
          wholes(row)%verdict = verdict
          !$omp critical (results_in_order)
          solved(row) = .true.

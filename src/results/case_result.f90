@@ -127,6 +127,7 @@ module dg_case_result
       type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
       !> Friction that smeared tool joints leave out, a rough number by the soft string; huge: the string may lock up by it [N].
       real(wp) :: left_out_friction = 0.0_wp
+      logical :: joints_apart = .false.        !< tool joints were solved one by one, though the model smears them
       integer :: beam_nodes = 0                !< of the beam on which the moments of the profile were found; 0: of none
       !> Estimated error of moments of the profile, over the largest [-]; missing where it was not estimated.
       real(wp) :: moment_error = missing

@@ -1,34 +1,26 @@
 !> Solve one load case by the model of a given number. Only this module calls all models.
 module dg_solve_case
    use dg_kinds, only: wp
-   use dg_bowed_pipe, only: note_bowed_pipe
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
-   use dg_case_without_load, only: solve_without_load
-   use dg_confirm_lock_up, only: confirm_lock_up
-   use dg_drillstring, only: component_tops, joint_ends
    use dg_error, only: error_type, raise, status_failure
    use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
    use dg_mixed_string, only: solve_mixed_string
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type
    use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
-   use dg_static_analysis, only: solve_static_analysis
+   use dg_solve_by_beams, only: solve_by_beams
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_reason, stop_type
    use dg_text, only: to_text
-   use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_force
    implicit none
    private
    public :: solve_case
 
-   !> Digits of forces and depths in a message.
-   integer, parameter :: shown = 4, shown_depth = 7
-   !> A joint within `close_to_step` of a step of the hole may be on either side of it [m]. A bit depth that differs by `apart`
-   !> puts it clearly on one side [m].
-   real(wp), parameter :: close_to_step = 0.1_wp, apart = 0.5_wp
+   !> Digits of forces in a message.
+   integer, parameter :: shown = 4
 
 contains
 
@@ -52,13 +44,7 @@ contains
       case (nothing)
          result%message = 'not begun'
       case (model_mcge)
-         call solve_static_analysis(model, case_index, result, error, totals_only, stop)
-         if (.not. shortly) then
-            call confirm_lock_up(model, case_index, stopped, result)
-            call solve_without_load(model, case_index, stopped, result)
-            call note_bowed_pipe(model, case_index, result)
-            call note_joint_at_step(model, case_index, result)
-         end if
+         call solve_by_beams(model, case_index, shortly, stopped, result, error)
       case (model_soft)
          call solve_soft_string(model, case_index, result, error, totals_only)
       case (model_rigid)
@@ -98,33 +84,6 @@ contains
          in_units(model%units, unit_force, push, shown)//'. Hook load counts this. If the BOP or a stripper '// &
          'carries it, add it to the hook load')
    end subroutine note_push
-
-   !> Add a message on a tool joint that ends close to a change of the hole's diameter. The string is centimetres shorter than
-   !> the hole along its axis, so that the side of the joint is uncertain. With 2 cm between, moments can be wrong by 11 %.
-   subroutine note_joint_at_step(model, case_index, result)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(case_result_type), intent(inout) :: result
-      real(wp), allocatable :: ends(:), tops(:)
-      real(wp) :: bit
-      integer :: i, joint
-      if (.not. (model%numerics%discrete_joints .and. has_numbers(result%status))) return
-      bit = model%cases(case_index)%bit_depth
-      associate (string => model%strings(string_index(model%strings, model%cases(case_index)%string)), &
-                 steps => model%holes%md_bottom)
-         allocate (tops, source=component_tops(string, bit - top_md(model%trajectory)))
-         allocate (ends, source=bit - joint_ends(string, tops))
-         if (size(ends) == 0) return
-         do i = 1, size(steps) - 1
-            joint = minloc(abs(ends - steps(i)), dim=1)
-            if (abs(ends(joint) - steps(i)) > close_to_step) cycle
-            call add_message(result, 'A tool joint ends at '//in_units(model%units, unit_length, ends(joint), shown_depth)// &
-               ', where the hole changes its diameter. Moments there depend on which side the joint lies. Compare with a '// &
-               'bit_depth '//in_units(model%units, unit_length, apart, shown)//' deeper')
-            return
-         end do
-      end associate
-   end subroutine note_joint_at_step
 
    !> Make a result without numbers, marked as not converged.
    subroutine empty(result)

@@ -114,7 +114,7 @@ contains
          if (verdict%uncertain > 0.0_wp) text = text//'. UNCERTAIN: contact force may be off by '// &
             to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit'
          if (verdict%joints_uncertain) text = text//'. UNCERTAIN: smeared tool joints leave out friction, perhaps more '// &
-            "than is left. Check with tool_joints = 'discrete' in &solver"
+            'than is left, see Warnings'
       else
          text = 'Not converged, see Warnings'
       end if

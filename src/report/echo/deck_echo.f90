@@ -292,6 +292,7 @@ contains
       character(:), allocatable :: joints
       joints = ''
       if (numerics%discrete_joints) joints = ', tool joints one by one'
+      if (.not. (numerics%discrete_joints .or. numerics%joints_by_need)) joints = ', tool joints smeared'
       if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
       call add_line(lines, 'solver      elements to '// &
          shown(units, unit_length, numerics%element_length)//', gaps at '// &

@@ -133,5 +133,8 @@ contains
             trim(scale_name(i))//' '//to_text(sum(results%shortened(i)))
          number = number + 1
       end do
+      number = count(results%joints_apart)
+      if (number > 0) line = line//'; tool joints one by one in '//to_text(number)//either(' case', ' cases', number == 1)// &
+                             ', as buckled pipe rubs between them'
    end function mesh_line
 end module dg_result_table

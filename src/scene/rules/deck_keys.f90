@@ -396,8 +396,9 @@ module dg_deck_keys
          meaning='place of a gap element; default extremum, with fidelity fast nodes'), &
       key_rule_type('solver', 'friction_range', kind_logical, default='.true.', &
          meaning='solve a sliding string in helical buckling from a second start too; gives the range of hook loads'), &
-      key_rule_type('solver', 'tool_joints', kind_text, default='smeared', choices='smeared discrete', &
-         meaning='smeared: joint_od touches along the whole component; discrete: each joint by itself, and pipe between them'), &
+      key_rule_type('solver', 'tool_joints', kind_text, default='auto', choices='auto smeared discrete', &
+         meaning='smeared: joint_od touches all along; discrete: each joint, and pipe between; '// &
+         'auto: discrete where pipe buckles'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='solver of the linear equations'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, &
