@@ -15,7 +15,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 44
+   integer, parameter :: numbers = 45
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -173,6 +173,7 @@ contains
       case (41); call change('longest_quiet', tuning%longest_quiet, endless, changed)
       case (42); call change('hold_stiffness', tuning%hold_stiffness, 0.1_wp, changed)
       case (43); call change('most_held', tuning%most_held, 0.02_wp, changed)
+      case (44); call change('longest_cycle', tuning%longest_cycle, endless, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

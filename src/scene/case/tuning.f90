@@ -43,6 +43,9 @@ module dg_tuning
       !> Iterations without a residual below all before, after which an attempt is given up. Hard wells that converge have at
       !> most 103. Attempts that do not converge would go on for hundreds.
       integer :: longest_stall = 110
+      !> Iterations without a residual below all before, after which a string without damping is damped. Where gaps open and close
+      !> in turn, its steps may come back to the same place for ever.
+      integer :: longest_cycle = 20
       !> The meshes in their order. The first has the lengths of the deck. A string pushed near lock-up is far from the soft
       !> string for which its mesh was made. Shorter elements find its equilibrium.
       type(mesh_try_type) :: mesh(4) = [mesh_try_type(1.0_wp, 1, 4), mesh_try_type(0.25_wp, 1, 3), mesh_try_type(0.5_wp, 1, 2), &

@@ -22,15 +22,15 @@ module dg_step
 contains
 
    !> Find the step and the contact forces at its end. For a string without damping, equations%matrix holds the whole tangent
-   !> on entry. It is damped from the first step that is too long or leads up the energy's slope. Next to an equilibrium that
-   !> slope is ignored, as friction and round-off decide its sign. A string that starts in equilibrium, as straight in a
-   !> vertical hole, has no slope, and is damped.
+   !> on entry. It is damped from the first step that is too long or leads up the energy's slope, and if it cycles. Next to an
+   !> equilibrium that slope is ignored, as friction and round-off decide its sign. A string that starts in equilibrium, as
+   !> straight in a vertical hole, has no slope, and is damped.
    subroutine find_step(it, trajectory, solution)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       real(wp) :: reach
-      logical :: uphill
+      logical :: uphill, cycles
       integer :: fault
       associate (equations => solution%equations, mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
          it%problem%closed = gaps%state /= state_free
@@ -45,7 +45,8 @@ contains
             call find_reach(it, trajectory, solution, reach)
             uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
                      (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
-            if (reach > it%numerics%step_limit .or. uphill) then
+            cycles = equations%iterations - it%least_at > it%numerics%tuning%longest_cycle
+            if (reach > it%numerics%step_limit .or. uphill .or. cycles) then
                call make_room_to_damp(mesh, it)
                call find_tangent(equations, trajectory, mesh, solution%loads, gaps, solution%state, energy_tangent, work, &
                                  it%residual)
