@@ -368,7 +368,7 @@ contains
       integer :: i
       text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
       run = run_deck_text(text)
-      most = number_after(content(results_path//'/summary.csv'), 'to the bit. Without a push ')
+      most = number_after(content(results_path//'/summary.csv'), 'Without a push ')
       read (most, *) wob
       do i = 1, 2
          run = run_deck_text(replaced(text, '150 ', to_text(part(i)*wob)//' '))

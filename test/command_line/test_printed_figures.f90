@@ -89,7 +89,8 @@ contains
       call assertTrue(index(unwrapped(run%output), head) > 0, message=run%output)
       call assertEqual(0, index(unwrapped(run%output), place), message=run%output)
       run = run_deck_text(replaced(slant('mcge', "operation = 'sliding', friction = 0.2, wob = 300"), '&component', &
-                                   "&component name = 'hw', length = 300, od = 127, id = 76.2, joint_od = 160 / &component"))
+                                   "&solver tool_joints = 'smeared' / &component name = 'hw', length = 300, od = 127, "// &
+                                   "id = 76.2, joint_od = 160 / &component"))
       call assertTrue(index(unwrapped(run%output), place//'0 m and 700 m: ') > 0, message=run%output)
    end subroutine test_contact
 

@@ -311,7 +311,7 @@ contains
          numerics%gap_location = merge(gap_at_nodes, gap_at_extremum, text_of(group, 'gap_location', '') == 'nodes')
       numerics%friction_range = logical_of(group, 'friction_range', numerics%friction_range)
       numerics%discrete_joints = is_sound(group, 'tool_joints') .and. text_of(group, 'tool_joints', '') == 'discrete'
-      numerics%joints_by_need = text_of(group, 'tool_joints', 'auto') == 'auto'
+      numerics%joints_by_need = numerics%joints_by_need .and. text_of(group, 'tool_joints', 'auto') == 'auto'
       if (is_sound(group, 'linear_solver')) &
          numerics%linear_solver = findloc(solver_name == text_of(group, 'linear_solver', ''), .true., dim=1)
       rigid_over_elastic = numerics%gk_max/numerics%gk_contact

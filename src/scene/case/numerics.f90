@@ -22,7 +22,8 @@ module dg_numerics
 
    integer, parameter :: fidelity_count = 4
    !> Names in decks. With auto the local scale limits elements. fast is the same with fixed gaps and a loose tolerance.
-   !> standard and reference have a fine mesh everywhere. All but fast find moments on elements short enough for them.
+   !> standard and reference have a fine mesh everywhere. All but fast find moments on elements short enough for them, and solve
+   !> tool joints one by one where that matters.
    !> reference proves these by halving the elements.
    character(*), parameter :: fidelity_name(fidelity_count) = [character(9) :: 'auto', 'fast', 'standard', 'reference']
    !> Longest element of each [m].
@@ -148,6 +149,7 @@ contains
          numerics%gap_location = merge(gap_at_nodes, defaults%gap_location, fidelity_name(i) == 'fast')
          numerics%tolerance = merge(fast_tolerance, defaults%tolerance, fidelity_name(i) == 'fast')
          numerics%moments = fidelity_name(i) /= 'fast'
+         numerics%joints_by_need = fidelity_name(i) /= 'fast'
          numerics%halve_moments = fidelity_name(i) == 'reference'
       end do
    end subroutine set_fidelity
