@@ -87,16 +87,18 @@ contains
 
    !> Find what smeared joints leave out.
    pure subroutine find_left_out(model, case_index, left_out)
-      type(model_type), intent(in) :: model      !< with smeared joints
+      type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(left_out_type), intent(out) :: left_out
-      type(model_type) :: apart
+      type(model_type) :: either
       type(soft_totals_type) :: totals, totals_apart
       real(wp) :: smeared(2), loads(2)
-      call find_loads(model, case_index, smeared, totals)
-      apart = model
-      apart%numerics%discrete_joints = .true.
-      call find_loads(apart, case_index, loads, totals_apart)
+      either = model
+      either%numerics%discrete_joints = .true.
+      call find_loads(either, case_index, loads, totals_apart)
+      either%numerics%discrete_joints = .false.
+      either%numerics%joints_by_need = .false.
+      call find_loads(either, case_index, smeared, totals)
       left_out = left_out_type(abs(loads(1) - smeared(1)), abs(loads(2) - smeared(2)), totals%weight, abs(smeared(2)), &
                                totals%runaway, totals_apart%runaway)
    end subroutine find_left_out

@@ -38,19 +38,21 @@ contains
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
-      type(model_type) :: apart
+      type(model_type) :: other
       type(case_result_type) :: smeared
       logical :: tried
+      other = model
       tried = model%numerics%joints_by_need
       if (tried) tried = rubs_between_joints(model, case_index)
       if (tried) then
-         apart = model
-         apart%numerics%discrete_joints = .true.
-         call solve_one_way(apart, case_index, totals_only, stop, result, error)
+         other%numerics%discrete_joints = .true.
+         call solve_one_way(other, case_index, totals_only, stop, result, error)
          result%joints_apart = .true.
          if (result%status /= result_not_converged .or. is_stopped(stop)) return
       end if
-      call solve_one_way(model, case_index, totals_only, stop, smeared, error)
+      other%numerics%discrete_joints = model%numerics%discrete_joints
+      other%numerics%joints_by_need = .false.
+      call solve_one_way(other, case_index, totals_only, stop, smeared, error)
       smeared%iterations = smeared%iterations + result%iterations
       smeared%seconds = smeared%seconds + result%seconds
       result = smeared

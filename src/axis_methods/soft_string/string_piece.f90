@@ -108,7 +108,7 @@ contains
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
-         if (model%numerics%discrete_joints .and. bowing_length(part) > 0.0_wp) then
+         if ((model%numerics%discrete_joints .or. model%numerics%joints_by_need) .and. bowing_length(part) > 0.0_wp) then
             piece%joint_height = 0.5_wp*(contact_diameter(part, -layout%heights(i)) - part%od)
             piece%euler = pi**2*piece%stiffness/bowing_length(part)**2
          end if
