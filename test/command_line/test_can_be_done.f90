@@ -367,6 +367,7 @@ contains
       real(wp) :: wob
       integer :: i
       text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
+      text = text//"&solver tool_joints = 'smeared' /"//newline
       run = run_deck_text(text)
       most = number_after(content(results_path//'/summary.csv'), 'Without a push ')
       read (most, *) wob

@@ -29,15 +29,18 @@ module dg_weight_on_bit
 contains
 
    !> Largest weight on bit by string weight [N]. Friction includes helical buckling, and the factor of beams over the soft
-   !> string. For a string that locks up it is at most the load by beams.
+   !> string. Where beams bring less by a push than the soft string, they bring less by weight in the same ratio.
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      real(wp) :: most
+      real(wp) :: most, pushed
       most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
                                 friction_scale=result%without_load%friction_scale)
-      if (result%status == result_locked_up .and. .not. is_missing(result%lock_up_load)) &
-         most = min(most, max(result%lock_up_load, 0.0_wp))
+      if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
+      pushed = most_load_at_bit(model, result%case_index, coiled=.true., pushed=.true., &
+                                friction_scale=result%without_load%friction_scale)
+      if (pushed > 0.0_wp) most = most*min(result%lock_up_load/pushed, 1.0_wp)
+      most = max(most, 0.0_wp)
    end function weight_that_arrives
 
    !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if not found. With `pushed` it is the greatest one by a
