@@ -21,6 +21,7 @@ contains
       call suite%addTest(TestMethod('uncertain_contact', test_contact))
       call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('overpull', test_overpull))
+      call suite%addTest(TestMethod('slips', test_slips))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
@@ -120,6 +121,29 @@ contains
       run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = "//to_text(-1.01_wp*pull)))
       call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
    end subroutine test_overpull
+
+   !> Slips bear a string that hangs, weight on bit with it. Under a pull at the bit they are not set, however short they are.
+   subroutine test_slips()
+      character(*), parameter :: passed = 'Hook load off bottom (slips): '
+      type(run_type) :: run
+      run = run_deck_text(held("operation = 'up', wob = -400"))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), "Slips NOT CHECKED for 'c': none are set while the bit is pulled.") > 0, &
+                      message=run%output)
+      run = run_deck_text(held("operation = 'up'"))
+      call assertTrue(index(unwrapped(run%output), passed) > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'Slips NOT CHECKED'), message=run%output)
+      run = run_deck_text(replaced(held("operation = 'up'"), 'slip_length = 50', 'slip_length = 420'))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message='longer slips: '//run%output)
+      run = run_deck_text(held("operation = 'rotary', tob = 0, wob = 200"))
+      call assertTrue(index(unwrapped(run%output), passed) > 0, message='more than the hook load on bottom: '//run%output)
+   contains
+      function held(loads) result(text)
+         character(*), intent(in) :: loads
+         character(:), allocatable :: text
+         text = replaced(well('soft', '0.3', loads), '&rig', '&strength slip_length = 50 /'//newline//'&rig')
+      end function held
+   end subroutine test_slips
 
    !> Burst is judged where friction of a coil leaves no solution. Then no friction makes it possible; with less pressure one does.
    subroutine test_burst()

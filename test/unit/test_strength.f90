@@ -251,6 +251,14 @@ contains
       ! 0.5 Y of tension, 0.1 x 0.577 Y of shear
       call used(limit_von_mises, 1.1_wp*sqrt(0.25_wp + 3.0_wp*0.0577_wp**2), 0.0_wp)
       call assertEqual('slips', trim(governing_name(most)))
+      ! weight on bit comes back to the hook, a pull at the bit is on it while no slips are set
+      model%cases(1)%wob = 0.5_wp*result%hookload
+      call find_utilisation(model, result, along, factors, optional_real(), most)
+      call used(limit_slips, 0.9_wp*sqrt(1.0_wp + 0.625_wp + 0.625_wp**2), 0.0_wp)
+      model%cases(1)%wob = -model%cases(1)%wob
+      call find_utilisation(model, result, along, factors, optional_real(), most)
+      call assertFalse(most%used(limit_slips)%present, message='slips under a pull')
+      model%cases(1)%wob = 0.0_wp
       factors%burst = 1.2_wp
       factors%collapse = 1.1_wp
       model%cases(1)%pump_pressure = 20.0e6_wp

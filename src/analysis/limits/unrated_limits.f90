@@ -18,7 +18,8 @@ module dg_unrated_limits
 
 contains
 
-   !> Mark limits that apply to a load case and have no rating in the deck, for all or for some components.
+   !> Mark limits that apply to a load case and have no rating in the deck, for all or for some components, or
+   !> cannot be judged.
    pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -40,7 +41,8 @@ contains
          ! connections carry the pull of the pipe, also of one that does not turn
          if (.not. any(has_joint_rating(parts))) unrated(limit_joint_tension) = .not. any(is_coiled_tubing(parts))
          top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
-         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp)
+         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp) .or. &
+                                model%cases(case_index)%wob < 0.0_wp      ! slips are not set under a pull
       end associate
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present

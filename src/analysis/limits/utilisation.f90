@@ -8,6 +8,9 @@
 !> the most loaded fibre. It is without the pressure that both sides have and with bending, as in Bourgoyne et al. (1986),
 !> Applied drilling engineering, eq. 7.14. Pressures are compared with burst and collapse of the body, and the curvature of the
 !> pipe with its dogleg.
+!>
+!> Slips hold a string that hangs with its bit off bottom: their load is the hook load and the weight on bit. Nobody sets them
+!> while the bit is pulled, so cases with a pull at the bit have no use of slips.
 module dg_utilisation
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, body_bending
@@ -96,10 +99,11 @@ contains
             end associate
             where (utilisation%used%value > before) utilisation%part = number
          end do
-         associate (uppermost => string%components(topmost(tops)))
-            if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp) call use_limit(utilisation, limit_slips, &
-               factors%tension*max(result%hookload, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
-               slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload, profile%md(1))
+         associate (uppermost => string%components(topmost(tops)), wob => model%cases(result%case_index)%wob)
+            if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp .and. .not. wob < 0.0_wp) &
+               call use_limit(utilisation, limit_slips, &
+                  factors%tension*max(result%hookload + wob, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
+                  slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload + wob, profile%md(1))
          end associate
          if (rig_limit%present) call use_limit(utilisation, limit_rig, &
             max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, &

@@ -306,7 +306,7 @@ contains
       select case (limit)
       case (limit_rig); title = 'hook load with block (rig)'
       case (limit_top_drive); title = 'torque of the top drive'
-      case (limit_slips); title = 'hook load (slips)'
+      case (limit_slips); title = 'hook load off bottom (slips)'
       case (limit_makeup); title = 'torque (make-up torque)'
       case (limit_joint_torsion); title = 'torque (joint torsion)'
       case (limit_von_mises); title = 'von Mises stress'

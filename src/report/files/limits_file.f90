@@ -172,7 +172,8 @@ contains
       call add(row, 'used_collapse', quantity_percent, &
                'collapse pressure in percent of the collapse strength under tension', used(limit_collapse))
       call add(row, 'used_slips', quantity_percent, &
-               'hook load in percent of the load that crushes the pipe in slips', used(limit_slips))
+               'hook load and weight on bit in percent of the load that crushes the pipe in slips; not with a pull at the '// &
+               'bit', used(limit_slips))
       call add(row, 'used_rig', quantity_percent, 'hook load with block in percent of the limit of the rig', used(limit_rig))
       call add_filled(row, 'governing_limit', quantity_text, &
                       'most used of these limits', governing_name(whole%utilisation))

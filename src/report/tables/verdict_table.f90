@@ -2,6 +2,7 @@
 module dg_verdict_table
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
+   use dg_kinds, only: wp
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped
@@ -9,6 +10,7 @@ module dg_verdict_table
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          is_near_by_friction, is_uncertain, is_without_check, limit_title, nearness
+   use dg_utilisation, only: limit_slips
    use dg_verdict_text, only: reserve_text, task_text, used_text, verdict_sentences
    use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
@@ -129,28 +131,37 @@ contains
    end function interval_line
 
    !> Limits that count for cases with an answer and have no rating in the deck: those of all these cases, then what some have
-   !> besides.
+   !> besides. Slips of cases with a pull at the bit have a sentence of their own.
    pure function unchecked_line(job, model, results, wholes) result(text)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
-      character(:), allocatable :: text, names, head, more
+      character(:), allocatable :: text, names, head, more, pulled
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
+      logical :: unrated(every_limit_count, size(results))
       integer :: first, k
       left = results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown
       everywhere = any(left)
+      pulled = ''
       do k = 1, size(results)
-         if (left(k)) everywhere = everywhere .and. wholes(k)%verdict%not_checked
+         unrated(:, k) = wholes(k)%verdict%not_checked
+         if (.not. left(k)) cycle
+         if (unrated(limit_slips, k) .and. job%design%slip_length > 0.0_wp .and. &
+             model%cases(results(k)%case_index)%wob < 0.0_wp) then
+            unrated(limit_slips, k) = .false.
+            pulled = pulled//either(', ', '', pulled /= '')//quoted(model%cases(results(k)%case_index)%name)
+         end if
+         everywhere = everywhere .and. unrated(:, k)
       end do
       head = 'NOT CHECKED'
       text = unchecked_text(everywhere, components_of(model, results, left))
       do while (any(left))
          first = findloc(left, .true., dim=1)
-         extra = wholes(first)%verdict%not_checked .and. .not. everywhere
+         extra = unrated(:, first) .and. .not. everywhere
          names = ''
          do k = 1, size(results)
-            alike(k) = left(k) .and. .not. any((wholes(k)%verdict%not_checked .neqv. extra) .and. .not. everywhere)
+            alike(k) = left(k) .and. .not. any((unrated(:, k) .neqv. extra) .and. .not. everywhere)
             if (.not. alike(k)) cycle
             if (names /= '') names = names//', '
             names = names//quoted(model%cases(results(k)%case_index)%name)
@@ -167,6 +178,8 @@ contains
          text = text//more
       end do
       if (text /= '') text = head//', as the deck gives no limit: '//text//'.'
+      if (pulled /= '') text = text//either(' ', '', text /= '')//'Slips NOT CHECKED for '//pulled// &
+                               ': none are set while the bit is pulled.'
    end function unchecked_line
 
    !> Components of the strings that some of the results are of, each string once.
