@@ -158,7 +158,7 @@ contains
          call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
          its = model_of_result(model, results(row))
          if (allocated(results(row)%profile%md)) then
-            call find_along_string(its, results(row), alongs(row))
+            call find_along_string(its, results(row), alongs(row), job%design)
             call find_whole_string(its, results(row), alongs(row), job%rig_limit, wholes(row))
             call find_utilisation(its, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
          end if

@@ -120,6 +120,12 @@ contains
       call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
       run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = "//to_text(-1.01_wp*pull)))
       call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      ! the design factor of the answer
+      run = run_deck_text(replaced(well('soft', '0.3', "operation = 'up', wob = -400"), '&rig', &
+                                   '&strength tension_factor = 3 /'//newline//'&rig'))
+      call assertTrue(index(unwrapped(run%output), 'Tension of the pipe at ') > 0, message=run%output)
+      call assertEqual(value_after(run%output, ' kN allowed, '), -value_after(run%output, 'Overpull left, pipe or rig '), 2.0_wp, &
+                       message=run%output)
    end subroutine test_overpull
 
    !> Slips bear a string that hangs, weight on bit with it. Under a pull at the bit they are not set, however short they are.

@@ -305,11 +305,11 @@ contains
       end do
       call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
       ! what the rig shows when the string yields: the block's 50 klbf above hook load and overpull
-      call assertFalse(has_text(lines, 'yield in the string'), message='no yield strength')
+      call assertFalse(has_text(lines, 'limit of the string'), message='no yield strength')
       points%overpull_margin = 5.0_wp*units%force
       chart = sweep_chart(units, sweep, 1, model, points)
       call chart_script(chart, lines)
-      call assertTrue(has_text(lines, 'yield in the string, up'))
+      call assertTrue(has_text(lines, 'limit of the string, up'))
       call assertEqual(56.0_wp, chart%panels(1)%curves(5)%points(1, 1), 1.0e-9_wp)
       ! sheaves that rub: the indicator shows less or more than the load as blocks move
       model%rig%lines = 8

@@ -7,6 +7,7 @@ module dg_test_string_limits
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, component_type, torsional_stiffness, tube_area, &
                            tube_inertia
    use dg_constants, only: degree
+   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
@@ -174,6 +175,10 @@ contains
       call assertRelativelyEqual(5.0_wp/3.0_wp, along%safety_factor(1), rounding)
       call assertRelativelyEqual(0.4_wp, along%envelope_margin(1), rounding)
       call assertRelativelyEqual(200.0e6_wp*area, along%overpull(1), rounding)
+      call find_along_string(model, result, along, design_factors_type(von_mises=1.25_wp))
+      call assertRelativelyEqual(100.0e6_wp*area, along%overpull(1), rounding, message='500 MPa/1.25 allowed')
+      call find_along_string(model, result, along, design_factors_type(tension=2.0_wp))
+      call assertRelativelyEqual(-50.0e6_wp*area, along%overpull(1), rounding, message='250 MPa allowed')
       model%strings(1)%components%yield = 0.0_wp
       call find_along_string(model, result, along)
       call assertTrue(all(is_missing(along%safety_factor)), message='no yield, no factor')

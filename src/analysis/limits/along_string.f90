@@ -10,6 +10,7 @@ module dg_along_string
    use dg_case_result, only: case_result_type, contact_joint
    use dg_component, only: bending_stiffness, component_type, contact_diameter, has_joints, &
                            joint_bore, tube_inertia, worn_od
+   use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
@@ -21,7 +22,7 @@ module dg_along_string
    use dg_missing, only: is_missing, missing
    use dg_model, only: model_type, string_index
    use dg_pipe_stress, only: pipe_stress, pipe_stress_type, true_axial
-   use dg_pipe_strength, only: yield_left
+   use dg_pipe_strength, only: tensile_strength, yield_left
    use dg_profile, only: between_ends, piece_depths, side_above, side_below
    use dg_pull_margin, only: pull_margin
    use dg_trajectory, only: arc_at, point_on_arc, top_md
@@ -46,7 +47,7 @@ module dg_along_string
       real(wp), allocatable :: yield_left(:)        !< yield strength at the local temperature over that of the deck [-]
       real(wp), allocatable :: safety_factor(:)     !< yield strength at the local temperature over von_mises [-]
       real(wp), allocatable :: envelope_margin(:)   !< part of the tension-torque envelope left, bending included [-]
-      real(wp), allocatable :: overpull(:)          !< tension that may be added here until yield, bending included [N]
+      real(wp), allocatable :: overpull(:)          !< tension that may be added here until a limit by yield, bending included [N]
       real(wp), allocatable :: bending_range(:)     !< range of stress in a turn of the string; 0 if it does not turn [Pa]
       real(wp), allocatable :: magnification(:)     !< magnification of bending between single tool joints [-]
       real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body with that magnification [Pa]
@@ -70,16 +71,19 @@ module dg_along_string
 
 contains
 
-   !> Compute all columns, one value a row of `result%profile`.
-   pure subroutine find_along_string(model, result, along)
+   !> Compute all columns, one value a row of `result%profile`. Only the overpull takes the design factors, of 1 where absent.
+   pure subroutine find_along_string(model, result, along, design)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(out) :: along
+      type(design_factors_type), intent(in), optional :: design
+      type(design_factors_type) :: factors
       real(wp), allocatable :: tops(:)
       type(fluid_column_type) :: outside, inside
       real(wp) :: bit, weight, curvature, moment, depths(size(result%profile%md))
       integer :: i, k, n, string, part, hole, first, last, arc(2)
       logical :: apart, solved      ! joint by joint; bending between contacts
+      if (present(design)) factors = design
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
       n = size(result%profile%md)
       depths = piece_depths(result%profile)
@@ -126,10 +130,11 @@ contains
                along%buckling_margin(i) = along%sinusoidal(i) + profile%axial(i)
                along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
             end if
-            if (components(part)%yield > 0.0_wp) along%overpull(i) = &
-               pull_margin(components(part), along%yield_left(i)*components(part)%yield, profile%axial(i), profile%torque(i), &
-                           profile%bending(i), along%curvature(i), solved, along%buckling(i) /= buckling_none, &
-                           along%inside_pressure(i) - along%pressure(i))
+            if (components(part)%yield > 0.0_wp) along%overpull(i) = min( &
+               along%yield_left(i)*tensile_strength(components(part))/factors%tension - profile%axial(i), &
+               pull_margin(components(part), along%yield_left(i)*components(part)%yield/factors%von_mises, profile%axial(i), &
+                           profile%torque(i), profile%bending(i), along%curvature(i), solved, &
+                           along%buckling(i) /= buckling_none, along%inside_pressure(i) - along%pressure(i)))
          end do
       end associate
       if (.not. apart) call set_joint_loads(model%strings(string)%components, tops, bit, result, along)

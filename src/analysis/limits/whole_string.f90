@@ -35,7 +35,7 @@ module dg_whole_string
       type(optional_real) :: least_safety           !< least safety factor [-]
       type(optional_real) :: least_safety_md        !< its depth [m]
       type(optional_real) :: least_envelope_margin  !< of the tension-torque envelope [-]
-      type(optional_real) :: overpull_margin        !< pull that may be added until yield anywhere, bending included [N]
+      type(optional_real) :: overpull_margin        !< pull that may be added until a limit by yield anywhere, bending included [N]
       type(optional_real) :: buckling_margin        !< least, < 0 where the string is buckled [N]
       type(optional_real) :: buckling_margin_md     !< its depth [m]
       integer :: buckling = buckling_none           !< worst state along the string

@@ -83,8 +83,9 @@ contains
       call add(row, 'least_envelope_margin', quantity_none, &
                'least envelope_margin along the string', whole%least_envelope_margin)
       call add(row, 'overpull_margin', quantity_force, &
-               'pull that may be added at the top until von Mises stress reaches yield, if all of it reached the weakest '// &
-               'place; without bending between tool joints; negative: it yields already', whole%overpull_margin)
+               'pull that may be added at the top until von Mises stress or tension reaches its limit, design factors '// &
+               'included, if all of it reached the weakest place; without bending between tool joints; negative: passed '// &
+               'already', whole%overpull_margin)
       call add(row, 'buckling', quantity_text, &
                'worst state along the string: none, sinusoidal or helical', buckling_name(whole%buckling))
       call add(row, 'buckling_margin', quantity_force, &

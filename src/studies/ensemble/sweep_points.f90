@@ -167,7 +167,7 @@ contains
       type(error_type), allocatable :: error
       call solve_case(model, model_soft, 1, result, error, stop=by_signals())
       if (result%status /= result_converged) return
-      call find_along_string(model, result, along)
+      call find_along_string(model, result, along, job%design)
       if (.not. all(is_missing(along%overpull))) &
          point%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
       result%hookload = point%hookload

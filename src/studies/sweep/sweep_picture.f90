@@ -126,7 +126,7 @@ contains
          loads = loads/chart%units%force
       end where
       call add_curve(chart, loads, sweep%depths/chart%units%length, "with lines lw 2.2 dt (2,3) lc rgb '#c00000'", &
-                     'yield in the string, '//trim(operation_label(sweep%operations(operation)))//', '// &
+                     'limit of the string, '//trim(operation_label(sweep%operations(operation)))//', '// &
                      friction_label(sweep, friction))
    end subroutine add_yield
 
