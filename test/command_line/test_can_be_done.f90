@@ -459,6 +459,7 @@ contains
          "&load_case name = 'c', operation = 'down', bit_depth = 6500 /"//newline)
       text = unwrapped(run%output)
       call assertTrue(index(text, 'of push needed at surface. Also too much: collapse, 37.6 of 32.9 MPa') > 0, message=text)
+      call assertEqual(0, index(text, 'Also passed'), message=text)
       call assertEqual(0, index(text, 'Deepest bit depth') + index(text, 'Rotate the string') + index(text, 'becomes yes'), &
                        message='advice by weight: '//text)
       run = run_deck_text(head//'&trajectory md = 0, 2000, inc = 0, 0 /'//newline//'&hole diameter = 311, friction = 0.2 /'// &

@@ -120,6 +120,11 @@ contains
       call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
       run = run_deck_text(well('mcge', '0.3', "operation = 'up', wob = "//to_text(-1.01_wp*pull)))
       call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      ! every limit that is passed, by the columns of limits.csv
+      call assertEqual(0, index(unwrapped(run%output), 'Also passed'), message=run%output)
+      run = run_deck_text(well('soft', '0.3', "operation = 'up', wob = -1500"))
+      call assertTrue(index(unwrapped(run%output), ' too much, with 1500 kN of overpull at the bit. Also passed: von') > 0, message=run%output)
+      call assertEqual(109.5_wp, value_after(run%output, 'Also passed: von Mises ('), 0.6_wp, message=run%output)
       ! the design factor of the answer
       run = run_deck_text(replaced(well('soft', '0.3', "operation = 'up', wob = -400"), '&rig', &
                                    '&strength tension_factor = 3 /'//newline//'&rig'))

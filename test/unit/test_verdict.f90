@@ -513,6 +513,10 @@ contains
       verdict%possible_friction = given(0.9999996_wp)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
       call assertTrue(index(text, 'becomes yes below about 0.9999 times') > 0, message=text)
+      verdict%passed([limit_top_drive, limit_tension, limit_makeup]) = [1.0003_wp, 1.0495_wp, 1.32_wp]
+      verdict%passed(limit_rig) = 0.9_wp
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, ' too much. Also passed: tension (105 %), make-up torque (132 %). ') > 0, message=text)
    contains
       subroutine judge_reserve(factor, words)
          real(wp), intent(in) :: factor

@@ -26,7 +26,7 @@ module dg_find_verdict
    use dg_unrated_limits, only: note_unrated
    use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, note_left_out, &
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, is_most, note_left_out, &
                          note_uncertain, set_name, verdict_type
    use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
@@ -247,6 +247,9 @@ contains
       type(utilisation_type), intent(in) :: utilisation
       type(verdict_type), intent(inout) :: verdict
       if (utilisation%governing == 0) return
+      verdict%passed(:limit_count) = 0.0_wp
+      where (utilisation%used%present .and. utilisation%used%value > 1.0_wp + as_much) &
+         verdict%passed(:limit_count) = utilisation%used%value
       verdict%limit = utilisation%governing
       verdict%used = utilisation%used(verdict%limit)
       verdict%md = utilisation%md(verdict%limit)
@@ -378,6 +381,7 @@ contains
       if (.not. fatigue%present) return
       verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
       if (is_missing(fatigue%damage)) return
+      if (fatigue%damage > 1.0_wp) verdict%passed(limit) = fatigue%damage
       if (.not. is_most(fatigue%damage, verdict)) return
       if (verdict%answer == answer_no .and. all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) return
       if (fatigue%damage > 1.0_wp) verdict%answer = answer_no
@@ -388,13 +392,4 @@ contains
       verdict%load = given(hours*hour)
       verdict%allowed = given(hours*hour/fatigue%damage)
    end subroutine judge_fatigue
-
-   !> True if a share [-] is more than the used part of the limit so far.
-   pure function is_most(share, verdict) result(is)
-      real(wp), intent(in) :: share
-      type(verdict_type), intent(in) :: verdict
-      logical :: is
-      is = share > 0.0_wp
-      if (verdict%used%present) is = share > verdict%used%value
-   end function is_most
 end module dg_find_verdict

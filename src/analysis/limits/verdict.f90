@@ -8,7 +8,7 @@ module dg_verdict
    implicit none
    private
    public :: verdict_type, note_uncertain, note_left_out, set_name, &
-             is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
+             is_most, is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
              answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
              limit_packer_force, limit_title, limit_code
@@ -69,6 +69,7 @@ module dg_verdict
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
       logical :: alone = .false.                    !< no without a solution: of the other limits only pressure is known
       logical :: pressures_judged = .false.         !< burst or collapse of such a string has been judged
+      real(wp) :: passed(every_limit_count) = 0.0_wp    !< used part of each limit that is passed, 0 of the others [-]
       type(optional_real) :: most_pull              !< no, pulling: largest overpull with which no limit is passed [N]
       integer :: pull_limit = 0                     !< limit that is passed with more
       integer :: limit_without_load = 0             !< no: limit that is also passed without weight on bit or overpull; 0: none
@@ -112,6 +113,15 @@ contains
       type(verdict_type), intent(inout) :: verdict
       if (allocated(part%name)) verdict%component = part%name
    end subroutine set_name
+
+   !> True if a share [-] is more than the used part of the limit so far.
+   pure function is_most(share, verdict) result(is)
+      real(wp), intent(in) :: share
+      type(verdict_type), intent(in) :: verdict
+      logical :: is
+      is = share > 0.0_wp
+      if (verdict%used%present) is = share > verdict%used%value
+   end function is_most
 
    !> True if a little more friction makes a yes a NO, and no limit is used as much as that says.
    elemental function is_near_by_friction(verdict) result(near)

@@ -182,6 +182,7 @@ contains
       text = ''
       if (verdict%also > 0) text = '. Also too much: '//shown_title(verdict%also)//', '// &
          number_text(units, verdict%also, verdict%also_load)//' of '//load_text(units, verdict%also, verdict%also_allowed)
+      text = text//passed_text(verdict)
       text = text//without_load_text(units, load_case, verdict)
       if (verdict%reach%present) then
          if (verdict%reach%value > 0.0_wp) then
@@ -211,6 +212,19 @@ contains
       if (verdict%alone) text = text//'. Not solved: '// &
          either('of the other limits only pressure is checked', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
+
+   !> Limits that are passed besides those that have been told; '' if there are none.
+   pure function passed_text(verdict) result(text)
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, size(verdict%passed)
+         if (.not. verdict%passed(i) > 1.0_wp .or. any(i == [verdict%limit, verdict%also])) cycle
+         text = text//either(', ', '. Also passed: ', text /= '')//trim(limit_title(i))//' ('// &
+                used_text(verdict%passed(i))//' %)'
+      end do
+   end function passed_text
 
    !> Largest possible overpull, for a case that is impossible with more; '' if unknown.
    pure function overpull_text(units, verdict) result(text)
