@@ -286,7 +286,8 @@ contains
       call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), 'No shallower bit depth is possible either') > 0, message=run%output)
       call assertEqual(3, unsolved('31', 'NO       Rotary drilling at 15000 ft. Torque of the top drive: 31 kft.lbf at the bit '// &
-                                   'alone, 30 kft.lbf allowed, 1 kft.lbf too much. Not solved: other limits are not checked'))
+                                   'alone, 30 kft.lbf allowed, 1 kft.lbf too much. There is no solution, so other limits are '// &
+                                   'not checked'))
       call assertEqual(3, unsolved('29', 'unknown  Rotary drilling at 15000 ft. Not converged'))
    contains
       !> Exit status of a case that has not converged, with a torque on bit [kft.lbf] and its answer.

@@ -209,8 +209,8 @@ contains
             text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
-      if (verdict%alone) text = text//'. Not solved: '// &
-         either('of the other limits only pressure is checked', 'other limits are not checked', verdict%pressures_judged)
+      if (verdict%alone) text = text//'. There is no solution, so '// &
+         either('only limits of pressure are checked besides', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
 
    !> Limits that are passed besides those that have been told; '' if there are none.

@@ -61,7 +61,7 @@ contains
       most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
       result%lock_up_load = most
       if (most > 0.0_wp) then
-         result%message = result%message//'No push that pipe bears brings more than '// &
+         result%message = result%message//'Pushed at surface with all that pipe bears, the string brings at most '// &
                           in_units(model%units, unit_force, most, shown)//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
