@@ -109,6 +109,7 @@ contains
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
       hookload = number_after(run%output, 'its weight is enough then, hook load about ')
       read (hookload, *) promised
+      call assertTrue(index(unwrapped(run%output), ' without bit torque, by the soft string. Check it by') > 0, message=run%output)
       hookload = number_after(run%output, ', torque about ')
       read (hookload, *) turned
       factor = factor_after('The answer becomes yes below about ')

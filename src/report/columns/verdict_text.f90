@@ -197,8 +197,8 @@ contains
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
-                either(' without bit torque', '', load_case%wob > 0.0_wp)//'. Check it by a case operation = '''// &
-                either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
+                either(' without bit torque', '', load_case%wob > 0.0_wp)//', by the soft string. '// &
+                'Check it by a case operation = '''//either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, verdict)
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
