@@ -76,6 +76,7 @@ contains
       use dg_test_prediction, only: prediction_suite
       use dg_test_ten_digits, only: ten_digits_suite
       use dg_test_verdict, only: verdict_suite
+      use dg_test_verdict_text, only: verdict_text_suite
       use dg_test_uncertainty, only: uncertainty_suite
       use dg_test_stuck_string, only: stuck_string_suite
       use dg_test_strength, only: strength_suite
@@ -154,5 +155,6 @@ contains
       call suite%addTest(strength_suite())
       call suite%addTest(connection_rating_suite())
       call suite%addTest(verdict_suite())
+      call suite%addTest(verdict_text_suite())
    end function load_tests
 end program unit

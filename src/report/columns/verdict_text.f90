@@ -1,17 +1,15 @@
 !> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
 module dg_verdict_text
    use dg_kinds, only: wp
-   use dg_fatigue, only: hour
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
+   use dg_load_text, only: force_text, load_text, number_text, sum_texts, sum_width
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down, rounded_up
    use dg_text, only: either, to_text
-   use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_force, unit_length, unit_moment, &
-                           unit_pressure, unit_stress
+   use dg_unit_kind, only: at_most, in_units, unit_force, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
-                             limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
-                             limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, limit_von_mises
+   use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
+                             limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
                          friction_upper_end_alone, is_near_by_friction, is_without_check, limit_fatigue, limit_joint_fatigue, &
                          limit_lock_up, limit_string_weight, little_reserve, limit_title, limit_wob_yield, verdict_type
@@ -49,6 +47,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
+      character(sum_width) :: sums(3)      ! load, allowed load, what is too much
       logical :: enough
       text = ''
       if (verdict%answer /= answer_no) return
@@ -78,10 +77,14 @@ contains
          end if
          text = text//'Model mcge solves its bending'
       case default
-         text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '// &
-                load_text(units, verdict%limit, verdict%load%value)//either(' at the bit alone', '', verdict%alone)
-         if (verdict%allowed%present) text = text//', '//load_text(units, verdict%limit, verdict%allowed%value)//' allowed, '// &
-            load_text(units, verdict%limit, verdict%load%value - verdict%allowed%value)//' too much'
+         text = capital(shown_title(verdict%limit))//place_text(units, verdict)//': '
+         if (verdict%allowed%present) then
+            sums = sum_texts(units, verdict%limit, verdict%load%value, verdict%allowed%value)
+            text = text//trim(sums(1))//either(' at the bit alone', '', verdict%alone)//', '//trim(sums(2))//' allowed, '// &
+                   trim(sums(3))//' too much'
+         else
+            text = text//load_text(units, verdict%limit, verdict%load%value)//either(' at the bit alone', '', verdict%alone)
+         end if
          if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)//' of overpull at the bit'
       end select
       if (verdict%friction == friction_upper_end_alone) text = text//', at the upper end of the 95 % interval of friction'
@@ -245,6 +248,7 @@ contains
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
+      character(sum_width) :: sums(3)      ! load, allowed load, what is left
       logical :: by_wob
       if (verdict%limit == 0) then
          text = either('Nothing is checked, as the deck gives no limit', 'String weight is enough', is_without_check(verdict))
@@ -259,18 +263,17 @@ contains
       end if
       text = text//': '//shown_title(verdict%limit)//place_text(units, verdict)
       by_wob = any(verdict%limit == [limit_lock_up, limit_wob_yield])
+      if (verdict%allowed%present) sums = sum_texts(units, verdict%limit, verdict%load%value, verdict%allowed%value)
       if (verdict%limit == limit_string_weight) then
-         text = text//' ('//force_text(units, verdict%allowed%value)//'), '//takers_text(load_case, verdict)//' '// &
-                force_text(units, verdict%load%value)//' of it, '
+         text = text//' ('//trim(sums(2))//'), '//takers_text(load_case, verdict)//' '//trim(sums(1))//' of it, '
       else if (verdict%allowed%present) then
-         text = text//either(', WOB ', ', ', by_wob)//number_text(units, verdict%limit, verdict%load%value)//' of '// &
-                load_text(units, verdict%limit, verdict%allowed%value)//either(' by the soft string, ', ', ', by_wob)
+         text = text//either(', WOB ', ', ', by_wob)//sums(1)(:index(sums(1), ' ') - 1)//' of '// &
+                trim(sums(2))//either(' by the soft string, ', ', ', by_wob)
       else
          text = text//either(', WOB ', ', ', by_wob)
       end if
       text = text//used_text(verdict%used%value)//' % used'
-      if (verdict%allowed%present .and. .not. by_wob) text = text//', '// &
-         load_text(units, verdict%limit, verdict%allowed%value - verdict%load%value)//' left'
+      if (verdict%allowed%present .and. .not. by_wob) text = text//', '//trim(sums(3))//' left'
       if (verdict%limit == limit_string_weight) text = text//' as hook load'
    end function nearest_text
 
@@ -330,46 +333,6 @@ contains
       case default; title = trim(limit_title(limit))
       end select
    end function shown_title
-
-   !> A load of a limit without its unit.
-   pure function number_text(units, limit, load) result(text)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: limit
-      real(wp), intent(in) :: load       !< [N, N.m or Pa]
-      character(:), allocatable :: text
-      text = load_text(units, limit, load)
-      text = text(:index(text, ' ') - 1)
-   end function number_text
-
-   !> A load of a limit.
-   pure function load_text(units, limit, load) result(text)
-      type(unit_system_type), intent(in) :: units
-      integer, intent(in) :: limit
-      real(wp), intent(in) :: load       !< [N, N.m, Pa, 1/m or s]
-      character(:), allocatable :: text
-      select case (limit)
-      case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive)
-         text = in_units(units, unit_moment, load, shown)
-      case (limit_joint_dogleg)
-         text = in_units(units, unit_curvature, load, shown)
-      case (limit_von_mises, limit_joint_tension, limit_joint_compression)
-         text = in_units(units, unit_stress, load, shown)
-      case (limit_fatigue, limit_joint_fatigue)
-         text = to_text(load/hour, shown)//' h'
-      case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse)
-         text = in_units(units, unit_pressure, load, shown)
-      case default
-         text = force_text(units, load)
-      end select
-   end function load_text
-
-   !> A force.
-   pure function force_text(units, force) result(text)
-      type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: force      !< [N]
-      character(:), allocatable :: text
-      text = in_units(units, unit_force, force, shown)
-   end function force_text
 
    !> A depth.
    pure function depth_text(units, md) result(text)
