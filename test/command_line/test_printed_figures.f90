@@ -165,6 +165,8 @@ contains
       run = run_deck_text(lateral(1.0_wp, '20000'))
       call assertTrue(index(content(results_path//'/summary.csv'), ',locked_up,') > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), also) > 0, message=run%output)
+      call assertTrue(value_after(run%output, 'Pushed at surface with all that pipe bears, the string brings at most ') > &
+                      value_after(run%output, 'String weight alone brings '), message=run%output)
       call assertEqual(0, index(unwrapped(run%output), advice), message=run%output)
       call assertTrue(index(unwrapped(run%output), 'There is no solution, so only limits of pressure are checked besides') > 0, &
                       message=run%output)
