@@ -562,7 +562,7 @@ contains
       call assertEqual(0.52_wp, verdict%uncertain, message='stress')
       verdict%limit = limit_string_weight
       call assertTrue(index(verdict_sentences(si_units(), load_case_type(), verdict), &
-                            '. UNCERTAIN: contact force may be off by 52 %, more than is left of a limit') > 0)
+                            'UNCERTAIN: contact force may be off by 52 %, more than is left of a limit. ') > 0)
       verdict%answer = answer_no
       verdict%uncertain = 0.0_wp
       call note_uncertain(0.52_wp, 0.85_wp, .true., verdict)

@@ -100,7 +100,11 @@ contains
          text = verdict_reason(units, load_case, verdict)//help_text(units, load_case, verdict)
       else if (verdict%answer == answer_yes) then
          text = ''
-         if (is_near_by_friction(verdict)) text = 'Close to its limit: the answer '//reserve_text(verdict)//'. '
+         if (verdict%uncertain > 0.0_wp) text = 'UNCERTAIN: contact force may be off by '// &
+            to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit. '
+         if (verdict%joints_uncertain) text = text//'UNCERTAIN: smeared tool joints leave out friction, perhaps more than '// &
+            'is left, see Warnings. '
+         if (is_near_by_friction(verdict)) text = text//'Close to its limit: the answer '//reserve_text(verdict)//'. '
          text = text//nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
              .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
@@ -114,10 +118,6 @@ contains
             'buckling. Find it by a sweep with several frictions'
          if (verdict%friction_reserve%present .and. .not. is_near_by_friction(verdict)) &
             text = text//'. The answer '//reserve_text(verdict)
-         if (verdict%uncertain > 0.0_wp) text = text//'. UNCERTAIN: contact force may be off by '// &
-            to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit'
-         if (verdict%joints_uncertain) text = text//'. UNCERTAIN: smeared tool joints leave out friction, perhaps more '// &
-            'than is left, see Warnings'
       else
          text = 'Not converged, see Warnings'
       end if
