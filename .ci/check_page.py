@@ -131,6 +131,7 @@ setTimeout(async () => {
    await choose(models, ['soft'])
    await choose(models, ['mcge', 'soft'])
    await choose(cases, ['up_2075', 'sliding_3190'])
+   told.push([...root.querySelectorAll('.legend svg')].map(s => s.innerHTML.match(/stroke="[^"]*"/)[0] + s.querySelector('path')?.getAttribute('d')))
    const field = root.querySelector('input[type=number]')
    field.value = '2500'
    field.dispatchEvent(new Event('change'))
@@ -392,7 +393,7 @@ def faults_of_choice(told, complaints):
     faults = [f"choice: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "models were not chosen"]
-    one, one_at, one_row, both, both_at, _, four, _, row, dots, circles, *charts = told
+    one, one_at, one_row, both, both_at, _, four, _, row, looks, dots, circles, *charts = told
     if one != ["sliding_3190 soft"] or len(one_row) != 2 or "model=soft" not in one_at or "model=mcge" in one_at:
         faults.append(f"one model: the page shows {one}, {one_row}, {one_at}")
     if both != ["sliding_3190 mcge", "sliding_3190 soft"] or "model=" in both_at:
@@ -402,6 +403,8 @@ def faults_of_choice(told, complaints):
     # unit, two load cases by two models, their difference by each model
     if len(four) != 4 or len(row) != 7 or any(abs(float(row[k + 1]) - float(row[k]) - float(row[end])) > 0.11 for k, end in ((1, 5), (3, 6))):
         faults.append(f"two load cases: the page shows {four}, {row}")
+    if len(looks) != 4 or looks[:2] != looks[2:] or looks[0] == looks[1]:
+        faults.append(f"two load cases by two models: colours and marks are {looks}")
     if dots or circles != 3:
         faults.append(f"below the end of a string there are {dots} marks, {circles - 1} strings in the section")
     return faults

@@ -26,7 +26,7 @@ const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit
 for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {
    panel.quantity = D.columns[panel.curves[0].column].quantity
    panel.lines = D.profiles.flatMap((p, k) => panel.curves.filter(c => p.curves[c.column]).map(c => ({
-      ...p.key, ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
+      ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
    })))
 }
 const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))
@@ -79,9 +79,9 @@ function draw_marks(parent, places, {mark, look: {stroke}}) {
    if (mark) make(parent, 'path', {d, 'stroke-width': 1.6, fill: mark > 4 && mark % 2 ? stroke : 'none', stroke})
 }
 function draw_key(parent, key) {                             // a piece of a line, or a mark
-   const svg = make(parent, 'svg', {viewBox: '0 -4 28 16', class: 'key'})
-   if (!key.marks) make(svg, 'line', {x1: 0, x2: 28, y1: 4, y2: 4, 'stroke-width': 3, ...key.look})
-   draw_marks(svg, ['M14 4'], key)
+   const svg = make(parent, 'svg', {viewBox: '0 -4 44 16', class: 'key'})
+   if (!key.marks) make(svg, 'line', {x1: 0, x2: 44, y1: 4, y2: 4, 'stroke-width': 3, ...key.look})
+   draw_marks(svg, ['M22 4'], key)
 }
 
 // ---- a block: panels side by side over one axis, with the legend `keys`. S has `charts` along the string, or `panels`
@@ -99,7 +99,12 @@ function block(S, address) {
    const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_of())
    const panels_of = () => S.panels ?? S.charts[state.chart].panels
    const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)
-   const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))
+   function key_of(p) {                                         // of one load case a colour a model; of several a colour and mark a case
+      const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most = D.looks.length
+      if (cases.length < 2) return p.key
+      return {...p.key, mark: D.looks[(n + Math.floor(n / most)) % most].mark, look: {...p.key.look, ...D.looks[n % most].look}}
+   }
+   const lines_of = panel => S.charts ? panel.lines.filter(l => chosen(l.profile)).map(l => ({...key_of(l.profile), ...l})) : panel.lines
    const visible = line => !line.keys.some(k => state.hidden.has(k))
    const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))
    function row_beside({curve: {d, v}}) {                       // of marks the nearest one, if it is near
@@ -270,7 +275,7 @@ function block(S, address) {
          if (key.words || !used.has(id)) return
          const turn = () => { if (!state.hidden.delete(id)) state.hidden.add(id); draw() }
          const b = make(view.legend, 'h:button', {type: 'button', 'aria-pressed': !state.hidden.has(id), onclick: turn})
-         draw_key(b, key)
+         draw_key(b, S.charts ? key_of(D.profiles[id]) : key)
          b.append(key.text)
       })
    }
@@ -362,7 +367,7 @@ function block(S, address) {
       const label = make(right, 'h:label', {})
       view.all = make(label, 'h:input', {type: 'checkbox', onchange: draw_readout})
       label.append(' all columns')
-      view.well = well_figures({root: S.root, state, shown, place_text, set_depth})
+      view.well = well_figures({root: S.root, state, shown, key_of, place_text, set_depth})
    }
    listen()
    view.panels.addEventListener('dblclick', whole)

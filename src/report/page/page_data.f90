@@ -14,7 +14,7 @@ module dg_page_data
    use dg_page_figures, only: append_figures
    use dg_page_relations, only: is_inverse
    use dg_page_thinning, only: finest
-   use dg_page_profiles, only: append_profiles, charts, curves_type, find_curves, has_curves, reduced_text, &
+   use dg_page_profiles, only: append_profiles, case_looks, charts, curves_type, find_curves, has_curves, reduced_text, &
                                thinned_text
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_rows => rows, system_base, system_name
@@ -82,12 +82,12 @@ contains
          call add_line(lines, '"start":'//to_text(shown - 1)//',')
          call append_columns(lines, list)
          call append_cases(lines, job, model)
-         call add_line(lines, '"charts":[')
+         call add_line(lines, '"looks":['//case_looks()//'],"charts":[')
          do i = 1, size(charts)
             call add_line(lines, trim(charts(i)))
          end do
          call add_line(lines, '],"profiles":[')
-         call append_profiles(lines, job, model, results, list, curves, shown)
+         call append_profiles(lines, job, model, results, list, curves)
          call add_line(lines, '],')
       end if
       call append_figures(lines, pictures, finest)

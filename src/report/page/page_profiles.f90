@@ -4,7 +4,7 @@ module dg_page_profiles
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
-   use dg_curve_look, only: dash_of, line_style, marked_line_style
+   use dg_curve_look, only: dash_of, line_style, marked_line_style, style_count
    use dg_job, only: job_type, model_name
    use dg_json, only: json_string
    use dg_line_list, only: add_line, line_list_type
@@ -18,7 +18,7 @@ module dg_page_profiles
    use dg_text, only: either, text_type, to_text
    implicit none
    private
-   public :: append_profiles, charts, curves_type, find_curves, has_curves, reduced_text, thinned_text
+   public :: append_profiles, case_looks, charts, curves_type, find_curves, has_curves, reduced_text, thinned_text
 
    !> Charts of the page: panels side by side over one depth, each with columns of a profile. `turn`: an angle; `most`: values above
    !> are not shown; `limit`: a limit of compression, a dashed line without part in the range.
@@ -133,21 +133,20 @@ contains
    end function reduced_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
-   subroutine append_profiles(lines, job, model, results, list, curves, shown)
+   subroutine append_profiles(lines, job, model, results, list, curves)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(series_list_type), intent(in) :: list
       type(curves_type), intent(in) :: curves
-      integer, intent(in) :: shown                  !< load case that is shown first
       integer :: places(count(has_curves(results))), i, k
       logical :: some
       places = pack([(i, i=1, size(results))], has_curves(results))
       do i = 1, size(places)
          associate (result => results(places(i)))
             call add_line(lines, '{"case":'//to_text(result%case_index - 1)//',"model":'// &
-                             json_string(trim(model_name(result%model)))//',"key":'//profile_key(job, model, result, shown)//',')
+                             json_string(trim(model_name(result%model)))//',"key":'//profile_key(job, model, result)//',')
             if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(job, result)//'],')
          end associate
          call append_depths(lines, curves, places(:i))
@@ -220,24 +219,28 @@ contains
       end do
    end function curve_or_place
 
-   !> Entry of a profile in the legend: name and look. Methods differ by their dashes, load cases by their marks; the case that is
-   !> shown first has none.
-   pure function profile_key(job, model, result, shown) result(key)
+   !> Entry of a profile in the legend: name and look of its method. Methods differ by colour and dash; where several load cases
+   !> are shown, by dash alone.
+   pure function profile_key(job, model, result) result(key)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      integer, intent(in) :: shown
       character(:), allocatable :: key
-      integer :: method, turn
-      method = findloc(job%models, result%model, dim=1)
-      turn = modulo(result%case_index - shown, size(model%cases))
-      if (turn == 0) then
-         key = look_text(line_style(method))
-      else
-         key = look_text(marked_line_style(turn*size(job%models) + method, 1, 1.0_wp, dash_of(method)))
-      end if
-      key = '{"text":'//json_string(model%cases(result%case_index)%name//' '//trim(model_name(result%model)))//key//'}'
+      key = '{"text":'//json_string(model%cases(result%case_index)%name//' '//trim(model_name(result%model)))// &
+            look_text(line_style(findloc(job%models, result%model, dim=1)))//'}'
    end function profile_key
+
+   !> Colours and marks of load cases that are shown together.
+   pure function case_looks() result(json)
+      character(:), allocatable :: json
+      character(:), allocatable :: look
+      integer :: i
+      json = ''
+      do i = 1, style_count
+         look = look_text(marked_line_style(i, 1, 1.0_wp, dash_of(1)))
+         json = json//either('', ',', i == 1)//'{'//look(2:)//'}'
+      end do
+   end function case_looks
 
    !> Depth, force and clock angle of each contact of the assembly.
    function contacts_text(job, result) result(text)

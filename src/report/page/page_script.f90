@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'i7Q830bVFM2IcmKQpkldslrO4GV5Ldvm0RqaBWSsbgA='
+   character(*), parameter :: script_hash = 'lWw89cerTxp1EXKuvL+O3QBlcA6tH8cZjOc7X5b5j9o='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -33,8 +33,8 @@ module dg_page_script
       'for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {', &
       'panel.quantity = D.columns[panel.curves[0].column].quantity', &
       'panel.lines = D.profiles.flatMap((p, k) => panel.curves.filter(c => p.curves[c.column]).map(c => ({', &
-      '...p.key, ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.cur'// &
-      'ves[c.column]', &
+      '...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.colu'// &
+      'mn]', &
       '})))', &
       '}', &
       'const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))', &
@@ -86,9 +86,9 @@ module dg_page_script
       'roke})', &
       '}', &
       'function draw_key(parent, key) {', &
-      'const svg = make(parent, ''svg'', {viewBox: ''0 -4 28 16'', class: ''key''})', &
-      'if (!key.marks) make(svg, ''line'', {x1: 0, x2: 28, y1: 4, y2: 4, ''stroke-width'': 3, ...key.look})', &
-      'draw_marks(svg, [''M14 4''], key)', &
+      'const svg = make(parent, ''svg'', {viewBox: ''0 -4 44 16'', class: ''key''})', &
+      'if (!key.marks) make(svg, ''line'', {x1: 0, x2: 44, y1: 4, y2: 4, ''stroke-width'': 3, ...key.look})', &
+      'draw_marks(svg, [''M22 4''], key)', &
       '}', &
       'function block(S, address) {', &
       'const state = {case: [choices.case[D.start]], model: choices.model, chart: 0, depth: undefined, hidden: new Se'// &
@@ -105,18 +105,26 @@ module dg_page_script
       'f())', &
       'const panels_of = () => S.panels ?? S.charts[state.chart].panels', &
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
-      'const lines_of = panel => panel.lines.filter(l => !S.charts || chosen(l.profile))', &
+      'function key_of(p) {', &
+      'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
+      ' D.looks.length', &
+      'if (cases.length < 2) return p.key', &
+      'return {...p.key, mark: D.looks[(n + Math.floor(n / most)) % most].mark, look: {...p.key.look, ...D.looks[n % '// &
+      'most].look}}', &
+      '}', &
+      'const lines_of = panel => S.charts ? panel.lines.filter(l => chosen(l.profile)).map(l => ({...key_of(l.profile'// &
+      '), ...l})) : panel.lines', &
       'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
       'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
-      'function row_beside({curve: {d, v}}) {', &
+      'function row_beside({curve: {d, v}}) {']
+   character(169), parameter :: script_lines_2(100) = [character(169) :: &
       'const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - stat'// &
       'e.top)', &
       'return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1', &
       '}', &
       'function text_at(line, q) {', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
-      'pth)']
-   character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      'pth)', &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
       'igh[i], q)})`)', &
       '}', &
@@ -221,13 +229,13 @@ module dg_page_script
       'note_address()', &
       '}', &
       'function cells_of_profiles() {', &
-      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
+      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))']
+   character(169), parameter :: script_lines_3(100) = [character(169) :: &
       'const known = Object.keys(D.columns).filter(n => list.some(p => p.curves[n]))', &
       'const names = view.all.checked ? known : [...new Set(wanted)]', &
       'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
       'const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)', &
-      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))']
-   character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))', &
       'const above = p => D.cases[p.case].depth - state.depth', &
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
@@ -295,7 +303,7 @@ module dg_page_script
       'const turn = () => { if (!state.hidden.delete(id)) state.hidden.add(id); draw() }', &
       'const b = make(view.legend, ''h:button'', {type: ''button'', ''aria-pressed'': !state.hidden.has(id), onclick:'// &
       ' turn})', &
-      'draw_key(b, key)', &
+      'draw_key(b, S.charts ? key_of(D.profiles[id]) : key)', &
       'b.append(key.text)', &
       '})', &
       '}', &
@@ -327,13 +335,13 @@ module dg_page_script
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
-      'want(top, top + step * (H - up - down))', &
+      'want(top, top + step * (H - up - down))']
+   character(169), parameter :: script_lines_4(100) = [character(169) :: &
       '}', &
       'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
       'view.panels.style.removeProperty(''--bands'')', &
-      'from = pinch = wanted = undefined']
-   character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'from = pinch = wanted = undefined', &
       '}', &
       'for (const kind of [''pointerdown'', ''pointermove'']) view.panels.addEventListener(kind, point)', &
       'for (const kind of [''touchstart'', ''touchmove'']) view.panels.addEventListener(kind, spread, {passive: false'// &
@@ -392,7 +400,7 @@ module dg_page_script
       'const label = make(right, ''h:label'', {})', &
       'view.all = make(label, ''h:input'', {type: ''checkbox'', onchange: draw_readout})', &
       'label.append('' all columns'')', &
-      'view.well = well_figures({root: S.root, state, shown, place_text, set_depth})', &
+      'view.well = well_figures({root: S.root, state, shown, key_of, place_text, set_depth})', &
       '}', &
       'listen()', &
       'view.panels.addEventListener(''dblclick'', whole)', &
@@ -434,13 +442,13 @@ module dg_page_script
       '}', &
       'addEventListener(''hashchange'', follow_address)', &
       'addEventListener(''resize'', draw_all)', &
-      'const draw_for = size => { paper = size; draw_all() }', &
+      'const draw_for = size => { paper = size; draw_all() }']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       'addEventListener(''afterprint'', () => draw_for(null))', &
       'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
       'paper = {wide: 660, high: 300}', &
-      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]']
-   character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]', &
       'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
       '}', &
@@ -542,14 +550,14 @@ module dg_page_script
       'return with_peaks(d, v, peaks)', &
       '}', &
       'function inverse_of({d, v}) {', &
-      'const at = [], made = []', &
+      'const at = [], made = []']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       'for (let i = 0; i < d.length; i++) {', &
       'const ratio = v[i] > 0 && v[i - 1] > 0 ? v[i - 1] / v[i] : 1, steps = Math.ceil(10 * Math.abs(Math.log(ratio))'// &
       ') || 1', &
       'for (let k = steps - 1; k >= 0; k--) {', &
       'const there = v[i] * ratio ** (k / steps), part = k && (there - v[i]) / (v[i - 1] - v[i])', &
-      'at.push(part ? d[i] + part * (d[i - 1] - d[i]) : d[i])']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'at.push(part ? d[i] + part * (d[i - 1] - d[i]) : d[i])', &
       'made.push(there > 0 ? 1 / there : NaN)', &
       '}', &
       '}', &
@@ -600,7 +608,7 @@ module dg_page_script
       'const off = value_at(p, ''displacement'', state.depth) * 2 * scale, a = angle(p, state.depth)', &
       'const circle = {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r: value_at(p, ''od'', state.depth) '// &
       '* scale}', &
-      'make(section, ''circle'', {...circle, fill: ''none'', ''stroke-width'': 2, ...p.key.look})', &
+      'make(section, ''circle'', {...circle, fill: ''none'', ''stroke-width'': 2, ...b.key_of(p).look})', &
       '}', &
       '}', &
       'function draw_well() {', &
@@ -657,14 +665,14 @@ module dg_page_script
       'const dot = make(well, ''g'', {}), said = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
       'return () => {', &
       'const [x, y] = project(place(state.depth))', &
-      'dot.replaceChildren()', &
+      'dot.replaceChildren()']
+   character(169), parameter :: script_lines_7(73) = [character(169) :: &
       'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
       'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
       'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said(value_at(p, state.ti'// &
       'nt, state.depth)))', &
-      '}']
-   character(169), parameter :: script_lines_7(68) = [character(169) :: &
+      '}', &
       '}', &
       'function draw_assembly() {', &
       'const p = leading(), W = paper?.wide ?? Math.max(320, root.clientWidth || 1000), T = paper ? 190 : 290', &
@@ -740,7 +748,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(668) = [ &
+   character(169), parameter :: script_lines(673) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
@@ -771,7 +779,7 @@ module dg_page_script
       '.bar .tab[aria-pressed=true]{background:#0072B2;color:#fff}.legend button[aria-pressed=false]{opacity:.4;text-'// &
       'decoration:line-through}', &
       '.legend span{align-self:center;font-size:.85em;margin-right:1em}.live h3{margin:.8em 0 .2em}', &
-      '.live .key{width:28px;height:16px;vertical-align:middle;display:inline-block;margin-right:.4em}', &
+      '.live .key{width:44px;height:16px;vertical-align:middle;display:inline-block;margin-right:.4em}', &
       '.main{display:grid;grid-template-columns:11em minmax(0,1fr);gap:1em}.side{font-size:.85em}.side select{display'// &
       ':block;width:100%;font:inherit;color:inherit;background:none;border:1px solid #888}', &
       '.legend button{overflow-wrap:anywhere}.readout th{max-width:9em;overflow-wrap:anywhere}.readout th:nth-child(2'// &

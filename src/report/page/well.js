@@ -34,7 +34,7 @@ function well_figures(b) {
          const scale = 88 / value_at(p, 'hole', state.depth)
          const off = value_at(p, 'displacement', state.depth) * 2 * scale, a = angle(p, state.depth)
          const circle = {cx: 100 + off * Math.sin(a), cy: 100 - off * Math.cos(a), r: value_at(p, 'od', state.depth) * scale}
-         make(section, 'circle', {...circle, fill: 'none', 'stroke-width': 2, ...p.key.look})
+         make(section, 'circle', {...circle, fill: 'none', 'stroke-width': 2, ...b.key_of(p).look})
       }
    }
    function draw_well() {
