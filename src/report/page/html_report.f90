@@ -50,10 +50,11 @@ module dg_html_report
       'used_joint_compression', 'used_joint_burst', 'used_joint_collapse', 'used_joint_dogleg', 'joint_fatigue_used', &
       'joint_fatigue_md', 'joint_fatigue_turns', 'joint_fatigue_damage', 'joint_fatigue_dogleg']
    character(*), parameter :: most_shown(*) = [character(22) :: 'case', 'governing_limit', 'governing_utilisation', &
-      'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'bit_side_force', 'bit_side_clock', &
-      'bit_tilt', 'sag_correction', 'shape', 'snaking_length', 'coiled_length', 'coil_turns']
+      'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'largest_side_force', &
+      'largest_side_force_md', 'bit_side_force', 'bit_side_clock', 'bit_tilt', 'sag_correction', 'shape', &
+      'snaking_length', 'coiled_length', 'coil_turns']
    !> Of these, the columns up to here are for all models; the others are for gap elements only.
-   integer, parameter :: most_of_all_models = 10
+   integer, parameter :: most_of_all_models = 12
    integer, parameter :: few = 4    !< digits
 
 contains
@@ -275,7 +276,8 @@ contains
                     'the limit of the rig. The smaller one counts. WOB at lock-up: WOB at zero hook load with friction of '// &
                     'helical buckling.</p>')
       call add_line(lines, '<p>Most used limit: of pipe, connections, slips and rig. String weight, lock-up and buckling '// &
-                    'are not included. '//factors_text(job%design)//' Bit side force: force of the bit on the formation. '// &
+                    'are not included. '//factors_text(job%design)//' Largest mean side force: over the length of a joint of '// &
+                    'pipe. Bit side force: force of the bit on the formation. '// &
                     'Bit tilt: angle between bit and hole axis. Clock angles count from the high side.</p>')
       do k = 1, size(job%models)
          rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &

@@ -17,7 +17,8 @@ module dg_html_text
    use dg_unit_kind, only: in_units, unit_factor, unit_label
    implicit none
    private
-   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, number_cell, said, said_number, switched
+   public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, heading_of, number_cell, said, &
+             said_number, switched
 
    !> A column of residuals: its order of magnitude matters, however small.
    character(*), parameter :: residual_name = 'equilibrium'
@@ -26,7 +27,7 @@ module dg_html_text
    !> Heading of a column that differs from its name in files.
    type :: heading_type
       character(21) :: column
-      character(29) :: heading
+      character(44) :: heading
    end type heading_type
 
    type(heading_type), parameter :: own_headings(*) = [ &
@@ -35,6 +36,9 @@ module dg_html_text
       heading_type('governing_md', 'depth of most used limit'), &
       heading_type('largest_bending', 'largest bending moment'), &
       heading_type('largest_bending_md', 'depth of largest moment'), &
+      heading_type('side_force', 'side force (at an edge: over a short length)'), &
+      heading_type('largest_side_force', 'largest mean side force'), &
+      heading_type('largest_side_force_md', 'depth of largest mean side force'), &
       heading_type('windup', 'wind-up'), &
       heading_type('neutral_top', 'neutral point'), &
       heading_type('wob_buckling', 'WOB at buckling'), &

@@ -6,6 +6,7 @@ module dg_page_data
    use dg_case_result, only: case_result_type
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
+   use dg_html_text, only: heading_of
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
@@ -18,7 +19,6 @@ module dg_page_data
                                thinned_text
    use dg_picture_list, only: picture_list_type
    use dg_quantity, only: quantity_rows => rows, system_base, system_name
-   use dg_readable, only: spaced
    use dg_series, only: series_list_type
    use dg_text, only: to_text
    use dg_trajectory, only: top_md
@@ -134,7 +134,7 @@ contains
       call add_line(lines, '"columns":{')
       do i = 1, list%count
          associate (series => list%items(i), column => list%items(i)%column)
-            text = json_string(trim(column%name))//':{"label":'//json_string(spaced(trim(column%name)))// &
+            text = json_string(trim(column%name))//':{"label":'//json_string(heading_of(trim(column%name)))// &
                    ',"quantity":'//json_string(quantity_key(column%quantity))// &
                    ',"meaning":'//json_string(trim(column%meaning))
             if (is_inverse(column%name)) text = text//',"inverse":true'

@@ -5,7 +5,8 @@ module dg_limits_table
    use dg_named_states, only: buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_casing_wear, only: groove_type
-   use dg_quantity, only: quantity_force, quantity_length, quantity_moment, quantity_none, quantity_turns
+   use dg_quantity, only: quantity_force, quantity_length, quantity_line_load, quantity_moment, quantity_none, &
+                          quantity_turns
    use dg_comparison, only: in_percent
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
@@ -84,6 +85,8 @@ contains
                           given(wholes%bending_md), .true.)
       call append_extreme(lines, units, names, 'Moments may be off by, %', quantity_none, 1, &
                           in_percent(wholes%bending_error), nowhere, .true.)
+      call append_extreme(lines, units, names, 'Largest mean side force', quantity_line_load, 3, given(wholes%side_force), &
+                          given(wholes%side_force_md), .true.)
       numbers = in_percent(wholes%least_standoff)
       do i = 1, size(results)
          associate (string => model%strings(string_index(model%strings, model%cases(results(i)%case_index)%string)))
