@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'lWw89cerTxp1EXKuvL+O3QBlcA6tH8cZjOc7X5b5j9o='
+   character(*), parameter :: script_hash = 'd1hFvk+/SURN5RMOf2Hf0Z6/cG4gJP60Sa7QtKcDt+Q='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -718,7 +718,8 @@ module dg_page_script
       'make(assembly, ''path'', {d: ''M'' + places.join(''L''), class: ''moment''})', &
       'write(0, T + 14, ''moment, at most '' + said(''bending'', most))', &
       'const cross = make(assembly, ''path'', {class: ''cross''})', &
-      'const words = `The ${lowest()}, enlarged across the hole. Distance above the bit [${unit(''length'')}]` +', &
+      'const words = `The ${lowest()}, ${p.key.text}, enlarged across the hole. Distance above the bit [${unit(''leng'// &
+      'th'')}]` +', &
       '(p.contacts ? `, contact forces [${unit(''force'')}].` : ''.'')', &
       'return () => {', &
       'const there = state.depth >= top && state.depth <= bit', &

@@ -130,7 +130,7 @@ function well_figures(b) {
       make(assembly, 'path', {d: 'M' + places.join('L'), class: 'moment'})
       write(0, T + 14, 'moment, at most ' + said('bending', most))
       const cross = make(assembly, 'path', {class: 'cross'})
-      const words = `The ${lowest()}, enlarged across the hole. Distance above the bit [${unit('length')}]` +
+      const words = `The ${lowest()}, ${p.key.text}, enlarged across the hole. Distance above the bit [${unit('length')}]` +
          (p.contacts ? `, contact forces [${unit('force')}].` : '.')
       return () => {
          const there = state.depth >= top && state.depth <= bit
