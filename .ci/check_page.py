@@ -121,17 +121,19 @@ setTimeout(async () => {
 # One model chosen in the list, then a depth beyond the end of the first of two load cases.
 CHOSEN = r"""
 setTimeout(async () => {
+   let heads = []
    const told = [], later = wait => new Promise(done => setTimeout(done, wait)), {root} = blocks[0].S, [cases, models] = root.querySelectorAll('select[multiple]')
    const choose = async (list, names) => {
       for (const o of list.options) o.selected = names.includes(o.value)
       list.dispatchEvent(new Event('change'))
       await later(400)
       told.push([...root.querySelectorAll('.legend button')].map(b => b.textContent), location.hash, [...root.querySelectorAll('.readout tr:nth-child(4) td')].map(c => c.textContent).slice(1))
+      heads = [...root.querySelectorAll('.readout th')].map(c => c.textContent)
    }
    await choose(models, ['soft'])
    await choose(models, ['mcge', 'soft'])
    await choose(cases, ['up_2075', 'sliding_3190'])
-   told.push([...root.querySelectorAll('.legend svg')].map(s => s.innerHTML.match(/stroke="[^"]*"/)[0] + s.querySelector('path')?.getAttribute('d')))
+   told.push(heads.slice(6), [...root.querySelectorAll('.legend svg')].map(s => s.innerHTML.match(/stroke="[^"]*"/)[0] + s.querySelector('path')?.getAttribute('d')))
    const field = root.querySelector('input[type=number]')
    field.value = '2500'
    field.dispatchEvent(new Event('change'))
@@ -261,7 +263,7 @@ def faults_of_view(folder, data, view, text, complaints):
     rows = readout(text)
     chart = next(c for c in data["charts"] if c["title"] == query["chart"][0])
     wanted = [c["column"] for p in chart["panels"] for c in p["curves"]]
-    names = [name.split(" ") for name in rows.get("quantity", ["unit"])[1:] if " " in name and not name.startswith("difference ")]
+    names = [name.split(" ") for name in rows.get("quantity", ["unit"])[1:] if " " in name and " less " not in name]
     profiles = [Profile(folder, case, model) for case, model in names]
     if len(profiles) != len(MODELS) * len(query["case"]):
         faults.append(f"{view}: the page shows {names}")
@@ -393,7 +395,7 @@ def faults_of_choice(told, complaints):
     faults = [f"choice: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "models were not chosen"]
-    one, one_at, one_row, both, both_at, _, four, _, row, looks, dots, circles, *charts = told
+    one, one_at, one_row, both, both_at, _, four, _, row, heads, looks, dots, circles, *charts = told
     if one != ["sliding_3190 soft"] or len(one_row) != 2 or "model=soft" not in one_at or "model=mcge" in one_at:
         faults.append(f"one model: the page shows {one}, {one_row}, {one_at}")
     if both != ["sliding_3190 mcge", "sliding_3190 soft"] or "model=" in both_at:
@@ -403,6 +405,8 @@ def faults_of_choice(told, complaints):
     # unit, two load cases by two models, their difference by each model
     if len(four) != 4 or len(row) != 7 or any(abs(float(row[k + 1]) - float(row[k]) - float(row[end])) > 0.11 for k, end in ((1, 5), (3, 6))):
         faults.append(f"two load cases: the page shows {four}, {row}")
+    if heads != [f"sliding_3190 {model} less up_2075 {model}" for model in MODELS]:
+        faults.append(f"two load cases: differences are named {heads}")
     if len(looks) != 4 or looks[:2] != looks[2:] or looks[0] == looks[1]:
         faults.append(f"two load cases by two models: colours and marks are {looks}")
     if dots or circles != 3:

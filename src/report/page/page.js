@@ -212,7 +212,7 @@ function block(S, address) {
       const names = view.all.checked ? known : [...new Set(wanted)]
       const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []
       const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)
-      const heads = pairs.map(([{model}]) => 'difference' + (pairs.length > 1 ? ' ' + model : ''))
+      const heads = pairs.map(([a, b]) => `${b.key.text} less ${a.key.text}`)
       const above = p => D.cases[p.case].depth - state.depth
       const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
       const row_of = n => {

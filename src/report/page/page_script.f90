@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'd1hFvk+/SURN5RMOf2Hf0Z6/cG4gJP60Sa7QtKcDt+Q='
+   character(*), parameter :: script_hash = 'M76mBH1rPfJiMV/5IgDE6GxwrtQTUWITXw05O0ELPRY='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -235,7 +235,7 @@ module dg_page_script
       'const names = view.all.checked ? known : [...new Set(wanted)]', &
       'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
       'const pairs = list.length === 2 ? [list] : by_model.filter(pair => pair.length === 2)', &
-      'const heads = pairs.map(([{model}]) => ''difference'' + (pairs.length > 1 ? '' '' + model : ''''))', &
+      'const heads = pairs.map(([a, b]) => `${b.key.text} less ${a.key.text}`)', &
       'const above = p => D.cases[p.case].depth - state.depth', &
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
