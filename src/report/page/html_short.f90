@@ -50,8 +50,6 @@ contains
          call append_errors(lines, job%units, model, results(rows))
          call append_models(lines, job, model, results, rows)
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
-         i = count([(has_message(results(rows(i))), i=1, size(rows))])
-         if (i > 0) call add_line(lines, '<li>'//cases_text(i)//' with warnings, listed above.</li>')
       end if
       if (allocated(outcome%sentences)) then
          do i = 1, size(outcome%sentences)
@@ -201,18 +199,4 @@ contains
       end do
       if (size(cases) > most_named) text = text//' and '//to_text(size(cases) - most_named)//' more'
    end function named
-
-   pure function has_message(result) result(has)
-      type(case_result_type), intent(in) :: result
-      logical :: has
-      has = .false.
-      if (allocated(result%message)) has = result%message /= ''
-   end function has_message
-
-   pure function cases_text(number) result(text)
-      integer, intent(in) :: number
-      character(:), allocatable :: text
-      text = to_text(number)//' load cases'
-      if (number == 1) text = '1 load case'
-   end function cases_text
 end module dg_html_short

@@ -373,7 +373,9 @@ function block(S, address) {
    view.panels.addEventListener('dblclick', whole)
    for (const kind of ['pointerenter', 'focusin']) S.root.addEventListener(kind, () => active = S)
    state.bottom ??= end_of()
-   state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2
+   const known = ({curve: {d, v}}) => [...d].filter((_, i) => isFinite(v[i]))           // rows with a number
+   const first_row = () => Math.round(Math.min(...S.panels.flatMap(p => p.lines).filter(l => l.marks).flatMap(known)))
+   state.depth ??= S.rows ? first_row() : S.end ?? state.bottom / 2
    return {S, state, draw}
 }
 

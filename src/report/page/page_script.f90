@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'M76mBH1rPfJiMV/5IgDE6GxwrtQTUWITXw05O0ELPRY='
+   character(*), parameter :: script_hash = '39hIhXDSXEUOK57ZXaCTiNs2aWsSyxRlw7j2nwM2kK8='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -406,7 +406,10 @@ module dg_page_script
       'view.panels.addEventListener(''dblclick'', whole)', &
       'for (const kind of [''pointerenter'', ''focusin'']) S.root.addEventListener(kind, () => active = S)', &
       'state.bottom ??= end_of()', &
-      'state.depth ??= S.rows ? 1 : S.end ?? state.bottom / 2', &
+      'const known = ({curve: {d, v}}) => [...d].filter((_, i) => isFinite(v[i]))', &
+      'const first_row = () => Math.round(Math.min(...S.panels.flatMap(p => p.lines).filter(l => l.marks).flatMap(kno'// &
+      'wn)))', &
+      'state.depth ??= S.rows ? first_row() : S.end ?? state.bottom / 2', &
       'return {S, state, draw}', &
       '}', &
       'function add_switch(parent) {', &
@@ -440,10 +443,10 @@ module dg_page_script
       'draw_all()', &
       'if (q.size) active.root.scrollIntoView()', &
       '}', &
-      'addEventListener(''hashchange'', follow_address)', &
-      'addEventListener(''resize'', draw_all)', &
-      'const draw_for = size => { paper = size; draw_all() }']
+      'addEventListener(''hashchange'', follow_address)']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'addEventListener(''resize'', draw_all)', &
+      'const draw_for = size => { paper = size; draw_all() }', &
       'addEventListener(''afterprint'', () => draw_for(null))', &
       'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
@@ -548,10 +551,10 @@ module dg_page_script
       '}, 0))', &
       '}', &
       'return with_peaks(d, v, peaks)', &
-      '}', &
-      'function inverse_of({d, v}) {', &
-      'const at = [], made = []']
+      '}']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'function inverse_of({d, v}) {', &
+      'const at = [], made = []', &
       'for (let i = 0; i < d.length; i++) {', &
       'const ratio = v[i] > 0 && v[i - 1] > 0 ? v[i - 1] / v[i] : 1, steps = Math.ceil(10 * Math.abs(Math.log(ratio))'// &
       ') || 1', &
@@ -663,10 +666,10 @@ module dg_page_script
       'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
       '})', &
       'const dot = make(well, ''g'', {}), said = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
-      'return () => {', &
+      'return () => {']
+   character(169), parameter :: script_lines_7(75) = [character(169) :: &
       'const [x, y] = project(place(state.depth))', &
-      'dot.replaceChildren()']
-   character(169), parameter :: script_lines_7(73) = [character(169) :: &
+      'dot.replaceChildren()', &
       'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
       'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
@@ -749,7 +752,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(673) = [ &
+   character(169), parameter :: script_lines(675) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
