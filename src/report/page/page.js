@@ -48,6 +48,8 @@ function value_in(c, depth) {
    return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step
 }
 const value_at = (p, name, depth) => value_in(p.curves[name], depth)
+const is_held = (p, name, depth) => name === 'gap_state' && p.held && depth >= D.cases[p.case].depth - rounding      // the bit
+const word_at = (p, name, depth) => is_held(p, name, depth) ? 'held' : D.columns[name].words[value_at(p, name, depth)] ?? '\u2013'
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
@@ -217,10 +219,10 @@ function block(S, address) {
       const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
       const row_of = n => {
          const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)
-         const text = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
          const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))      // thinned more than others
          const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? ' of its inverse' : ''})` : '')
-         return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '' : text(at(b) - at(a)))]
+         return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),
+            ...pairs.map(([a, b]) => words ? '' : text_of(at(b) - at(a), quantity))]
       }
       return [
          ['quantity', 'unit', ...list.map(p => p.key.text), ...heads],

@@ -8,6 +8,7 @@ module dg_page_profiles
    use dg_job, only: job_type, model_name
    use dg_json, only: json_string
    use dg_line_list, only: add_line, line_list_type
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_page_code, only: letters_of
    use dg_page_curves, only: profile_curves, share_type, stands_alone
@@ -147,6 +148,7 @@ contains
          associate (result => results(places(i)))
             call add_line(lines, '{"case":'//to_text(result%case_index - 1)//',"model":'// &
                              json_string(trim(model_name(result%model)))//',"key":'//profile_key(job, model, result)//',')
+            if (.not. is_missing(result%bit_side_force)) call add_line(lines, '"held":true,')
             if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(job, result)//'],')
          end associate
          call append_depths(lines, curves, places(:i))

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '39hIhXDSXEUOK57ZXaCTiNs2aWsSyxRlw7j2nwM2kK8='
+   character(*), parameter :: script_hash = 'OEbTtvLqoEDO0h+lSoNwBsoyye1nsbxoY0bBK+nEXeA='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -56,6 +56,10 @@ module dg_page_script
       'return c.turns ? (c.v[i] + part * ((step + 540) % 360 - 180) + 360) % 360 : c.v[i] + part * step', &
       '}', &
       'const value_at = (p, name, depth) => value_in(p.curves[name], depth)', &
+      'const is_held = (p, name, depth) => name === ''gap_state'' && p.held && depth >= D.cases[p.case].depth - round'// &
+      'ing', &
+      'const word_at = (p, name, depth) => is_held(p, name, depth) ? ''held'' : D.columns[name].words[value_at(p, nam'// &
+      'e, depth)] ?? ''\u2013''', &
       'function text_of(value, q) {', &
       'if (!isFinite(value)) return ''\u2013''', &
       'const v = value * factor(q), a = Math.abs(v)', &
@@ -114,10 +118,10 @@ module dg_page_script
       '}', &
       'const lines_of = panel => S.charts ? panel.lines.filter(l => chosen(l.profile)).map(l => ({...key_of(l.profile'// &
       '), ...l})) : panel.lines', &
-      'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
-      'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
-      'function row_beside({curve: {d, v}}) {']
+      'const visible = line => !line.keys.some(k => state.hidden.has(k))']
    character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
+      'function row_beside({curve: {d, v}}) {', &
       'const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - stat'// &
       'e.top)', &
       'return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1', &
@@ -227,10 +231,10 @@ module dg_page_script
       'view.well?.mark()', &
       'draw_readout()', &
       'note_address()', &
-      '}', &
-      'function cells_of_profiles() {', &
-      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))']
+      '}']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'function cells_of_profiles() {', &
+      'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
       'const known = Object.keys(D.columns).filter(n => list.some(p => p.curves[n]))', &
       'const names = view.all.checked ? known : [...new Set(wanted)]', &
       'const by_model = state.case.length === 2 ? state.model.map(m => list.filter(p => p.model === m)) : []', &
@@ -240,11 +244,10 @@ module dg_page_script
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
       'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)', &
-      'const text = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
       'const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))', &
       'const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? '' of its inverse'' : ''''})` : '''')', &
-      'return [said, unit(quantity), ...list.map(p => text(at(p))), ...pairs.map(([a, b]) => words ? '''' : text(at(b'// &
-      ') - at(a)))]', &
+      'return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),', &
+      '...pairs.map(([a, b]) => words ? '''' : text_of(at(b) - at(a), quantity))]', &
       '}', &
       'return [', &
       '[''quantity'', ''unit'', ...list.map(p => p.key.text), ...heads],', &
@@ -333,10 +336,10 @@ module dg_page_script
       'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
-      'pinch ??= [depth_of(a), depth_of(b)]', &
-      'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
-      'want(top, top + step * (H - up - down))']
+      'pinch ??= [depth_of(a), depth_of(b)]']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
+      'want(top, top + step * (H - up - down))', &
       '}', &
       'const finish = () => {', &
       'if (wanted?.[1] > wanted?.[0]) zoom(...wanted)', &
@@ -441,10 +444,10 @@ module dg_page_script
       'parts.forEach((S, i) => { if (S === active || !blocks[i]) blocks[i] = block(S, S === active ? q : new URLSearc'// &
       'hParams()) })', &
       'draw_all()', &
-      'if (q.size) active.root.scrollIntoView()', &
-      '}', &
-      'addEventListener(''hashchange'', follow_address)']
+      'if (q.size) active.root.scrollIntoView()']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      '}', &
+      'addEventListener(''hashchange'', follow_address)', &
       'addEventListener(''resize'', draw_all)', &
       'const draw_for = size => { paper = size; draw_all() }', &
       'addEventListener(''afterprint'', () => draw_for(null))', &
@@ -549,10 +552,10 @@ module dg_page_script
       'if (c.d[i] === depth) return sum + c.v[next[k]++]', &
       'return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))', &
       '}, 0))', &
-      '}', &
-      'return with_peaks(d, v, peaks)', &
       '}']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'return with_peaks(d, v, peaks)', &
+      '}', &
       'function inverse_of({d, v}) {', &
       'const at = [], made = []', &
       'for (let i = 0; i < d.length; i++) {', &
@@ -664,17 +667,18 @@ module dg_page_script
       'line(a.at, points[i + 1].at, {stroke, ''stroke-width'': 5, ''stroke-linecap'': ''round'', ''pointer-events'': '// &
       '''none''})', &
       'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
-      '})', &
-      'const dot = make(well, ''g'', {}), said = v => words ? words[v] ?? ''\u2013'' : text_of(v, quantity)', &
-      'return () => {']
-   character(169), parameter :: script_lines_7(75) = [character(169) :: &
+      '})']
+   character(169), parameter :: script_lines_7(78) = [character(169) :: &
+      'const dot = make(well, ''g'', {})', &
+      'const said = () => words ? word_at(p, state.tint, state.depth) : text_of(value_at(p, state.tint, state.depth),'// &
+      ' quantity)', &
+      'return () => {', &
       'const [x, y] = project(place(state.depth))', &
       'dot.replaceChildren()', &
       'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
       'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
-      'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said(value_at(p, state.ti'// &
-      'nt, state.depth)))', &
+      'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said())', &
       '}', &
       '}', &
       'function draw_assembly() {', &
@@ -752,7 +756,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(675) = [ &
+   character(169), parameter :: script_lines(678) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

@@ -80,14 +80,15 @@ function well_figures(b) {
          line(a.at, points[i + 1].at, {stroke, 'stroke-width': 5, 'stroke-linecap': 'round', 'pointer-events': 'none'})
          line(a.at, points[i + 1].at, {class: 'near', onpointerenter: () => b.set_depth(a.d)})
       })
-      const dot = make(well, 'g', {}), said = v => words ? words[v] ?? '\u2013' : text_of(v, quantity)
+      const dot = make(well, 'g', {})
+      const said = () => words ? word_at(p, state.tint, state.depth) : text_of(value_at(p, state.tint, state.depth), quantity)
       return () => {
          const [x, y] = project(place(state.depth))
          dot.replaceChildren()
          if (state.depth > end) return
          make(dot, 'circle', {cx: x, cy: y, r: 6, class: 'dot'})
          const look = x < 300 ? {x: x + 9} : {x: x - 9, 'text-anchor': 'end'}        // within the picture
-         make(dot, 'text', {...look, y: y - 6, class: 'value'}, b.place_text() + ': ' + said(value_at(p, state.tint, state.depth)))
+         make(dot, 'text', {...look, y: y - 6, class: 'value'}, b.place_text() + ': ' + said())
       }
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
