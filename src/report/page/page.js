@@ -53,7 +53,7 @@ const word_at = (p, name, depth) => is_held(p, name, depth) ? 'held' : D.columns
 function text_of(value, q) {
    if (!isFinite(value)) return '\u2013'
    const v = value * factor(q), a = Math.abs(v)
-   const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)
+   const text = v.toFixed(a >= 1000 ? +(q === 'length') : a >= 100 ? 1 : a >= 10 ? 2 : 3)
    return +text ? text : text.replace('-', '')               // 0, not -0
 }
 const depth_of_units = depth => +(depth * factor('length')).toFixed(2)

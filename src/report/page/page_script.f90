@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'OEbTtvLqoEDO0h+lSoNwBsoyye1nsbxoY0bBK+nEXeA='
+   character(*), parameter :: script_hash = 'o5S08U6Q2BK9P27enX7ZWcxoELlk6pa8GpHRm6kLjMw='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -63,7 +63,7 @@ module dg_page_script
       'function text_of(value, q) {', &
       'if (!isFinite(value)) return ''\u2013''', &
       'const v = value * factor(q), a = Math.abs(v)', &
-      'const text = v.toFixed(a >= 1000 ? 0 : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
+      'const text = v.toFixed(a >= 1000 ? +(q === ''length'') : a >= 100 ? 1 : a >= 10 ? 2 : 3)', &
       'return +text ? text : text.replace(''-'', '''')', &
       '}', &
       'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2)', &
