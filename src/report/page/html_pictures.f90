@@ -41,11 +41,11 @@ contains
       if (shown > 0) then
          call add_line(lines, '<h2>Along the string</h2>'//hint)
          call add_line(lines, '<div class="live"></div><div class="static">')
-         call add_line(lines, '<p>Load case '//html_safe(model%cases(shown)%name)//'. Pictures of all load cases stand in the '// &
-                          'folder <code>pictures</code>.</p>')
+         call add_line(lines, '<h3>Load case '//html_safe(model%cases(shown)%name)//'</h3><p>Pictures of all load cases stand '// &
+                          'in the folder <code>pictures</code>.</p>')
          do k = 1, size(list%pictures)
             if (list%pictures(k)%case_index == shown .and. list%pictures(k)%drawn) &
-               call append_picture(lines, job, list%pictures(k), k)
+               call append_picture(lines, job, list%pictures(k), k, ' of '//html_safe(model%cases(shown)%name))
          end do
          call add_line(lines, '</div>')
       end if
@@ -53,7 +53,7 @@ contains
       if (any(of_run)) call add_line(lines, '<h2>Pictures of the run</h2>')
       if (shown == 0 .and. any(is_live(list%pictures))) call add_line(lines, hint)
       do k = 1, size(list%pictures)
-         if (of_run(k)) call append_picture(lines, job, list%pictures(k), k)
+         if (of_run(k)) call append_picture(lines, job, list%pictures(k), k, '')
       end do
       if (list%empty /= '') call add_line(lines, '<p class="note">Not drawn, as no value is known: '// &
                                           html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
@@ -61,11 +61,12 @@ contains
    end subroutine append_pictures
 
    !> A picture: the place of a chart, where the script draws one, and the fixed picture.
-   subroutine append_picture(lines, job, picture, number)
+   subroutine append_picture(lines, job, picture, number, of_case)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(picture_type), intent(in) :: picture
       integer, intent(in) :: number
+      character(*), intent(in) :: of_case        !< behind a heading, in HTML; '' for a picture of the run
       character(:), allocatable :: title
       title = ''
       if (is_live(picture)) title = picture%chart%title
@@ -74,7 +75,7 @@ contains
       if (picture%drawn) call append_fixed(lines, job, picture, number)
       if (is_live(picture)) call add_line(lines, '</div>')
       if (picture%caption /= title) call add_line(lines, '<figcaption>'//html_safe(picture%caption)//'</figcaption>')
-      call append_data(lines, job, picture%data)
+      call append_data(lines, job, picture%data, of_case)
       call add_line(lines, '</figure>')
    end subroutine append_picture
 
@@ -98,10 +99,11 @@ contains
    end subroutine append_fixed
 
    !> The numbers of a picture, in a table that opens beneath it; the file that has all.
-   subroutine append_data(lines, job, data)
+   subroutine append_data(lines, job, data, of_case)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(picture_data_type), intent(in) :: data
+      character(*), intent(in) :: of_case        !< as append_picture
       character(:), allocatable :: link
       logical :: marked(size(data%rows))
       integer :: i, k
@@ -119,7 +121,7 @@ contains
             end associate
          end do
       end do
-      call add_line(lines, '<details><summary>Numbers</summary>')
+      call add_line(lines, '<details><summary>Numbers'//of_case//'</summary>')
       call append_rows(lines, job%units, data%rows, marked)
       if (data%every > 1) call add_line(lines, '<p>One row of each '//to_text(data%every)//'.</p>')
       call add_line(lines, '<p>All: '//link//'</p></details>')
