@@ -348,13 +348,18 @@ def faults_of_labels(told, width):
     return ["labels were not looked at"] if told is None else [f"{width} px: {what}" for what in told]
 
 
+def faults_of_beyond(made, _complaints):
+    """A depth of the address below the end of the string is told."""
+    return [] if "The address asks for 5000 m. The chart ends at 3190 m." in (made or "") else ["a depth beyond the end is not told"]
+
+
 def faults_of_no_curves(made, complaints):
     """Without a load case to show there is a sentence, and no empty chart."""
     faults = [f"no load case: the browser complains: {c}" for c in complaints]
     told, panels = made or ("", 0)
     if "Curves are thinned to 0.03 % of their range, safety factors by their inverse." not in told:
         faults.append("the page does not say how close its curves are")
-    if "No curves: choose a load case" not in told or panels:
+    if "No load case is named 'none'." not in told or "No curves: choose a load case" not in told or panels:
         faults.append("no load case: the page draws empty charts, or says nothing")
     return faults
 
@@ -507,7 +512,7 @@ def main():
     views = {view: View(page, view, READOUTS) for view in views_of(data)}
     addresses = list(views)
     views |= views_without_script(text)
-    views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "field": View(page, "units=field"), "phone": view_of_phone(text)}
+    views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "beyond": View(page, "depth=5000"), "field": View(page, "units=field"), "phone": view_of_phone(text)}
     views |= {name: View(page, script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES))}
     views |= dict(zip(WIDTHS, views_of_labels(text)))
     told = dict(zip(views, opened(views.values())))
@@ -521,7 +526,7 @@ def main():
         faults += faults_of_labels(told[width][0], width)
     field, own = told["field"][0] or "", told["own"][0] or ""
     found, n = faults_of_tables(folder, *told["field"], own)
-    faults += found + faults_of_sentences(field) + faults_of_no_curves(*told["bare"]) + faults_of_phone(told["phone"][0])
+    faults += found + faults_of_sentences(field) + faults_of_no_curves(*told["bare"]) + faults_of_beyond(*told["beyond"]) + faults_of_phone(told["phone"][0])
     faults += faults_of_touch(*told["touch"]) + faults_of_typing(*told["typed"]) + faults_of_choice(*told["chosen"])
     faults += faults_of_well(folder, *told["well"]) + faults_of_curves(folder, *told["curves"]) + faults_of_edge(text)
     print(f"{compared} values read off the page, {n} off its tables")

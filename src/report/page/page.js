@@ -200,6 +200,7 @@ function block(S, address) {
       set_depth(state.depth)
    }
    function set_depth(depth) {                                  // the slider keeps it within its range, and rows whole
+      if (depth !== state.depth) view.told.textContent = ''
       view.slider.value = depth
       state.depth = +view.slider.value
       if (view.typed) view.typed.value = depth_of_units(state.depth)
@@ -219,7 +220,7 @@ function block(S, address) {
       const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
       const row_of = n => {
          const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)
-         const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))      // thinned more than others
+         const beyond = Math.max(0, ...list.map(p => p.beyond?.[n] ?? 0))      // thinned more than others
          const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? ' of its inverse' : ''})` : '')
          return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),
             ...pairs.map(([a, b]) => words ? '' : text_of(at(b) - at(a), quantity))]
@@ -356,6 +357,7 @@ function block(S, address) {
       if (choices.model.length > 1) add_list(side, 'model', 'Models')
    }
    const right = make(main, 'h:div', {class: 'right'})
+   view.told = make(right, 'h:p', {class: 'told'})              // what is wrong with the address
    view.legend = make(right, 'h:div', {class: 'legend'})
    view.panels = make(right, 'h:div', {class: 'panels'})
    const slide = {'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)}
@@ -378,6 +380,10 @@ function block(S, address) {
    const known = ({curve: {d, v}}) => [...d].filter((_, i) => isFinite(v[i]))           // rows with a number
    const first_row = () => Math.round(Math.min(...S.panels.flatMap(p => p.lines).filter(l => l.marks).flatMap(known)))
    state.depth ??= S.rows ? first_row() : S.end ?? state.bottom / 2
+   const unknown = (k, what) => state[k].filter(name => !choices[k].includes(name)).map(name => `No ${what} is named '${name}'.`)
+   const names = S.charts ? [...unknown('case', 'load case'), ...unknown('model', 'model')] : []
+   const deep = !S.rows && state.depth > end_of() + rounding ? [`The address asks for ${depth_text(state.depth)}. The chart ends at ${depth_text(end_of())}.`] : []
+   view.told.textContent = [...names, ...deep].join(' ')
    return {S, state, draw}
 }
 

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'o5S08U6Q2BK9P27enX7ZWcxoELlk6pa8GpHRm6kLjMw='
+   character(*), parameter :: script_hash = '9U4KfY8zjZRKso/sx6r57PipUjSFwoszVZNOMNn+9dc='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -224,15 +224,16 @@ module dg_page_script
       'set_depth(state.depth)', &
       '}', &
       'function set_depth(depth) {', &
+      'if (depth !== state.depth) view.told.textContent = ''''', &
       'view.slider.value = depth', &
       'state.depth = +view.slider.value', &
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
       'draw_readout()', &
-      'note_address()', &
-      '}']
+      'note_address()']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      '}', &
       'function cells_of_profiles() {', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
       'const known = Object.keys(D.columns).filter(n => list.some(p => p.curves[n]))', &
@@ -244,7 +245,7 @@ module dg_page_script
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
       'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)', &
-      'const beyond = Math.max(...list.map(p => p.beyond?.[n] ?? 0))', &
+      'const beyond = Math.max(0, ...list.map(p => p.beyond?.[n] ?? 0))', &
       'const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? '' of its inverse'' : ''''})` : '''')', &
       'return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),', &
       '...pairs.map(([a, b]) => words ? '''' : text_of(at(b) - at(a), quantity))]', &
@@ -335,9 +336,9 @@ module dg_page_script
       'const spread = e => {', &
       'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
-      'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
-      'pinch ??= [depth_of(a), depth_of(b)]']
+      'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
       'want(top, top + step * (H - up - down))', &
       '}', &
@@ -389,6 +390,7 @@ module dg_page_script
       'if (choices.model.length > 1) add_list(side, ''model'', ''Models'')', &
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
+      'view.told = make(right, ''h:p'', {class: ''told''})', &
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'const slide = {''aria-label'': S.over ?? ''row'', oninput: e => set_depth(+e.target.value)}', &
@@ -413,6 +415,12 @@ module dg_page_script
       'const first_row = () => Math.round(Math.min(...S.panels.flatMap(p => p.lines).filter(l => l.marks).flatMap(kno'// &
       'wn)))', &
       'state.depth ??= S.rows ? first_row() : S.end ?? state.bottom / 2', &
+      'const unknown = (k, what) => state[k].filter(name => !choices[k].includes(name)).map(name => `No ${what} is na'// &
+      'med ''${name}''.`)', &
+      'const names = S.charts ? [...unknown(''case'', ''load case''), ...unknown(''model'', ''model'')] : []', &
+      'const deep = !S.rows && state.depth > end_of() + rounding ? [`The address asks for ${depth_text(state.depth)}.'// &
+      ' The chart ends at ${depth_text(end_of())}.`] : []', &
+      'view.told.textContent = [...names, ...deep].join('' '')', &
       'return {S, state, draw}', &
       '}', &
       'function add_switch(parent) {', &
@@ -437,15 +445,15 @@ module dg_page_script
       'document.querySelector(''.switched'').hidden = units === D.units', &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
-      'function follow_address() {', &
+      'function follow_address() {']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
       'active = parts.find(S => S.title && S.title === q.get(''chart'')) ?? parts[0]', &
       'parts.forEach((S, i) => { if (S === active || !blocks[i]) blocks[i] = block(S, S === active ? q : new URLSearc'// &
       'hParams()) })', &
       'draw_all()', &
-      'if (q.size) active.root.scrollIntoView()']
-   character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'if (q.size) active.root.scrollIntoView()', &
       '}', &
       'addEventListener(''hashchange'', follow_address)', &
       'addEventListener(''resize'', draw_all)', &
@@ -546,14 +554,14 @@ module dg_page_script
       'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
       'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
-      'd.push(depth)', &
+      'd.push(depth)']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       'v.push([a, b].reduce((sum, c, k) => {', &
       'const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])', &
       'if (c.d[i] === depth) return sum + c.v[next[k]++]', &
       'return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))', &
       '}, 0))', &
-      '}']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      '}', &
       'return with_peaks(d, v, peaks)', &
       '}', &
       'function inverse_of({d, v}) {', &
@@ -659,7 +667,8 @@ module dg_page_script
       '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
       'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])', &
-      'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])', &
+      'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])']
+   character(169), parameter :: script_lines_7(84) = [character(169) :: &
       'make(well, ''path'', {class: ''shadow'', d: ''M'' + points.map(a => project([a.at[0], a.at[1], z1])).join(''L'''// &
       ')})', &
       'points.slice(0, n).forEach((a, i) => {', &
@@ -667,8 +676,7 @@ module dg_page_script
       'line(a.at, points[i + 1].at, {stroke, ''stroke-width'': 5, ''stroke-linecap'': ''round'', ''pointer-events'': '// &
       '''none''})', &
       'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
-      '})']
-   character(169), parameter :: script_lines_7(78) = [character(169) :: &
+      '})', &
       'const dot = make(well, ''g'', {})', &
       'const said = () => words ? word_at(p, state.tint, state.depth) : text_of(value_at(p, state.tint, state.depth),'// &
       ' quantity)', &
@@ -756,7 +764,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(678) = [ &
+   character(169), parameter :: script_lines(684) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
@@ -764,7 +772,7 @@ module dg_page_script
       script_lines_5, &
       script_lines_6, &
       script_lines_7]
-   character(400), parameter :: style_lines_1(32) = [character(400) :: &
+   character(400), parameter :: style_lines_1(33) = [character(400) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
@@ -779,7 +787,8 @@ module dg_page_script
       'troke-width:2.5}.live .body{fill:var(--steel);stroke:var(--ink)}', &
       '.live .moment{fill:none;stroke:#0072B2;stroke-width:2}.live .force{stroke:#D55E00;stroke-width:3}.live .shadow'// &
       '{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
-      '.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare [type=range]{display:none}', &
+      '.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare .readout,.bare .typed,.bare [type=range]{display:none}', &
+      '.told{font-weight:600}.told:empty{display:none}', &
       '.live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
       '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button,.unit'// &
       's{font:inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor'// &
@@ -823,6 +832,6 @@ module dg_page_script
       '.answers .more{break-after:avoid;order:8;font-weight:600}.more td{grid-column:1/-1}.lead .note{order:9}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
-   character(400), parameter :: style_lines(32) = [ &
+   character(400), parameter :: style_lines(33) = [ &
       style_lines_1]
 end module dg_page_script
