@@ -26,8 +26,8 @@ module dg_html_verdict
    integer, parameter :: link_digits = 7     !< of depths
    !> Answers on the first printed page beside a string of `few_components`; each two further components take the room of one.
    integer, parameter :: most_answers = 5, few_components = 9
-   !> Order on paper of rows behind the notes, less their rank (page.css).
-   integer, parameter :: after_notes = 10
+   !> Order on paper of rows behind the one on the others, less their rank (page.css).
+   integer, parameter :: after_more = 10
 
 contains
 
@@ -109,7 +109,7 @@ contains
          integer, intent(in) :: rank
          character(:), allocatable :: text
          text = ' style="order:'//to_text(rank)//'"'
-         if (rank > first) text = ' style="order:'//to_text(after_notes + rank)//'"'
+         if (rank > first) text = ' style="order:'//to_text(after_more + rank)//'"'
       end function place_text
    end subroutine append_answers
 
@@ -123,7 +123,7 @@ contains
       if (verdict%answer == answer_no) number = 3.0_wp
    end function urgency
 
-   !> Number of load cases behind the notes and their answers.
+   !> Number of load cases behind the first ones and their answers.
    pure function others_text(verdicts) result(text)
       type(verdict_type), intent(in) :: verdicts(:)      !< the first is the nearest to a limit
       character(:), allocatable :: text
