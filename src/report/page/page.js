@@ -99,7 +99,8 @@ function block(S, address) {
    const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)
    const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)
    const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_of())
-   const panels_of = () => S.panels ?? S.charts[state.chart].panels
+   const first_sheet = () => paper && S.charts[1] && !state.chart && state.case.join() === choices.case[D.start]      // has this one already
+   const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels
    const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)
    function key_of(p) {                                         // of one load case a colour a model; of several a colour and mark a case
       const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most = D.looks.length

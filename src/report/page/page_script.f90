@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '9U4KfY8zjZRKso/sx6r57PipUjSFwoszVZNOMNn+9dc='
+   character(*), parameter :: script_hash = 'R3XPIDExNfxDkvswMq8DHyKf1TocsWMAh6c4fO9GkvY='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -107,7 +107,8 @@ module dg_page_script
       'const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)', &
       'const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_o'// &
       'f())', &
-      'const panels_of = () => S.panels ?? S.charts[state.chart].panels', &
+      'const first_sheet = () => paper && S.charts[1] && !state.chart && state.case.join() === choices.case[D.start]', &
+      'const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels', &
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
       'function key_of(p) {', &
       'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
@@ -117,9 +118,9 @@ module dg_page_script
       'most].look}}', &
       '}', &
       'const lines_of = panel => S.charts ? panel.lines.filter(l => chosen(l.profile)).map(l => ({...key_of(l.profile'// &
-      '), ...l})) : panel.lines', &
-      'const visible = line => !line.keys.some(k => state.hidden.has(k))']
+      '), ...l})) : panel.lines']
    character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
       'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
       'function row_beside({curve: {d, v}}) {', &
       'const far = i => Math.abs(d[i] - state.depth), near = S.rows ? .5 : 6 / (H - up - down) * (state.bottom - stat'// &
@@ -230,9 +231,9 @@ module dg_page_script
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
-      'draw_readout()', &
-      'note_address()']
+      'draw_readout()']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'note_address()', &
       '}', &
       'function cells_of_profiles() {', &
       'const list = shown(), wanted = panels_of().flatMap(p => p.curves.map(c => c.column))', &
@@ -335,9 +336,9 @@ module dg_page_script
       '}', &
       'const spread = e => {', &
       'if (e.touches.length !== 2 || S.rows) return', &
-      'e.preventDefault()', &
-      'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)']
+      'e.preventDefault()']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
       'want(top, top + step * (H - up - down))', &
@@ -444,9 +445,9 @@ module dg_page_script
       '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
-      '}', &
-      'function follow_address() {']
+      '}']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
       'active = parts.find(S => S.title && S.title === q.get(''chart'')) ?? parts[0]', &
@@ -553,9 +554,9 @@ module dg_page_script
       'function sum_of(a, b, peaks) {', &
       'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
-      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
-      'd.push(depth)']
+      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'd.push(depth)', &
       'v.push([a, b].reduce((sum, c, k) => {', &
       'const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])', &
       'if (c.d[i] === depth) return sum + c.v[next[k]++]', &
@@ -666,9 +667,9 @@ module dg_page_script
       '}', &
       '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
-      'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])', &
-      'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])']
-   character(169), parameter :: script_lines_7(84) = [character(169) :: &
+      'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])']
+   character(169), parameter :: script_lines_7(85) = [character(169) :: &
+      'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])', &
       'make(well, ''path'', {class: ''shadow'', d: ''M'' + points.map(a => project([a.at[0], a.at[1], z1])).join(''L'''// &
       ')})', &
       'points.slice(0, n).forEach((a, i) => {', &
@@ -764,7 +765,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(684) = [ &
+   character(169), parameter :: script_lines(685) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
