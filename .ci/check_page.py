@@ -25,7 +25,7 @@ from browser import READOUTS, View, browser, opened
 CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
 #: Columns whose headings are not their names.
 HEADINGS = {"depth of most used limit": "governing_md", "largest bending moment": "largest_bending", "depth of largest moment": "largest_bending_md",
-            "neutral point": "neutral_top", "depth of largest mean side force": "largest_side_force_md", "WOB at buckling": "wob_buckling", "WOB at zero hook load": "wob_no_hookload",
+            "neutral point": "neutral_top", "depth of least safety factor": "least_safety_md", "depth of buckling margin": "buckling_margin_md", "depth of largest mean side force": "largest_side_force_md", "WOB at buckling": "wob_buckling", "WOB at zero hook load": "wob_no_hookload",
             "WOB at lock-up": "wob_lockup", "margin to rig limit": "rig_margin", "length of sinusoidal buckling": "snaking_length",
             "length of helical buckling": "coiled_length"}
 THINNED = 0.03              # % of their range, to which all curves are thinned but those that say more

@@ -34,6 +34,8 @@ FIRST_SHEET = ("Can it be done?", "Nearest to a limit: 'sliding_3190'", "Well to
                "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_3190 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "top drive, fatigue.")
 #: Answers of GP1 on paper in their order: five, then, behind the line on the others, the sixth.
 NEAREST = ("sliding_3190", "up_2770", "up_3190", "sliding_2075", "up_2075", "down_2075")
+#: Limits of that load case on paper.
+LIMITS = ("Limits of sliding_3190", "least safety factor", "neutral point", "buckling margin")
 TASK = {"up": "Trip out", "down": "Trip in", "sliding": "Sliding drilling"}
 
 
@@ -196,6 +198,7 @@ def faults_of_paper(folder, paper):
         if sheet.replace(foot, "").endswith(tuple(headings)):
             faults.append(f"sheet {number} ends with a heading")
     faults += [f"the first sheet lacks {text}" for text in FIRST_SHEET if squeezed(text) not in sheets[0]]
+    faults += [f"paper lacks {text}" for text in LIMITS if squeezed(text) not in whole]
     answers = [squeezed(f"{name}{TASK[name.split('_')[0]]} at {name.split('_')[1]} m") for name in NEAREST]
     places = [whole.find(text) for text in (*answers[:-1], "7morebelow", answers[-1])]
     if places != sorted(places):

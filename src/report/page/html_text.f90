@@ -39,6 +39,8 @@ module dg_html_text
       heading_type('side_force', 'side force (at an edge: over a short length)'), &
       heading_type('largest_side_force', 'largest mean side force'), &
       heading_type('largest_side_force_md', 'depth of largest mean side force'), &
+      heading_type('least_safety_md', 'depth of least safety factor'), &
+      heading_type('buckling_margin_md', 'depth of buckling margin'), &
       heading_type('windup', 'wind-up'), &
       heading_type('neutral_top', 'neutral point'), &
       heading_type('wob_buckling', 'WOB at buckling'), &

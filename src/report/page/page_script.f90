@@ -812,8 +812,8 @@ module dg_page_script
       '@media screen and (prefers-color-scheme:dark){.live{--ink:#dde2e6;--line:#3b444c;--soft:#8a939b;--paper:#14181'// &
       'c;--wall:#b8935f;--steel:#46525b}.live svg{filter:none}', &
       '.live svg [stroke="#c00000"]{stroke:#ff7a6b}.live .cross,.live .dot{stroke:#f06292}}', &
-      '@media screen{.first{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head p{margin:'// &
-      '.3em 0}.head h3{margin:.8em 0 .2em}}', &
+      '@media screen{.first,.printed{display:none}.lead{display:flex;flex-direction:column}.lead .head{order:1}.head '// &
+      'p{margin:.3em 0}.head h3{margin:.8em 0 .2em}}', &
       '.more{display:none}', &
       '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
