@@ -84,7 +84,7 @@ contains
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
-      type(model_type) :: known                   ! with the friction of a stiff assembly
+      type(model_type) :: known                   ! with the friction of a stiff assembly, and joints as on its elements
       integer(int64) :: start, finish
       character(:), allocatable :: tried
       integer :: given_up, i
@@ -97,7 +97,8 @@ contains
       wanted%moments = model%numerics%moments .and. wanted%profile
       allocate (history(0))
       known = model
-      call find_stiff_drag(model, case_index, known%stiff_drag)
+      known%numerics%joints_by_need = .false.
+      call find_stiff_drag(known, case_index, known%stiff_drag)
       asked = model%numerics%element_length
       do i = 1, model%numerics%tuning%most_meshes
          mesh = model%numerics%tuning%mesh(i)
