@@ -23,13 +23,16 @@ module dg_weight_on_bit
    !> Number of depths that are tried from the bit up, and accuracy of the depth between two of them over the bit's depth [-].
    integer, parameter :: depths = 50
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
+   !> Part of the load by a push that string weight brings, above which friction limits both [-].
+   real(wp), parameter :: by_friction = 0.5_wp
    !> Range of the factors of friction, and their accuracy [-].
    real(wp), parameter :: scales(2) = [0.1_wp, 4.0_wp], scale_tolerance = 1.0e-4_wp
 
 contains
 
    !> Largest weight on bit by string weight [N]. Friction includes helical buckling, and the factor of beams over the soft
-   !> string. Where beams bring less by a push than the soft string, they bring less by weight in the same ratio.
+   !> string. For a string that locks up it is at most the load by beams. Where friction and not weight limits it, it is less
+   !> than that of the soft string in the ratio of both loads.
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -39,8 +42,8 @@ contains
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
       pushed = most_load_at_bit(model, result%case_index, coiled=.true., pushed=.true., &
                                 friction_scale=result%without_load%friction_scale)
-      if (pushed > 0.0_wp) most = most*min(result%lock_up_load/pushed, 1.0_wp)
-      most = max(most, 0.0_wp)
+      if (most > by_friction*pushed) most = most*min(result%lock_up_load/pushed, 1.0_wp)
+      most = min(most, max(result%lock_up_load, 0.0_wp))
    end function weight_that_arrives
 
    !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if not found. With `pushed` it is the greatest one by a
