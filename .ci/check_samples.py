@@ -26,7 +26,7 @@ ELSEWHERE = {"gp1.nml", "sweep_gp1.nml"}
 ROUNDING = 2.1e-7       # [-]: --convert writes numbers to 1e-7, twice here
 MODELS_APART = 5.0      # % of the largest hook load of the deck
 # Groups whose tables the page shows as they were printed, and its heading above them.
-PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&steering", "&legacy", "&uncertainty"), ">Calibrations, sweeps, studies, comparisons</summary>"
+PRINTED, TABLES = ("&calibrate", "&sweep", "&study", "&steering", "&legacy", "&uncertainty"), ">Studies and comparisons"
 
 
 def faults_of(program, deck, folder):

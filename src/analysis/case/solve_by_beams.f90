@@ -22,6 +22,8 @@ module dg_solve_by_beams
    private
    public :: solve_by_beams, model_of_result
 
+   !> Most iterations with joints one by one. Of 20 wells that are solved so, the hardest takes 248. Near lock-up most find none.
+   integer, parameter :: most_apart = 300
    !> Digits of lengths and depths in a message.
    integer, parameter :: shown = 4, shown_depth = 7
    !> A joint within `close_to_step` of a step of the hole may be on either side of it [m]. A bit depth that differs by
@@ -46,12 +48,14 @@ contains
       if (tried) tried = rubs_between_joints(model, case_index)
       if (tried) then
          other%numerics%discrete_joints = .true.
+         other%numerics%max_iterations = min(model%numerics%max_iterations, most_apart)
          call solve_one_way(other, case_index, totals_only, stop, result, error)
          result%joints_apart = .true.
          if (result%status /= result_not_converged .or. is_stopped(stop)) return
       end if
       other%numerics%discrete_joints = model%numerics%discrete_joints
       other%numerics%joints_by_need = .false.
+      other%numerics%max_iterations = model%numerics%max_iterations
       call solve_one_way(other, case_index, totals_only, stop, smeared, error)
       smeared%iterations = smeared%iterations + result%iterations
       smeared%seconds = smeared%seconds + result%seconds
