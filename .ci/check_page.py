@@ -512,8 +512,8 @@ def main():
     views = {view: View(page, view, READOUTS) for view in views_of(data)}
     addresses = list(views)
     views |= views_without_script(text)
-    views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "beyond": View(page, "depth=5000"), "field": View(page, "units=field"), "phone": view_of_phone(text)}
-    views |= {name: View(page, script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES))}
+    views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "beyond": View(page, f"case={CASES[0]}&depth=5000"), "field": View(page, "units=field"), "phone": view_of_phone(text)}
+    views |= {name: View(page, f"case={CASES[0]}", script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES))}
     views |= dict(zip(WIDTHS, views_of_labels(text)))
     told = dict(zip(views, opened(views.values())))
     compared = 0
