@@ -22,7 +22,7 @@ module dg_solve_by_beams
    private
    public :: solve_by_beams, model_of_result
 
-   !> Most iterations with joints one by one. Of 20 wells that are solved so, the hardest takes 248. Near lock-up most find none.
+   !> Most iterations with joints one by one. Of 9 wells that are solved so, the hardest takes 248. Near lock-up most find none.
    integer, parameter :: most_apart = 300
    !> Digits of lengths and depths in a message.
    integer, parameter :: shown = 4, shown_depth = 7
