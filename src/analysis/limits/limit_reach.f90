@@ -4,8 +4,8 @@
 module dg_limit_reach
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
-   use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
+   use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
    use dg_design_factors, only: design_factors_type
    use dg_friction_reserve, only: passed_weight
    use dg_job, only: model_mcge, model_soft
@@ -22,8 +22,7 @@ module dg_limit_reach
    private
    public :: find_limit_reach
 
-   !> Number of depths that are tried from the bit up, and accuracy of the depth between two of them over their range [-].
-   integer, parameter :: depths = 50
+   !> Accuracy of the depth over the depth of the bit [-].
    real(wp), parameter :: depth_tolerance = 1.0e-4_wp
    !> Use of each limit where string weight is not enough [-].
    real(wp), parameter :: too_much = 2.0_wp
@@ -39,9 +38,8 @@ contains
       type(design_factors_type), intent(in) :: design
       type(optional_real), intent(in) :: rig_limit             !< load that the rig may carry [N]
       type(optional_real), intent(out) :: reach
-      type(bracket_type) :: bracket
-      real(wp) :: used(limit_count), ratio(limit_count), top, span, depth, left, below
-      integer :: i
+      type(depth_search_type) :: search
+      real(wp) :: used(limit_count), ratio(limit_count), top, span, depth, left
       top = top_md(model%trajectory)
       span = model%cases(result%case_index)%bit_depth - top
       call find_uses(model, result, design, rig_limit, top + span, used)
@@ -51,22 +49,13 @@ contains
          ratio = utilisation%used%value/used
       left = 1.0_wp - maxval(ratio*used)
       if (left >= 0.0_wp) return
-      do i = depths - 1, 1, -1
-         below = left
-         depth = span*real(i, wp)/real(depths, wp)
-         left = left_at(depth)
-         if (left >= 0.0_wp) exit
+      search = new_depth_search(span, left, depth_tolerance*span)
+      do while (search%goes_on)
+         depth = next_depth(search)
+         call take_value(search, depth, left_at(depth))
       end do
-      if (i < 1) then
-         reach = given(0.0_wp)
-         return
-      end if
-      bracket = new_bracket(depth, left, span*real(i + 1, wp)/real(depths, wp), below)
-      do while (.not. is_narrow(bracket, depth_tolerance*span))
-         depth = next_try(bracket, depth_tolerance*span)
-         call narrow(bracket, depth, left_at(depth))
-      end do
-      reach = given(top + bracket%low)
+      reach = given(0.0_wp)
+      if (search%greatest > 0.0_wp) reach = given(top + search%greatest)
 
    contains
 

@@ -4,6 +4,7 @@ module dg_weight_on_bit
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type, result_locked_up
    use dg_component, only: axial_stiffness
+   use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
    use dg_load_case, only: block_way
    use dg_missing, only: given, is_missing, optional_real
    use dg_fluid_pressure, only: surface_push
@@ -20,8 +21,7 @@ module dg_weight_on_bit
    !> reduces. The last step is more than any string weighs.
    integer, parameter :: doublings = 30
    real(wp), parameter :: first_guess = 1.0e3_wp
-   !> Number of depths that are tried from the bit up, and accuracy of the depth between two of them over the bit's depth [-].
-   integer, parameter :: depths = 50
+   !> Accuracy of a depth over the bit's depth [-].
    real(wp), parameter :: depth_tolerance = 1.0e-5_wp
    !> Part of the load by a push that string weight brings, above which friction limits both [-].
    real(wp), parameter :: by_friction = 0.5_wp
@@ -120,32 +120,21 @@ contains
       type(optional_real), intent(out) :: reach
       real(wp), intent(in), optional :: friction_scale   !< on all friction [-]; absent: 1
       type(model_type) :: probe
-      type(bracket_type) :: bracket
-      real(wp) :: left, below
-      integer :: i
+      type(depth_search_type) :: search
+      real(wp) :: left
       if (block_way(model%cases(case_index)%operation) >= 0) return
       probe = model
       associate (load_case => model%cases(case_index), depth => probe%cases(case_index)%bit_depth)
          left = left_of(model, case_index, load_case%wob, coiled=.true., pushed=.false., friction_scale=friction_scale)
          if (left >= 0.0_wp) return
-         do i = depths - 1, 1, -1
-            below = left
-            depth = load_case%bit_depth*real(i, wp)/real(depths, wp)
-            left = left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., friction_scale=friction_scale)
-            if (left >= 0.0_wp) exit
-         end do
-         if (i < 1) then
-            reach = given(0.0_wp)
-            return
-         end if
-         bracket = new_bracket(depth, left, load_case%bit_depth*real(i + 1, wp)/real(depths, wp), below)
-         do while (.not. is_narrow(bracket, depth_tolerance*load_case%bit_depth))
-            depth = next_try(bracket, depth_tolerance*load_case%bit_depth)
-            call narrow(bracket, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., &
-                                                friction_scale=friction_scale))
+         search = new_depth_search(load_case%bit_depth, left, depth_tolerance*load_case%bit_depth)
+         do while (search%goes_on)
+            depth = next_depth(search)
+            call take_value(search, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., &
+                                                   friction_scale=friction_scale))
          end do
       end associate
-      reach = given(bracket%low)
+      reach = given(search%greatest)
    end subroutine find_reach
 
    !> Factor of all friction with which a weight on bit leaves a hook load of a string that goes down. Friction includes
