@@ -1,11 +1,25 @@
 !> Names and words as people read them in a sentence.
 module dg_readable
-   use dg_text, only: letter_end, lower_case
+   use dg_text, only: letter_end, lower_case, text_type, to_text
    implicit none
    private
-   public :: spaced, squeezed, capital, cut_text
+   public :: spaced, squeezed, capital, cut_text, first_names
 
 contains
+
+   !> The first names of a list: 'A, B and 3 more'.
+   pure function first_names(names, most) result(text)
+      type(text_type), intent(in) :: names(:)
+      integer, intent(in) :: most          !< number of names that are given
+      character(:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, min(size(names), most)
+         if (i > 1) text = text//', '
+         text = text//names(i)%text
+      end do
+      if (size(names) > most) text = text//' and '//to_text(size(names) - most)//' more'
+   end function first_names
 
    !> A name as words: blanks for '_'.
    pure function spaced(name) result(text)

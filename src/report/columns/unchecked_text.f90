@@ -4,7 +4,8 @@ module dg_unchecked_text
    use dg_component, only: component_type
    use dg_fatigue_curve, only: fatigue_none
    use dg_model, only: model_type
-   use dg_text, only: either, to_text
+   use dg_readable, only: first_names
+   use dg_text, only: append_text, either, text_type
    use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_burst, limit_collapse, &
                              limit_joint_tension, limit_joint_torsion, limit_makeup, limit_tension, limit_torsion, limit_von_mises
    use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
@@ -29,13 +30,13 @@ contains
       integer :: i
       text = ''
       bare = .not. any(has_joint_rating(components))
-      if (not_checked(limit_tension)) text = 'pipe strength'//unrated_names(components, limit_tension)//' (no yield)'
+      if (not_checked(limit_tension)) text = 'pipe strength'//of_unrated(components, limit_tension)//' (no yield)'
       if (bare .and. not_checked(limit_joint_tension)) text = text//either(', ', '', text /= '')// &
          'connections (no make-up torque or rating)'
       do i = 1, every_limit_count
          if (.not. not_checked(i) .or. any(by_yield == i) .or. (bare .and. any(by_joint == i))) cycle
          if (text /= '') text = text//', '
-         text = text//trim(limit_title(i))//unrated_names(components, i)
+         text = text//trim(limit_title(i))//of_unrated(components, i)
          if (i == limit_fatigue .and. any(components%fatigue%curve /= fatigue_none)) &
             text = text//' (its limit is passed, no '//trim(merge('hours or rpm    ', 'fatigue_exponent', &
                    all(components%fatigue%exponent > 0.0_wp .or. components%fatigue%curve == fatigue_none)))//')'
@@ -48,27 +49,44 @@ contains
       character(:), allocatable :: names
       integer :: i
       names = unrated_names([(model%strings(i)%components, i=1, size(model%strings))], limit_tension)
-      names = names(min(len(' of '), len(names)) + 1:)
    end function components_without_yield
 
-   !> ' of NAME and NAME' of the components that lack a rating; '' where all that need one lack it.
+   !> ' of NAME, NAME' with the components that lack a rating; '' where all that need one lack it.
+   pure function of_unrated(components, limit) result(text)
+      type(component_type), intent(in) :: components(:)
+      integer, intent(in) :: limit
+      character(:), allocatable :: text
+      text = unrated_names(components, limit)
+      if (text /= '') text = ' of '//text
+   end function of_unrated
+
+   !> Names of the components that lack a rating; '' where all that need one lack it.
    pure function unrated_names(components, limit) result(text)
       type(component_type), intent(in) :: components(:)
       integer, intent(in) :: limit
       character(:), allocatable :: text
       integer, parameter :: most_names = 3
-      integer :: i, names
+      type(text_type), allocatable :: names(:)
+      integer :: i
       text = ''
       if (.not. any(has_rating(components, limit))) return
-      names = 0
+      allocate (names(0))
       do i = 1, size(components)
          if (.not. lacks_rating(components(i), limit)) cycle
-         if (index(text//',', ' '//components(i)%name//',') > 0) cycle      ! of another string
-         names = names + 1
-         if (names > most_names) cycle
-         text = text//either(' of', ',', names == 1)//' '//components(i)%name
+         if (is_listed(components(i)%name)) cycle      ! of another string
+         call append_text(names, components(i)%name)
       end do
-      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
+      text = first_names(names, most_names)
+   contains
+      pure function is_listed(name) result(is)
+         character(*), intent(in) :: name
+         logical :: is
+         integer :: k
+         is = .false.
+         do k = 1, size(names)
+            is = is .or. names(k)%text == name
+         end do
+      end function is_listed
    end function unrated_names
 
    !> Names of the limits that were not checked as files have them, blanks between them.

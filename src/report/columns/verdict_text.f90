@@ -216,7 +216,7 @@ contains
          either('only limits of pressure are checked besides', 'other limits are not checked', verdict%pressures_judged)
    end function help_text
 
-   !> Limits that are passed besides those that have been told; '' if there are none.
+   !> Limits that are passed besides those that are already named; '' if there are none.
    pure function passed_text(verdict) result(text)
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text

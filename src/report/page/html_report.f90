@@ -28,7 +28,8 @@ module dg_html_report
    use dg_run_outcome, only: case_part, outcome_type
    use dg_summary_file, only: summary_row
    use dg_table_1, only: page_columns
-   use dg_text, only: either, text_type, to_text
+   use dg_readable, only: first_names
+   use dg_text, only: append_text, text_type, to_text
    use dg_unchecked_text, only: components_without_yield
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
@@ -131,17 +132,15 @@ contains
       type(outcome_type), intent(in) :: outcome
       character(:), allocatable :: text
       integer, parameter :: most_names = 4
-      integer :: i, names
+      type(text_type), allocatable :: names(:)
+      integer :: i
       text = 'Studies and comparisons'
-      names = 0
       if (.not. allocated(outcome%parts)) return
+      allocate (names(0))
       do i = 1, size(outcome%parts)
-         if (outcome%parts(i)%name == case_part) cycle
-         names = names + 1
-         if (names > most_names) cycle
-         text = text//either(': ', ', ', names == 1)//outcome%parts(i)%name
+         if (outcome%parts(i)%name /= case_part) call append_text(names, outcome%parts(i)%name)
       end do
-      if (names > most_names) text = text//' and '//to_text(names - most_names)//' more'
+      if (size(names) > 0) text = text//': '//first_names(names, most_names)
    end function studies_heading
 
    !> Begins a part of the page that is folded: its heading opens it.

@@ -12,7 +12,8 @@ module dg_html_short
    use dg_model, only: model_type
    use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type
-   use dg_text, only: either, to_text
+   use dg_readable, only: first_names
+   use dg_text, only: either, text_type, to_text
    use dg_unit_kind, only: unit_force
    use dg_units, only: unit_system_type
    use dg_whole_string, only: whole_string_type
@@ -191,12 +192,11 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: cases(:)      !< their numbers
       character(:), allocatable :: text
+      type(text_type) :: names(size(cases))
       integer :: i
-      text = ''
-      do i = 1, min(size(cases), most_named)
-         if (i > 1) text = text//', '
-         text = text//html_safe(model%cases(cases(i))%name)
+      do i = 1, size(cases)
+         names(i)%text = html_safe(model%cases(cases(i))%name)
       end do
-      if (size(cases) > most_named) text = text//' and '//to_text(size(cases) - most_named)//' more'
+      text = first_names(names, most_named)
    end function named
 end module dg_html_short

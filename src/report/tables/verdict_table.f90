@@ -6,6 +6,7 @@ module dg_verdict_table
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
    use dg_number_text, only: left_aligned, append_wrapped
+   use dg_readable, only: first_names
    use dg_text, only: append_text, either, quoted, text_or_nothing, text_type, to_text
    use dg_unchecked_text, only: unchecked_text
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
@@ -106,18 +107,15 @@ contains
          character(*), intent(in) :: word
          integer, intent(in) :: answer
          character(:), allocatable :: part
-         integer :: i, names
+         type(text_type), allocatable :: names(:)
+         integer :: i
          part = ''
-         names = 0
+         allocate (names(0))
          do i = 1, size(results)
-            if (.not. shown(i) .or. wholes(i)%verdict%answer /= answer) cycle
-            names = names + 1
-            if (names > most_names) cycle
-            part = part//either(':', ',', names == 1)//' '//quoted(model%cases(results(i)%case_index)%name)
+            if (shown(i) .and. wholes(i)%verdict%answer == answer) &
+               call append_text(names, quoted(model%cases(results(i)%case_index)%name))
          end do
-         if (part == '') return
-         if (names > most_names) part = part//' and '//to_text(names - most_names)//' more'
-         part = ' '//word//part//'.'
+         if (size(names) > 0) part = ' '//word//': '//first_names(names, most_names)//'.'
       end function named
    end function summary_line
 
