@@ -201,7 +201,7 @@ function block(S, address) {
       set_depth(state.depth)
    }
    function set_depth(depth) {                                  // the slider keeps it within its range, and rows whole
-      if (depth !== state.depth) view.told.textContent = ''
+      if (depth !== state.depth) view.notice.textContent = ''
       view.slider.value = depth
       state.depth = +view.slider.value
       if (view.typed) view.typed.value = depth_of_units(state.depth)
@@ -358,7 +358,7 @@ function block(S, address) {
       if (choices.model.length > 1) add_list(side, 'model', 'Models')
    }
    const right = make(main, 'h:div', {class: 'right'})
-   view.told = make(right, 'h:p', {class: 'told'})              // what is wrong with the address
+   view.notice = make(right, 'h:p', {class: 'notice'})              // what is wrong with the address
    view.legend = make(right, 'h:div', {class: 'legend'})
    view.panels = make(right, 'h:div', {class: 'panels'})
    const slide = {'aria-label': S.over ?? 'row', oninput: e => set_depth(+e.target.value)}
@@ -384,7 +384,7 @@ function block(S, address) {
    const unknown = (k, what) => state[k].filter(name => !choices[k].includes(name)).map(name => `No ${what} is named '${name}'.`)
    const names = S.charts ? [...unknown('case', 'load case'), ...unknown('model', 'model')] : []
    const deep = !S.rows && state.depth > end_of() + rounding ? [`The address asks for ${depth_text(state.depth)}. The chart ends at ${depth_text(end_of())}.`] : []
-   view.told.textContent = [...names, ...deep].join(' ')
+   view.notice.textContent = [...names, ...deep].join(' ')
    return {S, state, draw}
 }
 

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'R3XPIDExNfxDkvswMq8DHyKf1TocsWMAh6c4fO9GkvY='
+   character(*), parameter :: script_hash = 'W+dtlKH3QIi8jDUrc1yJo2qLHTLK53AsuISugKt6yTA='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -225,7 +225,7 @@ module dg_page_script
       'set_depth(state.depth)', &
       '}', &
       'function set_depth(depth) {', &
-      'if (depth !== state.depth) view.told.textContent = ''''', &
+      'if (depth !== state.depth) view.notice.textContent = ''''', &
       'view.slider.value = depth', &
       'state.depth = +view.slider.value', &
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
@@ -391,7 +391,7 @@ module dg_page_script
       'if (choices.model.length > 1) add_list(side, ''model'', ''Models'')', &
       '}', &
       'const right = make(main, ''h:div'', {class: ''right''})', &
-      'view.told = make(right, ''h:p'', {class: ''told''})', &
+      'view.notice = make(right, ''h:p'', {class: ''notice''})', &
       'view.legend = make(right, ''h:div'', {class: ''legend''})', &
       'view.panels = make(right, ''h:div'', {class: ''panels''})', &
       'const slide = {''aria-label'': S.over ?? ''row'', oninput: e => set_depth(+e.target.value)}', &
@@ -421,7 +421,7 @@ module dg_page_script
       'const names = S.charts ? [...unknown(''case'', ''load case''), ...unknown(''model'', ''model'')] : []', &
       'const deep = !S.rows && state.depth > end_of() + rounding ? [`The address asks for ${depth_text(state.depth)}.'// &
       ' The chart ends at ${depth_text(end_of())}.`] : []', &
-      'view.told.textContent = [...names, ...deep].join('' '')', &
+      'view.notice.textContent = [...names, ...deep].join('' '')', &
       'return {S, state, draw}', &
       '}', &
       'function add_switch(parent) {', &
@@ -789,7 +789,7 @@ module dg_page_script
       '.live .moment{fill:none;stroke:#0072B2;stroke-width:2}.live .force{stroke:#D55E00;stroke-width:3}.live .shadow'// &
       '{fill:none;stroke:var(--soft);stroke-dasharray:3 3}', &
       '.bare>:not(.bar,.main),.bare .legend,.bare .hint,.bare .readout,.bare .typed,.bare [type=range]{display:none}', &
-      '.told{font-weight:600}.told:empty{display:none}', &
+      '.notice{font-weight:600}.notice:empty{display:none}', &
       '.live .dot{fill:none;stroke:#c2185b;stroke-width:3}', &
       '.bar,.legend{display:flex;flex-wrap:wrap;gap:.4em;margin:.4em 0}.bar button,.legend button,.lower button,.unit'// &
       's{font:inherit;padding:.25em .7em;border:1px solid #888;border-radius:4px;background:none;color:inherit;cursor'// &
