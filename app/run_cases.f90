@@ -29,7 +29,7 @@ module dg_run_cases
    use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
-   use dg_solve_by_beams, only: model_of_result
+   use dg_solve_by_beams, only: with_joints_apart
    use dg_solve_case, only: solve_case
    use dg_standard_output, only: flush_output
    use dg_stopping, only: stop_type
@@ -139,8 +139,6 @@ contains
       type(progress_type), target :: progress
       type(case_watch_type), target :: watches(size(results))
       logical, target :: solved(size(results))
-      type(verdict_type) :: verdict
-      type(model_type) :: its          ! model of a result
       integer :: row, next
       logical :: doubt
       doubt = doubt_of_deck(job, model, [case_result_type ::]) /= ''
@@ -153,17 +151,14 @@ contains
       end do
       next = 1
       !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
-      !$omp private(row, verdict, its)
+      !$omp private(row)
       do row = 1, size(results)
          call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
-         its = model_of_result(model, results(row))
-         if (allocated(results(row)%profile%md)) then
-            call find_along_string(its, results(row), alongs(row), job%design)
-            call find_whole_string(its, results(row), alongs(row), job%rig_limit, wholes(row))
-            call find_utilisation(its, results(row), alongs(row), job%design, job%rig_limit, wholes(row)%utilisation)
+         if (results(row)%joints_apart) then
+            call judge_result(job, with_joints_apart(model), upper, results(row), alongs(row), wholes(row))
+         else
+            call judge_result(job, model, upper, results(row), alongs(row), wholes(row))
          end if
-         call find_verdict(its, results(row), wholes(row), job%design, job%rig_limit, verdict, upper)
-         wholes(row)%verdict = verdict
          !$omp critical (results_in_order)
          solved(row) = .true.
          if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)
@@ -195,6 +190,24 @@ contains
          index = modulo(row - 1, size(model%cases)) + 1
       end function case_of
    end subroutine solve_all
+
+   !> Find stresses, limits and the answer of a result.
+   subroutine judge_result(job, model, upper, result, along, whole)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model        !< by which the result was found
+      type(upper_friction_type), intent(in) :: upper
+      type(case_result_type), intent(in) :: result
+      type(along_string_type), intent(inout) :: along
+      type(whole_string_type), intent(inout) :: whole
+      type(verdict_type) :: verdict
+      if (allocated(result%profile%md)) then
+         call find_along_string(model, result, along, job%design)
+         call find_whole_string(model, result, along, job%rig_limit, whole)
+         call find_utilisation(model, result, along, job%design, job%rig_limit, whole%utilisation)
+      end if
+      call find_verdict(model, result, whole, job%design, job%rig_limit, verdict, upper)
+      whole%verdict = verdict
+   end subroutine judge_result
 
    !> Solve a case. A signal ends it early, and its watch hears of every iteration.
    subroutine solve_watched(model, number, case_index, watch, result, error)
