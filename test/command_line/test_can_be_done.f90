@@ -70,6 +70,7 @@ contains
       run = run_deck_text(replaced(deck("operation = 'rotate_off_bottom'", .true.), 'yield = 135', 'yield = 931'))
       call assertTrue(index(run%output, newline//line//newline) > 0, message=run%output)
       call assertTrue(index(content(results_path//'/report.html'), '<p class="note warn">'//line) > 0, message='on the page')
+      call assertTrue(index(run%output, 'WOB where buckling begins') == 0, message='no WOB in this case: '//run%output)
    end subroutine test_doubtful_deck
 
    !> A no is an answer: exit status 0, the reason with numbers, a mark in Table 1.

@@ -277,8 +277,9 @@ contains
                     'the limit. Safety factors need a yield strength in the deck'//html_safe(left_out)//'.</p>')
       call add_line(lines, '<p>Neutral point: the uppermost one, tension above, compression below. Overpull margin: pull '// &
                     'that may be added at the top until the pipe yields, bending included. Margin to rig limit: pull until '// &
-                    'the limit of the rig. The smaller one counts. WOB at lock-up: WOB at zero hook load with friction of '// &
-                    'helical buckling.</p>')
+                    'the limit of the rig. The smaller one counts. WOB at buckling, zero hook load and lock-up: the weight '// &
+                    'on bit that would bring the moving string there. Load cases without WOB have these values, too. '// &
+                    'Lock-up counts friction of helical buckling, zero hook load does not.</p>')
       call add_line(lines, '<p>Most used limit: of pipe, connections, slips and rig. String weight, lock-up and buckling '// &
                     'are not included. '//factors_text(job%design)//' Largest mean side force: over the length of a joint of '// &
                     'pipe. Bit side force: force of the bit on the formation. '// &

@@ -116,8 +116,9 @@ contains
       call append_extreme(lines, units, deciders, 'Least margin to buckling', quantity_force, 1, &
                           (wholes%buckling_margin), (wholes%buckling_margin_md), .false.)
       deciders = noted(names, wholes%wob_buckling%present .and. .not. wholes%wob_buckling%value > 0.0_wp, ', buckles without WOB')
-      call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, &
-                          (wholes%wob_buckling), nowhere, .false.)
+      numbers = wholes%wob_buckling
+      numbers%present = numbers%present .and. model%cases(results%case_index)%wob > 0.0_wp
+      call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
          call append_text(lines, '  By formula, buckled in '//names(i)%text//': '// &
