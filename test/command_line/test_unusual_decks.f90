@@ -339,7 +339,8 @@ contains
       character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625', &
          tool = "kind = 'collar', length = 90", &
          collar = "&component name = 'MWD', kind = 'collar', length = 90, od = 6.75, id = 3.25 /"//newline, &
-         motor = "&component name = 'MWD', kind = 'motor', length = 30, od = 6.75, id = 3.25 /"//newline
+         motor = "&component name = 'MWD', kind = 'motor', length = 30, od = 6.75, id = 3.25 /"//newline, &
+         heavy = "od = 5.5, id = 3.375, mass = 61, joint_od = 7 /"//newline
       call mistake(pipe, 'od = 5, id = 4.276', "'DP': without joint_od and mass it is plain pipe. Tool joints add 12 to 35 % "// &
                    "to its mass. Give both, or a name of the catalogue. Pipe without joints needs its kind, as 'casing'")
       call mistake('mass = 20.87', 'mass = 19.5', "'DP': mass = 19.5 lbm/ft is little more than its tube has. Is it the "// &
@@ -356,6 +357,11 @@ contains
       call mistake(collar, motor//motor, "'MWD' stands twice in a row, first in line 8. Is one a copy? Leave it out")
       call usual(collar, motor)
       call usual(collar, collar//collar)
+      call mistake(collar, collar//"&component name = 'HWDP', kind = 'hwdp', length = 31, "//heavy, &
+                   "'HWDP' is 31 ft long, and no other part of the string has its od. Is length that of one joint? Give the "// &
+                   'length of all its joints together')
+      call usual(collar, collar//"&component name = 'HWDP', kind = 'hwdp', length = 930, "//heavy)
+      call usual(collar, collar//"&component name = 'HWDP', kind = 'hwdp', length = 31, "//heavy//motor)
       call mistake("kind = 'collar'", "kind = 'coler'", "kind = 'coler' is not known. Did you mean 'collar'?")
       call mistake("kind = 'collar'", "kind = 'drill coller'", "kind = 'drill coller' is not known. Did you mean 'collar'?")
       call usual("kind = 'collar'", "kind = 'coring'")

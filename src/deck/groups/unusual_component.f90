@@ -12,7 +12,7 @@ module dg_unusual_component
                              usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, usual_yield
    implicit none
    private
-   public :: holds_any, note_component, note_place, note_twice
+   public :: holds_any, note_component, note_joint, note_place, note_twice
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
@@ -41,6 +41,8 @@ module dg_unusual_component
    !> Shortest kind that may have two letters wrong, and kinds that are meant so.
    integer, parameter :: long_kind = 5
    character(*), parameter :: meant_so(*) = [character(8) :: 'coring', 'turbine', 'roller', 'collet']
+   !> Difference of one joint from the distance of joints [-]: joints of range 2 have 30 to 32 ft.
+   real(wp), parameter :: one_joint = 0.05_wp
    integer, parameter :: digits = 4
 
 contains
@@ -129,6 +131,34 @@ contains
          end associate
       end do
    end subroutine note_place
+
+   !> Drill pipe as long as one joint, between tools and other pipe, and alone of its size in a long string.
+   subroutine note_joint(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: lowest(size(draft%components)), i
+      if (draft%stations%md(size(draft%stations%md)) < shortest_pipe) return
+      lowest = lowest_of(draft)
+      associate (parts => draft%components%component)
+         do i = 2, size(parts) - 1
+            if (any(lowest(i - 1:i + 1) /= lowest(i)) .or. .not. is_one_joint(parts(i))) cycle
+            if (is_pipe(parts(i - 1)) .or. .not. is_pipe(parts(i + 1))) cycle
+            if (count(lowest == lowest(i) .and. abs(parts%od - parts(i)%od) < round_off) > 1) cycle
+            call append_text(notes, part_text(draft%components(i))//' is '// &
+               in_units(draft%units, unit_length, parts(i)%length, digits)//' long, and no other part of the string has its '// &
+               'od. Is length that of one joint? Give the length of all its joints together')
+         end do
+      end associate
+   end subroutine note_joint
+
+   !> True for drill pipe or heavy weight pipe of one joint. Couplings of tubing are lighter than tool joints.
+   elemental function is_one_joint(part) result(is)
+      type(component_type), intent(in) :: part
+      logical :: is
+      is = has_joints(part) .and. abs(part%length - part%joint_spacing) <= one_joint*part%joint_spacing
+      if (is .and. .not. is_hwdp(part)) is = index(lower_case(part%kind), 'pipe') > 0 .and. &
+                                              added_by_joints(part, effective_joint_length(part)) > heavy_joints
+   end function is_one_joint
 
    !> A bit, or another tool of which a string has one, that stands twice in a row with the same name and numbers: a copy.
    subroutine note_twice(draft, notes)

@@ -14,7 +14,7 @@ module dg_unusual_input
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
    use dg_unusual_case, only: note_case, note_light, note_use
-   use dg_unusual_component, only: holds_any, note_component, note_place, note_twice
+   use dg_unusual_component, only: holds_any, note_component, note_joint, note_place, note_twice
    use dg_usual_range, only: is_unusual, note_range, usual_block, usual_deep_wall, usual_density, usual_friction, usual_gravity, &
                              usual_hookload, usual_running_in, usual_top_drive, usual_wall, usual_wear
    implicit none
@@ -92,6 +92,7 @@ contains
       call note_cased(draft, notes)
       call note_place(draft, notes)
       call note_twice(draft, notes)
+      call note_joint(draft, notes)
       if (draft%rig%given .and. draft%rig%max_hookload%present .and. .not. draft%block_given) &
          call append_text(notes, 'group &rig: max_hookload counts the block in, and block_weight is not given. Give it, or 0 '// &
                           'for a limit without block')
