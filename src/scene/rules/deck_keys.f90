@@ -192,7 +192,7 @@ module dg_deck_keys
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='length, 1 mm or more; 0 on the last component: to surface'), &
       key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
-         meaning='outside diameter of the body'), &
+         meaning='outside diameter of the body; of a bit, of the body above its cutters, which have joint_od'), &
       key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
       key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &
          meaning='mass in air per length; default from od, id and density'), &
@@ -204,7 +204,7 @@ module dg_deck_keys
       key_rule_type('component', 'expansion', unit=unit_expansion, low=0.0_wp, high=100.0_wp, default='12.42', &
          meaning='thermal expansion; 12.42 (6.9 per degF): steel'), &
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='outside diameter of tool joints, blades or the bit; touches the wall, sets the torque radius; 0: none'), &
+         meaning='diameter of tool joints, blades or the cutters of a bit; touches the wall, sets the torque radius; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
          meaning='length of one tool joint, 1 mm or more; 0: 0.5 m'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
