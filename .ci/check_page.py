@@ -5,7 +5,7 @@ The address of the page holds the view, PAGE#case=...&depth=..., so that an open
 Checked: five depths of each chart, two cases at once in other units; that the data are sound JSON and the page lets no
 other script run; that a page whose script is not allowed, or fails, shows its fixed pictures; that no label is
 cut or lies on another; that two fingers zoom; that a phone need not scroll sideways, and shows which tables do; that a depth may be
-typed and is marked in the views of the well; that models may be chosen; that tables and sentences follow the units; that the well is coloured, the assembly has its moment; that the browser has no complaint.
+typed and is marked in the views of the well; that models may be chosen; that the first printed sheet has the load case of the address; that tables and sentences follow the units; that the well is coloured, the assembly has its moment; that the browser has no complaint.
 
 Usage: check_page.py RESULTS_FOLDER      of GP1
 """
@@ -164,6 +164,15 @@ INVERSE = ("safety_factor",)         # curves whose inverse goes straight from p
 SUMS = {"buckling_margin": [("axial", "sinusoidal_load")]}
 ROUNDING = 1.4e-5           # of a value: a number by itself has 36450 steps at least (page_code.f90)
 FEWEST_POINTS = 300         # compared on a page
+
+# Curves of the first printed sheet, and the first panel of the charts behind it.
+PRINTED = """
+setTimeout(() => {
+   dispatchEvent(new Event('beforeprint'))
+   const panel = place => document.querySelector(`.live${place} svg.panel`).getAttribute('aria-label')
+   document.title = 'FOUND' + JSON.stringify([[...document.querySelectorAll('.first .legend button')].map(b => b.textContent), panel('.first'), panel(':not(.first)')])
+}, 300)
+"""
 
 # The first table that is wider than a phone, at the top of the window, at the beginning or the end of its way.
 SIDEWAYS = """
@@ -419,6 +428,15 @@ def faults_of_choice(told, complaints):
     return faults
 
 
+def faults_of_print(told, complaints):
+    """The first printed sheet has the load case of the address, though another is nearest to a limit. The charts behind it go on."""
+    faults = [f"print: the browser complains: {c}" for c in complaints]
+    curves, first, behind = told or ([], "", "")
+    if curves != [f"{CASES[0]} {model}" for model in MODELS] or first == behind:
+        faults.append(f"print: the first sheet shows {curves}, '{first}', the next one '{behind}'")
+    return faults
+
+
 def rows_of_case(folder, case):
     """The row of each model in summary.csv, and that in limits.csv."""
     for name in ("summary.csv", "limits.csv"):
@@ -513,7 +531,7 @@ def main():
     addresses = list(views)
     views |= views_without_script(text)
     views |= {"bare": View(page, "case=none", NO_CURVES), "own": View(page), "beyond": View(page, f"case={CASES[0]}&depth=5000"), "field": View(page, "units=field"), "phone": view_of_phone(text)}
-    views |= {name: View(page, f"case={CASES[0]}", script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES))}
+    views |= {name: View(page, f"case={CASES[0]}", script=script) for name, script in (("touch", FINGERS), ("typed", TYPED), ("chosen", CHOSEN), ("well", COLOURED), ("curves", CURVES), ("printed", PRINTED))}
     views |= dict(zip(WIDTHS, views_of_labels(text)))
     told = dict(zip(views, opened(views.values())))
     compared = 0
@@ -527,7 +545,7 @@ def main():
     field, own = told["field"][0] or "", told["own"][0] or ""
     found, n = faults_of_tables(folder, *told["field"], own)
     faults += found + faults_of_sentences(field) + faults_of_no_curves(*told["bare"]) + faults_of_beyond(*told["beyond"]) + faults_of_phone(told["phone"][0])
-    faults += faults_of_touch(*told["touch"]) + faults_of_typing(*told["typed"]) + faults_of_choice(*told["chosen"])
+    faults += faults_of_touch(*told["touch"]) + faults_of_typing(*told["typed"]) + faults_of_choice(*told["chosen"]) + faults_of_print(*told["printed"])
     faults += faults_of_well(folder, *told["well"]) + faults_of_curves(folder, *told["curves"]) + faults_of_edge(text)
     print(f"{compared} values read off the page, {n} off its tables")
     if compared < 150 or n < 500:

@@ -39,7 +39,7 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      integer, intent(in) :: shown                          !< load case of string and chart of the first printed page; 0: none
+      integer, intent(in) :: shown                          !< load case of the string on the first printed page; 0: none
       character(:), allocatable :: other
       integer :: i
       if (size(results) == 0) then

@@ -99,7 +99,7 @@ function block(S, address) {
    const depth_of = y => state.top + (y - up) / (H - up - down) * (state.bottom - state.top)
    const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)
    const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_of())
-   const first_sheet = () => paper && S.charts[1] && !state.chart && state.case.join() === choices.case[D.start]      // has this one already
+   const first_sheet = () => paper && S.charts[1] && !state.chart      // has this one already
    const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels
    const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)
    function key_of(p) {                                         // of one load case a colour a model; of several a colour and mark a case
@@ -423,11 +423,13 @@ addEventListener('hashchange', follow_address)
 addEventListener('resize', draw_all)
 const draw_for = size => { paper = size; draw_all() }
 addEventListener('afterprint', () => draw_for(null))
-addEventListener('beforeprint', () => {                       // the first sheet has the load case nearest to a limit
+addEventListener('beforeprint', () => {                       // the first sheet has the load cases that are chosen, if one has curves
    if (D.profiles) {
       paper = {wide: 660, high: 300}
-      const root = make(null, 'h:div', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]
-      block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()
+      const root = make(null, 'h:div', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}], {state} = blocks[0]
+      const solved = D.profiles.some(p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model))
+      const view = ['case', 'model'].flatMap(k => state[k].map(name => [k, name]))
+      block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams(solved ? view : [])).draw()
       document.querySelector('.first').replaceChildren(...root.querySelectorAll('.legend, .panels'))
    }
    draw_for({wide: 1100, high: 260})

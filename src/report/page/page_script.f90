@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'W+dtlKH3QIi8jDUrc1yJo2qLHTLK53AsuISugKt6yTA='
+   character(*), parameter :: script_hash = 'PMI31PhvPmtOPI1BxbbZ9jMSdqFQkoV0W8ZL9d7rud8='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -107,7 +107,7 @@ module dg_page_script
       'const place_text = () => S.rows ? S.rows[state.depth - 1] : depth_text(state.depth)', &
       'const zoom = (top, bottom) => { Object.assign(state, {top, bottom}); draw() }, whole = () => zoom(first, end_o'// &
       'f())', &
-      'const first_sheet = () => paper && S.charts[1] && !state.chart && state.case.join() === choices.case[D.start]', &
+      'const first_sheet = () => paper && S.charts[1] && !state.chart', &
       'const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels', &
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
       'function key_of(p) {', &
@@ -463,8 +463,12 @@ module dg_page_script
       'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
       'paper = {wide: 660, high: 300}', &
-      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}]', &
-      'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams()).draw()', &
+      'const root = make(null, ''h:div'', {}), charts = [{panels: D.charts[0].panels.slice(0, 4)}], {state} = blocks['// &
+      '0]', &
+      'const solved = D.profiles.some(p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)'// &
+      ')', &
+      'const view = [''case'', ''model''].flatMap(k => state[k].map(name => [k, name]))', &
+      'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams(solved ? view : [])).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
       '}', &
       'draw_for({wide: 1100, high: 260})', &
@@ -552,10 +556,10 @@ module dg_page_script
       'return with_peaks(d, made, peaks)', &
       '}', &
       'function sum_of(a, b, peaks) {', &
-      'const d = [], v = [], next = [0, 0]', &
-      'while (next[0] < a.d.length || next[1] < b.d.length) {', &
-      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)']
+      'const d = [], v = [], next = [0, 0]']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'while (next[0] < a.d.length || next[1] < b.d.length) {', &
+      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
       'd.push(depth)', &
       'v.push([a, b].reduce((sum, c, k) => {', &
       'const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])', &
@@ -665,10 +669,10 @@ module dg_page_script
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
       '}', &
-      '}', &
+      '}']
+   character(169), parameter :: script_lines_7(87) = [character(169) :: &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
-      'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])']
-   character(169), parameter :: script_lines_7(85) = [character(169) :: &
+      'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])', &
       'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])', &
       'make(well, ''path'', {class: ''shadow'', d: ''M'' + points.map(a => project([a.at[0], a.at[1], z1])).join(''L'''// &
       ')})', &
@@ -765,7 +769,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(685) = [ &
+   character(169), parameter :: script_lines(687) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
