@@ -41,6 +41,9 @@ contains
       verdict%passed([limit_tension, limit_top_drive, limit_makeup]) = [1.0857_wp, 1.0495_wp, 1.32_wp]
       call assertEqual('Tension of the pipe: 38 kN, 35 kN allowed, 3 kN too much. Also passed: make-up torque (132 %), '// &
                        'top drive (105 %)', verdict_sentences(si_units(), load_case, verdict))
+      verdict%passed([limit_top_drive, limit_makeup]) = [1.002_wp, 1.00001_wp]
+      call assertEqual('Tension of the pipe: 38 kN, 35 kN allowed, 3 kN too much. Also passed: make-up torque (100.001 %), '// &
+                       'top drive (100.2 %)', verdict_sentences(si_units(), load_case, verdict), message='next to 100 %')
       verdict%passed = 0.0_wp
       call assertEqual('Tension of the pipe: 38 kN, 35 kN allowed, 3 kN too much', &
                        verdict_sentences(si_units(), load_case, verdict))

@@ -284,7 +284,7 @@ contains
       integer :: digits
       digits = shown_factor
       text = to_text(used/percent, digits)
-      do while (text == '100' .and. used < 1.0_wp .and. digits < most_digits)
+      do while (text == '100' .and. digits < most_digits)
          digits = digits + 1
          text = to_text(used/percent, digits)
       end do
