@@ -288,8 +288,8 @@ contains
       call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), 'No shallower bit depth is possible either') > 0, message=run%output)
       call assertEqual(3, unsolved('31', 'NO       Rotary drilling at 15000 ft. Torque of the top drive: 31 kft.lbf at the bit '// &
-                                   'alone, 30 kft.lbf allowed, 1 kft.lbf too much. There is no solution, so other limits are '// &
-                                   'not checked'))
+                                   'alone, 30 kft.lbf allowed, 1 kft.lbf too much. There is no solution: tension, torque and '// &
+                                   'bending along the string are not known. No other limit is judged'))
       call assertEqual(3, unsolved('29', 'unknown  Rotary drilling at 15000 ft. Not converged'))
    contains
       !> Exit status of a case that has not converged, with a torque on bit [kft.lbf] and its answer.
@@ -336,6 +336,7 @@ contains
       type(text_type), allocatable :: rows(:)
       run = run_deck_text(replaced(deck("operation = 'rotary', wob = 20000", .false.), "models = 'soft'", "models = 'mcge'"))
       call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, newline//'NOT CHECKED, as the deck gives no limit: ') > 0, message=run%output)
       allocate (rows, source=lines_of(results_path//'/summary.csv'))
       if (anyExceptions()) return
       call assertEqual('locked_up', field(rows(3)%text, col_status))

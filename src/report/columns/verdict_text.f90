@@ -212,8 +212,8 @@ contains
             text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
       end if
-      if (verdict%alone) text = text//'. There is no solution, so '// &
-         either('only limits of pressure are checked besides', 'other limits are not checked', verdict%pressures_judged)
+      if (verdict%alone) text = text//'. There is no solution: tension, torque and bending along the string are not known. '// &
+         either('Of the other limits only burst and collapse are judged', 'No other limit is judged', verdict%pressures_judged)
    end function help_text
 
    !> Limits that are passed besides those that are already named; '' if there are none.

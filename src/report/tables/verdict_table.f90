@@ -129,7 +129,7 @@ contains
    end function interval_line
 
    !> Limits that count for cases with an answer and have no rating in the deck: those of all these cases, then what some have
-   !> besides. Slips of cases with a pull at the bit have a sentence of their own.
+   !> besides. Slips of cases with a pull at the bit have a sentence of their own. So has a case without a solution.
    pure function unchecked_line(job, model, results, wholes) result(text)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
@@ -139,7 +139,7 @@ contains
       logical :: left(size(results)), alike(size(results)), everywhere(every_limit_count), extra(every_limit_count)
       logical :: unrated(every_limit_count, size(results))
       integer :: first, k
-      left = results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown
+      left = results%model == leading_model(job) .and. wholes%verdict%answer /= answer_unknown .and. .not. wholes%verdict%alone
       everywhere = any(left)
       pulled = ''
       do k = 1, size(results)
