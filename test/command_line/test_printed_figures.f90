@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('slips', test_slips))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
+      call suite%addTest(TestMethod('pump_pressure_advised', test_pump))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
       call suite%addTest(TestMethod('packer', test_packer))
@@ -192,6 +193,47 @@ contains
                 to_text(0.3_wp*scale)//', pump_pressure = '//pump//' /'//newline//"&solver fidelity = 'fast' /"//newline
       end function lateral
    end subroutine test_burst
+
+   !> A NO by burst or collapse names the pump pressure that helps: with it the answer is yes, with 1 % less help it is NO. Where
+   !> another limit is passed then, there is no such advice.
+   subroutine test_pump()
+      character(*), parameter :: advice = 'The answer becomes yes with a pump_pressure of at '
+      character(*), parameter :: load = "operation = 'rotate_off_bottom', pump_pressure = "
+      type(run_type) :: run
+      real(wp) :: pump
+      run = run_deck_text(pumped(120.0_wp))
+      call assertTrue(index(unwrapped(run%output), 'Burst at ') > 0, message=run%output)
+      pump = value_after(run%output, advice//'most ')
+      run = run_deck_text(pumped(pump))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      run = run_deck_text(pumped(1.01_wp*pump))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      run = run_deck_text(replaced(pumped(120.0_wp), 'max_torque = 40', 'max_torque = 1'))
+      call assertEqual(0, index(unwrapped(run%output), advice), message='its torque is too much, too: '//run%output)
+      run = run_deck_text(empty(0.0_wp))
+      call assertTrue(index(unwrapped(run%output), 'Collapse at ') > 0, message=run%output)
+      pump = value_after(run%output, advice//'least ')
+      run = run_deck_text(empty(pump))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      run = run_deck_text(empty(0.99_wp*pump))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+   contains
+      function pumped(pump) result(text)
+         real(wp), intent(in) :: pump           !< [MPa]
+         character(:), allocatable :: text
+         text = well('soft', '0.2', load//to_text(pump))
+      end function pumped
+
+      !> Thin pipe with gas inside.
+      function empty(pump) result(text)
+         real(wp), intent(in) :: pump           !< [MPa]
+         character(:), allocatable :: text
+         text = replaced(pumped(pump), '&fluid density = 1200 /', &
+                         "&fluid density = 1200, where = 'outside' / &fluid density = 100, where = 'inside' /")
+         text = replaced(text, 'id = 108.6, mass = 31.9, joint_od = 168, yield = 931', &
+                         'id = 118, mass = 31.9, joint_od = 168, yield = 379')
+      end function empty
+   end subroutine test_pump
 
    !> The soft string's yes ends at the weight on bit at which coils yield.
    subroutine test_yield()

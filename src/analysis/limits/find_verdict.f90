@@ -19,7 +19,7 @@ module dg_find_verdict
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
    use dg_packer, only: packer_push
-   use dg_passed_pressure, only: find_passed_pressure
+   use dg_passed_pressure, only: find_passed_pressure, find_pump_pressure
    use dg_trajectory, only: top_md
    use dg_turning_loads, only: find_turning_loads, judge_bit_torque
    use dg_upper_friction, only: raise_friction
@@ -93,6 +93,9 @@ contains
          end if
          if (wants_reach(model, result, verdict)) &
             call find_limit_reach(model, result, whole%utilisation, design, rig_limit, verdict%reach)
+         if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone .and. &
+             all(verdict%passed(limit_count + 1:) <= 1.0_wp)) &
+            call find_pump_pressure(model, result, design, rig_limit, verdict%limit, whole%wob_yield, verdict%pump_pressure)
          if (verdict%part > 0) &
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate

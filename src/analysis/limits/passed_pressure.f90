@@ -1,11 +1,13 @@
-!> Limits by pressure that a load case passes, whatever its axial force. They can be judged without a solution.
+!> Limits by pressure that a load case passes. Whatever its axial force, they can be judged without a solution. Of a solution, the
+!> pump pressure with which they are not passed.
 module dg_passed_pressure
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
+   use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
    use dg_job, only: model_soft
-   use dg_missing, only: optional_real
+   use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_profile_rows, only: lay_rows
    use dg_soft_string, only: set_profile
@@ -14,9 +16,11 @@ module dg_passed_pressure
                              utilisation_type
    implicit none
    private
-   public :: find_passed_pressure
+   public :: find_passed_pressure, find_pump_pressure, is_burst
 
    integer, parameter :: by_pressure(4) = [limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse]
+   !> Accuracy of a pump pressure over its search [-].
+   real(wp), parameter :: narrowness = 1.0e-5_wp
 
 contains
 
@@ -57,4 +61,56 @@ contains
          allowed = load/used(i)%value
       end associate
    end subroutine find_passed_pressure
+
+   !> Find the pump pressure with which a result that passes a limit by pressure passes no limit of dg_utilisation. It is the one
+   !> next to the given pressure: less for burst, more for collapse. Pump pressure changes no axial force. Absent if there is no
+   !> such pressure, for tubing in a packer, whose forces change, and where compressed pipe yields.
+   pure subroutine find_pump_pressure(model, result, design, rig_limit, limit, wob_yield, pump)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result       !< converged
+      type(design_factors_type), intent(in) :: design
+      type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
+      integer, intent(in) :: limit                       !< that is passed
+      type(optional_real), intent(in) :: wob_yield       !< weight on bit at which compressed pipe yields [N]
+      type(optional_real), intent(out) :: pump           !< [Pa]
+      type(bracket_type) :: bracket
+      type(utilisation_type) :: uses
+      real(wp) :: now, far, left, pressure
+      if (all(by_pressure /= limit) .or. model%boundary%packer_bore > 0.0_wp) return
+      if (wob_yield%present .and. model%cases(result%case_index)%wob > wob_yield%value) return
+      now = model%cases(result%case_index)%pump_pressure
+      uses = uses_at(now)
+      left = 1.0_wp - uses%used(limit)%value
+      far = now + merge(-1.0_wp, 1.0_wp, is_burst(limit))*uses%load(limit)
+      far = max(far, 0.0_wp)
+      uses = uses_at(far)
+      if (uses%used(limit)%value > 1.0_wp) return
+      bracket = new_bracket(far, 1.0_wp - uses%used(limit)%value, now, left)
+      do while (.not. is_narrow(bracket, narrowness*abs(far - now)))
+         pressure = next_try(bracket, narrowness*abs(far - now))
+         uses = uses_at(pressure)
+         call narrow(bracket, pressure, 1.0_wp - uses%used(limit)%value)
+      end do
+      uses = uses_at(bracket%low)
+      if (uses%used(uses%governing)%value <= 1.0_wp + as_much) pump = given(bracket%low)
+   contains
+      !> Uses of all limits with a pump pressure [Pa].
+      pure function uses_at(pressure) result(uses)
+         real(wp), intent(in) :: pressure
+         type(utilisation_type) :: uses
+         type(model_type) :: other
+         type(along_string_type) :: along
+         other = model
+         other%cases(result%case_index)%pump_pressure = pressure
+         call find_along_string(other, result, along)
+         call find_utilisation(other, result, along, design, rig_limit, uses)
+      end function uses_at
+   end subroutine find_pump_pressure
+
+   !> True for a limit of pressure inside.
+   elemental function is_burst(limit) result(is)
+      integer, intent(in) :: limit       !< number of dg_utilisation
+      logical :: is
+      is = limit == limit_burst .or. limit == limit_joint_burst
+   end function is_burst
 end module dg_passed_pressure

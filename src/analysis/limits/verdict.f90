@@ -65,6 +65,7 @@ module dg_verdict
       logical :: buckled_by_formula = .false.       !< above the published load; else by beams
       type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
       type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
+      type(optional_real) :: pump_pressure          !< no by burst or collapse: pump pressure with which the answer is yes [Pa]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is also passed
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
       logical :: alone = .false.                    !< no without a solution: of the other limits only pressure is known

@@ -3,10 +3,11 @@ module dg_verdict_text
    use dg_kinds, only: wp
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
    use dg_load_text, only: force_text, load_text, number_text, sum_texts, sum_width
+   use dg_passed_pressure, only: is_burst
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down, rounded_up
    use dg_text, only: either, to_text
-   use dg_unit_kind, only: at_most, in_units, unit_force, unit_length, unit_moment
+   use dg_unit_kind, only: at_most, in_units, unit_factor, unit_force, unit_length, unit_moment, unit_pressure
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_von_mises
@@ -196,6 +197,8 @@ contains
             text = text//'. No shallower bit depth is possible either'
          end if
       end if
+      if (verdict%pump_pressure%present) text = text//'. The answer becomes yes with a pump_pressure of at '// &
+         pump_text(units, verdict)
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
@@ -215,6 +218,20 @@ contains
       if (verdict%alone) text = text//'. There is no solution: tension, torque and bending along the string are not known. '// &
          either('Of the other limits only burst and collapse are judged', 'No other limit is judged', verdict%pressures_judged)
    end function help_text
+
+   !> Greatest pump pressure without burst, or the least without collapse.
+   pure function pump_text(units, verdict) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(verdict_type), intent(in) :: verdict
+      character(:), allocatable :: text
+      associate (factor => unit_factor(units, unit_pressure), pressure => verdict%pump_pressure%value)
+         if (is_burst(verdict%limit)) then
+            text = 'most '//in_units(units, unit_pressure, at_most(units, unit_pressure, pressure, shown), shown)
+         else
+            text = 'least '//in_units(units, unit_pressure, factor*rounded_up(pressure/factor, shown), shown)
+         end if
+      end associate
+   end function pump_text
 
    !> Limits that are passed besides those that are already named; '' if there are none.
    pure function passed_text(verdict) result(text)
