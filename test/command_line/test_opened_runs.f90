@@ -80,7 +80,9 @@ contains
                   'opened_below, or cased = .true.')
       call refuse('opened_od = 250.0', 'opened_od = 251.0', "'reamer' opened to 251 mm does not pass the hole of 250.8 mm "// &
                   "(line 4) in case 'deep'; needs opened_od <= 250.8 mm"//newline)
-      call refuse('length = 60.0', 'length = 40.0', "'reamer' opened to 250 mm does not pass the hole of 215.9 mm (line 5)")
+      call refuse('length = 60.0', 'length = 40.0', "'reamer' opened to 250 mm does not pass the hole of 215.9 mm (line 5) "// &
+                  "in case 'deep'; it stands at 1158.8 m to 1160 m, the section above ends at 1150 m; lower md_bottom of that "// &
+                  'section to 1160 m, or check opened_od'//newline)
       call refuse(tool, tool//', opened_below = 600', "'reamer' opened to 250 mm does not pass the hole of 220.5 mm (line 3) "// &
                   "in case 'deep'; needs opened_od <= 220.5 mm or opened_below >= 700 m"//newline)
       call refuse('joint_od = 213.0', 'joint_od = 220.5', "'reamer' with 220.5 mm does not pass the hole of 220.5 mm (line 3) "// &
@@ -91,6 +93,12 @@ contains
       call assertEqual(2, run%status)
       call assertTrue(index(run%diagnostics, "'reamer' has opened_od; a tool that opens carries no centralizers") > 0, &
                       message=run%diagnostics)
+      run = run_deck_text(replaced(replaced(deck(), 'length = 60.0', 'length = 40.0'), 'md_bottom = 1150.0', 'md_bottom = 1160'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      ! with round-off of the depth of its lower end
+      run = run_deck_text(replaced(replaced(replaced(deck(), 'length = 60.0', 'length = 30.1'), 'md_bottom = 1150.0', &
+         'md_bottom = 1160.6'), 'bit_depth = 1200.0', 'bit_depth = 1190.7'))
+      call assertEqual(0, run%status, message=run%diagnostics)
       ! as wide as its hole: an under-reamer cuts it
       run = run_deck_text(replaced(deck(), 'opened_od = 250.0', 'opened_od = 250.8'))
       call assertEqual(0, run%status, message=run%diagnostics)

@@ -175,7 +175,7 @@ contains
             call check_open_passage(components(k), places(k), holes, lower_end, whose, units, found)
          diameter = closed_diameter(components(k))
          do while (lowest > 0)
-            if (holes(lowest)%md_top < lower_end) exit
+            if (holes(lowest)%md_top < lower_end*(1.0_wp - depth_round_off)) exit
             lowest = lowest - 1
          end do
          part = 'component'

@@ -1,6 +1,7 @@
 !> Checks of tools that open: the depth below which they are open, and whether they pass the hole from there.
 module dg_opening_check
    use dg_component, only: closed_diameter, component_type, opens
+   use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type, last_shoe
    use dg_kinds, only: wp
    use dg_missing, only: is_missing
@@ -40,14 +41,19 @@ contains
       character(:), allocatable :: other
       integer :: h
       do h = size(holes), 1, -1
-         if (holes(h)%md_top >= lower_end .or. holes(h)%diameter >= component%opened_od) cycle
+         if (holes(h)%md_top >= lower_end*(1.0_wp - depth_round_off) .or. holes(h)%diameter >= component%opened_od) cycle
          if (holes(h)%md_bottom <= component%opened_below) return
-         other = ''
-         if (holes(h)%md_bottom < lower_end) other = ' or opened_below >= '//depth_words(units, holes(h)%md_bottom)
+         other = '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)
+         if (holes(h)%md_bottom < lower_end) then
+            other = other//' or opened_below >= '//depth_words(units, holes(h)%md_bottom)
+         else if (holes(max(h - 1, 1))%diameter >= component%opened_od) then      ! the opened section ends too high
+            other = '; it stands at '//depth_words(units, lower_end - component%length)//' to '//depth_words(units, lower_end)// &
+                    ', the section above ends at '//depth_words(units, holes(h)%md_top)//'; lower md_bottom of that section to '// &
+                    depth_words(units, lower_end)//', or check opened_od'
+         end if
          call add_part_fault(found, 'component', place, 'opened_od', quoted(component%name)//' opened to '// &
                              diameter_words(units, component%opened_od, diameter_digits)//' does not pass the hole of '// &
-                             diameter_words(units, holes(h)%diameter, diameter_digits)//' (', 'hole', h, ') in '//whose// &
-                             '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)//other)
+                             diameter_words(units, holes(h)%diameter, diameter_digits)//' (', 'hole', h, ') in '//whose//other)
          return
       end do
    end subroutine check_open_passage
