@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('systems', test_systems))
       call suite%addTest(TestMethod('mud_weights', test_mud_weights))
       call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
+      call suite%addTest(TestMethod('pressures_and_widths', test_pressures))
    end function followed_units_suite
 
    !> A deviated well in SI, or in the units of the field.
@@ -108,6 +109,41 @@ contains
       call follow('field', '&rig', '&strength slip_length = 0.4064 / &rig', 'slip_length = 0.4064 in is unusual. Usual is '// &
                   'at least 3.937 in. Is it in m? Then write 16', '&strength slip_length = 16 / &rig')
    end subroutine test_ranges
+
+   !> Numbers of casing, completion and rig that were read in another unit.
+   subroutine test_pressures()
+      character(*), parameter :: bow = "&centralizer component = 'DP', kind = 'bow', spacing = 12, restoring_force = 7, "
+      type(run_type) :: run
+      run = run_deck_text(replaced(well('SI'), 'density = 1300', 'density = 1300, surface_pressure = 250'), '--check')
+      call assertTrue(index(run%output, 'surface_pressure = 250 MPa is unusual. Usual is at most 105 MPa. Is it in bar? Then '// &
+                            'write 25') > 0, message=run%output)
+      run = run_deck_text(replaced(well('SI'), 'tob = 8 ', 'tob = 8, annulus_pressure = 150 '), '--check')
+      call assertTrue(index(run%output, 'annulus_pressure = 150 MPa is unusual. Usual is at most 105 MPa. Is it in bar? Then '// &
+                            'write 15. Is it in psi? Then write 1.034') > 0, message=run%output)
+      call follow('SI', 'cased = .true.', 'cased = .true., casing_od = 244.5, casing_yield = 80', 'casing_yield = 80 MPa is '// &
+                  'unusual. Usual is at least 150 MPa. Is it in ksi? Then write 551.6', &
+                  'cased = .true., casing_od = 244.5, casing_yield = 551.6')
+      call follow('SI', 'diameter = 215.9', 'diameter = 2159', "'open': diameter = 2159 mm is unusual. Usual is at most 1600 mm", &
+                  'diameter = 215.9')
+      call follow('SI', '&fluid', '&boundary packer_bore = 4 / &fluid', 'packer_bore = 4 mm is unusual. Usual is at least '// &
+                  '20 mm. Is it in inches? Then write 101.6', '&boundary packer_bore = 101.6 / &fluid')
+      call follow('SI', 'yield = 931', 'yield = 931, tension_efficiency = 10, compression_efficiency = 6', 'tension_efficiency '// &
+                  '= 10 is unusual. Usual is at most 2', 'yield = 931, tension_efficiency = 1, compression_efficiency = 0.6')
+      call follow('SI', 'max_hookload = 2200', 'max_hookload = 500', 'block_weight = 350 kN is 70 % of max_hookload. Is '// &
+                  'max_hookload in klbf? Then write 2224', 'max_hookload = 2224')
+      run = run_deck_text(replaced(well('SI'), 'block_weight = 350', 'block_weight = 35000'), '--check')
+      call assertTrue(index(run%output, 'block_weight = 35000 kN is unusual') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'The rig carries'), message=run%output)
+      call follow('SI', 'od = 150, joint', 'od = 6, joint', "'bit': od = 6 mm is small for joint_od = 215.9 mm. Is od in "// &
+                  'inches? Then write 152.4', 'od = 152.4, joint')
+      call follow('SI', 'joint_od = 168.3', 'joint_od = 6.625', 'joint_od = 6.625 is smaller than od = 127. Is it in inches? '// &
+                  'Then write 168.3', 'joint_od = 168.3')
+      call follow('SI', '&rig', bow//'od = 8 / &rig', 'Is it in inches? Then write 203.2', bow//'od = 203.2 / &rig')
+      call follow('SI', '&rig', bow//'od = 200, rated_hole = 8.5 / &rig', 'Is it in inches? Then write 215.9', &
+                  bow//'od = 200, rated_hole = 215.9 / &rig')
+      call follow('SI', 'yield = 931', "yield = 724, fatigue_curve = 'S135'", "fatigue_curve = 'S135' is of stronger pipe than "// &
+                  "yield = 724 MPa. Write 'E75', or 'own' with fatigue_limit", "yield = 724, fatigue_curve = 'E75'")
+   end subroutine test_pressures
 
    subroutine test_stiffness_and_drag()
       character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', od = 200, spacing = 12, "// &

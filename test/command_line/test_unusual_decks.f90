@@ -75,6 +75,10 @@ contains
    !> Radians, a mistyped station, metres read as feet.
    subroutine test_survey()
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 1.5708, 1.5708, 1.5708', 'Are the inclinations in radians?')
+      call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 0, 0, 1.047', 'Are the inclinations in radians?')
+      call usual('0, 0, 0, 90, 91, 90', '0, 0, 0, 0, 0, 1.05')
+      call mistake('0, 0, 0, 90, 91, 90, azi = 178, 178, 178, 178, 178, 178', '6*0, azi = 0, 0, 0, 90, 91, 90', &
+                   'all inclinations are 0, and the azimuth goes from 0 to 91 deg. Are inc and azi swapped?')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 9, 90', 'from 90 to 9 and back to 90 deg at 12000 ft')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 90, 91, 9', &
                    'from 91 to 9 deg over 3000 ft without a station between')
@@ -264,10 +268,25 @@ contains
       call usual('tob = 5 ', 'tob = 5, rpm = 60, hours = 300 ')
       call usual('tob = 5 ', 'tob = 5, rpm = 600 ')
       call usual('tob = 5 ', 'tob = 5, temperature_change_top = -330 ')
+      call mistake('&fluid', "&boundary packer_bore = 4, packer_hold = 'fixed' / &fluid", "packer_hold = 'fixed' holds the "// &
+                   'string in load cases with length_reference, and none has one')
+      call usual('&fluid', "&boundary packer_bore = 4, packer_hold = 'fixed' / "//warm('150')//' / &fluid')
+      call mistake('&fluid', "&boundary packer_bore = 4, packer_hold = 'fixed' / "//warm('15')//' / &fluid', 'load case '// &
+                   "'hot': above_ambient_bottom differs by -85 degF from that of its length_reference, "// &
+                   'temperature_change_bottom by 50 degF. Check both')
       call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'inside' /", &
                    "There is no fluid outside. For one on both sides write where = 'both'")
       call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /", &
                    "There is no fluid inside. For one on both sides")
+   contains
+      !> A packer set in a warm string that gets warmer by 50 degF.
+      function warm(hot) result(text)
+         character(*), intent(in) :: hot       !< above the air [degF]
+         character(:), allocatable :: text
+         text = "&load_case name = 'set', operation = 'static', bit_depth = 15000, above_ambient_bottom = 100 / &load_case "// &
+                "name = 'hot', operation = 'static', bit_depth = 15000, length_reference = 'set', temperature_change_bottom = "// &
+                '50, above_ambient_bottom = '//hot
+      end function warm
    end subroutine test_conditions
 
    !> Hook loads in another unit, two that are swapped, a block in tonnes. The deck's string weighs 156 klbf in mud along the hole.

@@ -11,15 +11,15 @@ module dg_unusual_case
    use dg_quantity, only: system_si
    use dg_text, only: append_text, lower_case, quoted, text_type
    use dg_unit_kind, only: at_most, in_units, lightest_oil, unit_density, unit_diameter, unit_factor, unit_force, &
-                           unit_moment, unit_pressure
+                           unit_moment, unit_pressure, unit_temperature
    use dg_units, only: unit_system_type
    use dg_unusual_component, only: holds_any
-   use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_density, usual_friction, &
-                             usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, &
+   use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_annulus, usual_density, &
+                             usual_friction, usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, &
                              usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
-   public :: note_bit_loads, note_case, note_light, note_use, is_gas
+   public :: note_bit_loads, note_case, note_light, note_temperatures, note_use, is_gas
 
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
@@ -38,6 +38,8 @@ module dg_unusual_case
    character(*), parameter :: cutters(*) = [character(6) :: 'mill', 'opener', 'reamer']
    !> Least pressure that motor and bit take, and usual pressures while drilling [Pa].
    real(wp), parameter :: least_with_motor = 3.0e6_wp, drilling(2) = [5.0e6_wp, 52.0e6_wp]
+   !> Difference of two changes of temperature that must be a slip [K].
+   real(wp), parameter :: other_change = 30.0_wp
    integer, parameter :: digits = 4, few_digits = 2
 
 contains
@@ -68,6 +70,7 @@ contains
                                                          trim(operation_name(operation_rotate_off_bottom)))
       if (load_case%measured_torque%present) call note(usual_measured, load_case%measured_torque%value)
       if (load_case%pump_pressure > 0.0_wp) call note(usual_pump, load_case%pump_pressure)
+      call note(usual_annulus, load_case%annulus_pressure)
       if (load_case%friction_axial%present) then
          if (load_case%friction_axial%value > 0.0_wp) then
             call note(usual_friction, load_case%friction_axial%value)
@@ -91,6 +94,33 @@ contains
          call note_range(units, what, number, value, notes)
       end subroutine note
    end subroutine note_case
+
+   !> The first load case whose temperature differs from that of its reference by another number than its change.
+   subroutine note_temperatures(units, cases, notes)
+      type(unit_system_type), intent(in) :: units
+      type(load_case_type), intent(in) :: cases(:)
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i, before
+      before = size(notes)
+      do i = 1, size(cases)
+         if (cases(i)%length_reference == 0 .or. size(notes) > before) cycle
+         associate (own => cases(i), other => cases(cases(i)%length_reference))
+            call compare('bottom', own%above_ambient_bottom, other%above_ambient_bottom, &
+                         own%temperature_change_bottom - other%temperature_change_bottom)
+            if (size(notes) == before) call compare('top', own%above_ambient_top, other%above_ambient_top, &
+                                                    own%temperature_change_top - other%temperature_change_top)
+         end associate
+      end do
+   contains
+      subroutine compare(place, warm, reference, change)
+         character(*), intent(in) :: place
+         real(wp), intent(in) :: warm, reference, change      !< above ambient, and since the reference [K]
+         if (.not. min(warm, reference) > 0.0_wp .or. abs(warm - reference - change) < other_change) return
+         call append_text(notes, 'load case '//quoted(cases(i)%name)//': above_ambient_'//place//' differs by '// &
+            in_units(units, unit_temperature, warm - reference, digits)//' from that of its length_reference, '// &
+            'temperature_change_'//place//' by '//in_units(units, unit_temperature, change, digits)//'. Check both')
+      end subroutine compare
+   end subroutine note_temperatures
 
    !> Adds a note on a fluid of one side in kg/m3 that is neither a liquid nor air, if it may be in sg.
    subroutine note_light(units, what, density, pressure, notes)

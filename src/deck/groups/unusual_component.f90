@@ -5,11 +5,17 @@ module dg_unusual_component
    use dg_component, only: component_type, effective_joint_length, has_joints, is_bit, is_coiled_tubing, is_hwdp, is_pipe, &
                            tube_area
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of
+   use dg_fatigue_curve, only: fatigue_s135
+   use dg_likely_unit, only: unit_questions
+   use dg_missing, only: is_missing
+   use dg_string_check, only: widest_blades
    use dg_text, only: append_text, edit_distance, lower_case, quoted, text_type, to_text
-   use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment
+   use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment, &
+                           unit_stress
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_joint_length, usual_joint_spacing, &
-                             usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, usual_yield
+   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_compression, usual_joint_length, &
+                             usual_joint_spacing, usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, &
+                             usual_tension, usual_yield
    implicit none
    private
    public :: holds_any, note_component, note_joint, note_place, note_twice
@@ -29,6 +35,8 @@ module dg_unusual_component
    real(wp), parameter :: least_bore = 0.22_wp
    !> Young's modulus and density of light alloys [Pa, kg/m3]: aluminium has 72e9 and 2800, titanium 114e9 and 4430.
    real(wp), parameter :: soft_metal = 90.0e9_wp, light_metal = 5500.0_wp, stiff_metal = 170.0e9_wp
+   !> Least yield strength of pipe with the fatigue curve of S135 [Pa]: 135 ksi less what a catalogue rounds off.
+   real(wp), parameter :: least_s135 = 900.0e6_wp
    !> Longest tool [m]: collars with a logging tool have 60.
    real(wp), parameter :: longest_tool = 150.0_wp
    !> Shortest string of pipe without joints that is unusual [m].
@@ -52,7 +60,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(in) :: item
       type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: what
+      character(:), allocatable :: what, question
       what = part_text(item)
       associate (part => item%component)
          if (part%yield > 0.0_wp) call note_range(units, what, usual_yield, part%yield, notes)
@@ -69,6 +77,17 @@ contains
             call note_range(units, what, usual_joint_length, part%joint_length, notes)
          end if
          if (part%bend > 0.0_wp) call note_range(units, what, usual_bend, part%bend, notes)
+         if (.not. is_missing(part%rating%tension)) call note_range(units, what, usual_tension, part%rating%tension, notes)
+         if (.not. is_missing(part%rating%compression)) &
+            call note_range(units, what, usual_compression, part%rating%compression, notes)
+         if (part%fatigue%curve == fatigue_s135 .and. part%yield > 0.0_wp .and. part%yield < least_s135) &
+            call append_text(notes, what//': fatigue_curve = ''S135'' is of stronger pipe than yield = '// &
+                             in_units(units, unit_stress, part%yield, digits)//". Write 'E75', or 'own' with fatigue_limit")
+         question = ''
+         if (part%joint_od > widest_blades*part%od) question = unit_questions(units, unit_diameter, part%od/units%diameter, &
+            part%joint_od/widest_blades, part%joint_od, digits, 'od')
+         if (question /= '') call append_text(notes, what//': od = '//in_units(units, unit_diameter, part%od, digits)// &
+            ' is small for joint_od = '//in_units(units, unit_diameter, part%joint_od, digits)//question)
          if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, what// &
             ': makeup_torque is above joint_torsion, '//in_units(units, unit_moment, part%joint_torsion, digits)// &
             ': its joints would yield in make-up')

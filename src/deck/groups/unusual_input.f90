@@ -9,14 +9,16 @@ module dg_unusual_input
    use dg_load_case, only: moves_axially, operation_static, rotates
    use dg_meant_units, only: deepest_model
    use dg_missing, only: is_missing
+   use dg_model, only: hold_free, packer_hold_name
    use dg_unusual_survey, only: note_survey
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
-   use dg_unusual_case, only: note_case, note_light, note_use
+   use dg_unusual_case, only: note_case, note_light, note_temperatures, note_use
    use dg_unusual_component, only: holds_any, note_component, note_joint, note_place, note_twice
-   use dg_usual_range, only: is_unusual, note_range, usual_block, usual_deep_wall, usual_density, usual_friction, usual_gravity, &
-                             usual_hookload, usual_running_in, usual_top_drive, usual_wall, usual_wear
+   use dg_usual_range, only: is_unusual, note_range, usual_block, usual_casing_yield, usual_deep_wall, usual_density, &
+                             usual_friction, usual_gravity, usual_hole, usual_hookload, usual_running_in, usual_surface, &
+                             usual_top_drive, usual_wall, usual_wear
    implicit none
    private
    public :: note_unusual, holes_in_inches, inches_meant, largest_pressure
@@ -41,8 +43,8 @@ module dg_unusual_input
    real(wp), parameter :: as_feet = 0.02_wp
    !> Outside diameters of casing that no usual casing has inside [m]. Others are both: 7 5/8 in comes with 6 5/8 in inside,
    !> 9 7/8 in with 8 5/8 in, 22 in with 20 in. Diameters in mm have round-off [m].
-   real(wp), parameter :: casing_sizes(*) = inch*[5.0_wp, 7.0_wp, 9.625_wp, 10.75_wp, 11.75_wp, 13.375_wp, 16.0_wp, 18.625_wp], &
-                          as_size = 0.15e-3_wp
+   real(wp), parameter :: casing_sizes(*) = inch*[4.5_wp, 5.0_wp, 7.0_wp, 9.625_wp, 10.75_wp, 11.75_wp, 13.375_wp, 16.0_wp, &
+                                                18.625_wp], as_size = 0.15e-3_wp
    !> Deepest soft ground [m], and inclination at surface of crossings, which stay in it [rad].
    real(wp), parameter :: deepest_soil = 1000.0_wp, of_crossing = 30.0_wp*degree
    integer, parameter :: digits = 4, depth_digits = 6
@@ -63,6 +65,7 @@ contains
       do i = 1, size(draft%fluids)
          associate (fluid => draft%fluids(i)%fluid)
             call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
+            call note_range(draft%units, 'group &fluid', usual_surface, fluid%surface_pressure, notes)
             if (fluid%density > 0.0_wp .and. .not. (fluid%inside .and. fluid%outside)) &
                call note_light(draft%units, 'group &fluid in line '//to_text(draft%fluids(i)%line)//': density', fluid%density, &
                                largest_pressure(draft), notes)
@@ -79,6 +82,8 @@ contains
       do i = 1, size(draft%holes)
          call note_hole_friction(draft, draft%holes(i), fitted, notes)
          call note_wall(draft, draft%holes(i), notes)
+         if (.not. is_air_gap(draft, i)) &
+            call note_range(draft%units, hole_text(draft%holes(i)), usual_hole, draft%holes(i)%section%diameter, notes)
       end do
       do i = 1, size(uses)
          call note_use(draft%units, uses(i), notes)
@@ -102,6 +107,11 @@ contains
       if (draft%rig%max_torque%present) &
          call note_range(draft%units, 'group &rig', usual_top_drive, draft%rig%max_torque%value, notes)
       call note_range(draft%units, 'group &job', usual_gravity, draft%gravity, notes)
+      if (draft%boundary%packer_hold /= hold_free .and. .not. any(draft%cases%load_case%length_reference > 0)) &
+         call append_text(notes, 'group &boundary: packer_hold = '//quoted(trim(packer_hold_name(draft%boundary%packer_hold)))// &
+                          ' holds the string in load cases with length_reference, and none has one. Give it the case in '// &
+                          'which the packer was set')
+      call note_temperatures(draft%units, draft%cases%load_case, notes)
       do i = 1, size(draft%cases)
          call note_case(draft%units, trim(draft%cases(i)%what)//' '//quoted(draft%cases(i)%load_case%name), &
                         draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
@@ -193,6 +203,8 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       logical :: hard
       associate (wall => hole%section)
+         if (.not. is_missing(wall%casing_yield)) &
+            call note_range(draft%units, hole_text(hole), usual_casing_yield, wall%casing_yield, notes)
          hard = wall%cased .or. (wall%md_bottom > deepest_soil .and. draft%stations%inclination(1) < of_crossing)
          if (wall%wall_stiffness > 0.0_wp) call note_range(draft%units, hole_text(hole), merge(usual_deep_wall, usual_wall, &
             hard .and. .not. is_unusual(usual_wall, wall%wall_stiffness)), wall%wall_stiffness, notes)

@@ -14,7 +14,7 @@ module dg_unusual_rig
    use dg_unit_kind, only: in_units, unit_diameter, unit_force, unit_length
    use dg_units, only: unit_system_type
    use dg_unusual_case, only: note_bit_loads
-   use dg_usual_range, only: is_unusual, note_range, usual_lines, usual_measured, usual_sheave
+   use dg_usual_range, only: is_unusual, note_range, usual_block, usual_bore, usual_lines, usual_measured, usual_sheave
    implicit none
    private
    public :: note_rig
@@ -22,6 +22,8 @@ module dg_unusual_rig
    !> Block weight over the weight of the heaviest string, and over the largest hook load of the rig [-]. Block and hook of rigs
    !> without a top drive have 3 % of what the rig carries, with it 6 to 10 %. Tonnes read as kN are a tenth.
    real(wp), parameter :: lightest_block = 0.035_wp, lightest_of_rig = 0.02_wp
+   !> The heaviest block of light rigs over the same [-], and the largest hook load of any rig [N].
+   real(wp), parameter :: heaviest_of_rig = 0.4_wp, largest_rig = 18.0e6_wp
    !> Measured hook load over string and block [-]: of a string that is pulled or rotates, and of any. Tonnes read as kN are 0.10,
    !> klbf read as kN 0.22; kN read as klbf are 4.4.
    real(wp), parameter :: least_measured = 0.5_wp, most_measured = 3.5_wp
@@ -75,13 +77,17 @@ contains
       call note_swapped(model, units, notes)
    end subroutine note_rig
 
-   !> A seal bore that is wider than the hole just above the lower end of the string: the first load case where it is so.
+   !> A seal bore in another unit, or wider than the hole just above the lower end of the string. The first load case is named.
    subroutine note_packer(model, units, notes)
       type(model_type), intent(in) :: model
       type(unit_system_type), intent(in) :: units
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i, upper, lower
       if (.not. model%boundary%packer_bore > 0.0_wp) return
+      if (is_unusual(usual_bore, model%boundary%packer_bore)) then
+         call note_range(units, 'group &boundary', usual_bore, model%boundary%packer_bore, notes)
+         return
+      end if
       do i = 1, size(model%cases)
          ! the receptacle may stand on a liner, with the tail of the string below it
          upper = hole_section_at(model%holes, model%cases(i)%bit_depth - longest_tail)
@@ -128,10 +134,20 @@ contains
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: weights(:)      !< of strings, by load case [N]
       type(text_type), allocatable, intent(inout) :: notes(:)
+      character(:), allocatable :: question
       real(wp) :: load
       if (size(weights) == 0 .or. .not. model%rig%max_hookload%present) return
+      if (is_unusual(usual_block, model%rig%block_weight)) return      ! which has a note of its own
       load = maxval(weights) + model%rig%block_weight
       associate (most => model%rig%max_hookload%value)
+         question = ''
+         if (model%rig%block_weight > heaviest_of_rig*most .and. load > most) question = unit_questions(units, unit_force, &
+            most/units%force, load, largest_rig, digits, 'max_hookload')
+         if (question /= '') then
+            call append_text(notes, 'group &rig: block_weight = '//in_units(units, unit_force, model%rig%block_weight, digits)// &
+               ' is '//to_text(model%rig%block_weight/most/percent, few_digits)//' % of max_hookload'//question)
+            return
+         end if
          if (load <= most_overload*most) return
          call append_text(notes, 'The rig carries '//in_units(units, unit_force, most, digits)//', string and block weigh '// &
             in_units(units, unit_force, load, digits)//' in mud without drag'// &

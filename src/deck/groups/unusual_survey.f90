@@ -33,6 +33,8 @@ module dg_unusual_survey
    !> Numbers with one decimal are degrees, as people write them.
    real(wp), parameter :: azimuth_told = 5.0_wp*degree, least_turn = 0.2_wp*degree, one_decimal = 0.1_wp*degree, &
                           round_off = 1.0e-6_wp*degree
+   !> Numbers of two decimals, those of radians with three, and 5 deg in radians [-].
+   real(wp), parameter :: two_decimals = 0.01_wp, three_decimals = 0.6e-3_wp, five = 5.0_wp*degree
    !> Azimuths that differ by less are alike [rad].
    real(wp), parameter :: alike = 0.01_wp*degree
    !> Azimuth that turns by more between two stations, both of which are inclined by more: a mistyped azimuth [rad].
@@ -74,7 +76,8 @@ contains
          largest = maxval(inclination)
          if (largest > largest_of_both .or. largest < least_radian) return
          if (.not. azimuths_in_radians(pack(azimuth, inclination > 0.0_wp))) then
-            if (largest > largest_radian .or. (largest < least_of_few .and. count(inclination > 0.0_wp) < few)) return
+            if (largest > largest_radian .or. (largest < least_of_few .and. count(inclination > 0.0_wp) < few .and. &
+                .not. all(are_converted(pack(inclination, inclination > 0.0_wp))))) return
             builds = all(inclination(2:) >= inclination(:size(inclination) - 1))
             one_way = maxval(azimuth, mask=inclination > 0.0_wp) - minval(azimuth, mask=inclination > 0.0_wp) < least_radian
             if (.not. (abs(largest - 0.5_wp*pi*degree) < near_right_angle .or. (builds .and. one_way))) return
@@ -83,6 +86,16 @@ contains
                           ' deg. Are the inclinations in radians? They are read as degrees')
       end associate
    end subroutine note_inclinations
+
+   !> True for an inclination that is a multiple of 5 deg in radians with three decimals at least: 1.047 for 60.
+   elemental function are_converted(inclination) result(are)
+      real(wp), intent(in) :: inclination     !< as read [rad]
+      logical :: are
+      associate (number => inclination/degree)
+         are = abs(number - two_decimals*anint(number/two_decimals)) > round_off .and. &
+               abs(number - five*anint(number/five)) < three_decimals
+      end associate
+   end function are_converted
 
    !> Azimuths that look like radians while inclinations do not: within a full turn they grow or fall from station to station. Those
    !> of a hole to the north in degrees go up and down, or stay.
@@ -127,8 +140,11 @@ contains
       azimuth = modulo(draft%stations%azimuth, 2.0_wp*pi)
       half = findloc(azimuth >= 0.5_wp*maxval(azimuth), .true., dim=1)
       associate (inclination => draft%stations%inclination)
-         if (draft%stations%md(1) > surface .or. minval(inclination) < slant) return
-         if (azimuth(1) > zero) return
+         if (draft%stations%md(1) > surface .or. azimuth(1) > zero) return
+         if (.not. maxval(inclination) > 0.0_wp .and. maxval(azimuth) > bent .and. maxval(azimuth) < lying) &
+            call append_text(notes, 'group &trajectory: all inclinations are 0, and the azimuth goes from 0 to '// &
+                             to_text(maxval(azimuth)/degree, digits)//' deg. Are inc and azi swapped?')
+         if (minval(inclination) < slant) return
          if (maxval(inclination(:half)) - minval(inclination(:half)) > kept .and. inclination(1) < steepest_rig) return
          if (maxval(azimuth) > lying .or. maxval(azimuth) < bent) return
          call append_text(notes, 'group &trajectory: the hole is inclined by '//to_text(inclination(1)/degree, digits)// &

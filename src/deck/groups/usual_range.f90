@@ -14,7 +14,8 @@ module dg_usual_range
              usual_makeup, usual_joint_torsion, usual_friction, usual_running_in, usual_trip_speed, usual_rpm, usual_hookload, &
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
-             usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips
+             usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips, &
+             usual_surface, usual_annulus, usual_casing_yield, usual_hole, usual_bore, usual_tension, usual_compression
 
    !> Usual range of a key.
    type :: usual_type
@@ -31,12 +32,13 @@ module dg_usual_range
                          usual_ambient_bottom = 20, usual_measured = 21, usual_joint_spacing = 22, usual_joint_length = 23, &
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
                          usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32, &
-                         usual_slips = 33
+                         usual_slips = 33, usual_surface = 34, usual_annulus = 35, usual_casing_yield = 36, usual_hole = 37, &
+                         usual_bore = 38, usual_tension = 39, usual_compression = 40
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(33) = [ &
+   type(usual_type), parameter :: usual(40) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -70,7 +72,14 @@ module dg_usual_range
       usual_type('wall_stiffness', unit_wall, 5.0e4_wp, 1.0e12_wp, 'soft clay 0.1 MPa; steel 200 GPa'), &
       usual_type('wall_stiffness', unit_wall, 1.0e8_wp, 1.0e12_wp, 'clay of deep wells 0.1 GPa, sandstone 10 GPa'), &
       usual_type('spacing', unit_length, 4.0_wp, 150.0_wp, 'three a joint of casing, 13.3 ft, to one in ten joints'), &
-      usual_type('slip_length', unit_diameter, 0.1_wp, 1.0_wp, 'slips of drill pipe 0.3 to 0.45 m, hand slips of tubing 0.2 m')]
+      usual_type('slip_length', unit_diameter, 0.1_wp, 1.0_wp, 'slips of drill pipe 0.3 to 0.45 m, hand slips of tubing 0.2 m'), &
+      usual_type('surface_pressure', unit_pressure, 0.0_wp, 105.0e6_wp, 'heads of 15,000 psi'), &
+      usual_type('annulus_pressure', unit_pressure, 0.0_wp, 105.0e6_wp, 'heads of 15,000 psi'), &
+      usual_type('casing_yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'as yield'), &
+      usual_type('diameter', unit_diameter, 0.0_wp, 1.6_wp, 'crossings and conductors of 60 in'), &
+      usual_type('packer_bore', unit_diameter, 0.02_wp, 0.5_wp, 'slim tubing 1 in; tie-back of 13 3/8 in'), &
+      usual_type('tension_efficiency', unit_none, 0.1_wp, 2.0_wp, 'connections 0.3 to 1.2 of the body'), &
+      usual_type('compression_efficiency', unit_none, 0.1_wp, 2.0_wp, 'connections 0.3 to 1.2 of the body')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp

@@ -3,19 +3,21 @@ module dg_string_check
    use dg_centralizer, only: centralizer_type
    use dg_component, only: closed_diameter, component_type, has_blades, is_eccentric, opens, shortest_contact
    use dg_kinds, only: wp
-   use dg_likely_unit, only: mud_question
+   use dg_likely_unit, only: mud_question, unit_questions
    use dg_missing, only: is_missing
    use dg_error, only: add_part_fault, error_list_type
    use dg_shown_size, only: depth_words, diameter_digits, diameter_words, length_digits
-   use dg_text, only: quoted, to_text
-   use dg_unit_kind, only: in_units, unit_density, unit_length
+   use dg_text, only: either, quoted, to_text
+   use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: check_component, check_in_string, check_centralizer
+   public :: check_component, check_in_string, check_centralizer, widest_blades
 
    !> Part of a length that is round-off of a conversion [-].
    real(wp), parameter :: round_off = 1.0e-4_wp
+   !> Widest blades and centralizers over their body, those of hole openers [-].
+   real(wp), parameter :: widest_blades = 4.0_wp
    integer, parameter :: advised_digits = 4
 
 contains
@@ -34,7 +36,8 @@ contains
          if (.not. is_missing(part%sensor)) call check_within('sensor', part%sensor)
          if (part%id >= part%od) call fault('id', 'id = '//wide(part%id)//' is not smaller than od = '//wide(part%od))
          if (part%joint_od > 0.0_wp .and. part%joint_od < part%od) call fault('joint_od', 'joint_od = '//wide(part%joint_od)// &
-            ' is smaller than od = '//wide(part%od)//'; 0 or absent: no joints')
+            ' is smaller than od = '//wide(part%od)//either(width_question(part%joint_od, part%od, units), &
+            '; 0 or absent: no joints', width_question(part%joint_od, part%od, units) /= ''))
          if (part%joint_od > 0.0_wp .and. part%joint_id >= part%joint_od) call fault('joint_id', 'joint_id = '// &
             wide(part%joint_id)//' is not smaller than joint_od = '//wide(part%joint_od)//'. Give the bore of the pin')
          if (part%joint_od > 0.0_wp .and. part%joint_length > part%joint_spacing) call fault('joint_length', 'joint_length = '// &
@@ -136,11 +139,11 @@ contains
          narrowest = merge(closed_diameter(part), part%od, centralizer%bow)
          if (centralizer%od <= narrowest) call add_part_fault(found, 'centralizer', place, 'od', 'od = '// &
             wide(centralizer%od)//' is not greater than that of '//quoted(part%name)//' (', 'component', place, '), '// &
-            wide(narrowest))
+            wide(narrowest)//width_question(centralizer%od, narrowest, units))
          if (.not. centralizer%bow) return
          if (centralizer%rated_hole <= closed_diameter(part)) call fault('rated_hole', 'rated_hole = '// &
             wide(centralizer%rated_hole)//' is not greater than the diameter of '//quoted(part%name)//', '// &
-            wide(closed_diameter(part)))
+            wide(closed_diameter(part))//width_question(centralizer%rated_hole, closed_diameter(part), units))
       end associate
    contains
       subroutine fault(key, message)
@@ -160,4 +163,12 @@ contains
          text = in_units(units, unit_length, length, length_digits)
       end function far
    end subroutine check_centralizer
+
+   !> Question for the unit of a diameter that is smaller than the body's and would be usual in another unit; '' for others.
+   function width_question(diameter, body, units) result(text)
+      real(wp), intent(in) :: diameter, body       !< [m]
+      type(unit_system_type), intent(in) :: units
+      character(:), allocatable :: text
+      text = unit_questions(units, unit_diameter, diameter/units%diameter, body, widest_blades*body, advised_digits)
+   end function width_question
 end module dg_string_check
