@@ -250,6 +250,9 @@ contains
       call assertTrue(index(unwrapped(run%output), advice) > 0, message=run%output)
       hookload = number_after(run%output, 'its weight is enough then, hook load about ')
       read (hookload, *) promised
+      run = run_deck_text(deck("operation = 'reaming', rpm = 20, trip_speed = 3, friction = 0.6", .false.))
+      call assertTrue(index(unwrapped(run%output), '. Move the string more slowly, or rotate it faster: drag falls with '// &
+                            'trip_speed over rpm') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'reaming', rpm = 120, trip_speed = 0.02, friction = 0.6", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       allocate (rows, source=lines_of(results_path//'/summary.csv'))

@@ -278,6 +278,9 @@ contains
       run = run_deck_text(replaced(tubing('pump_pressure = 20, temperature_change_top = 80, temperature_change_bottom = 80, '// &
                                           'annulus_pressure = 4'), '&fluid', '&fluid surface_pressure = 3,'))
       call assertEqual(-top_force(), value_after(run%output, 'The top must be held down with '), 0.5_wp, 'with annulus pressure')
+      run = run_deck_text(tubing('pump_pressure = 90, temperature_change_bottom = -60'))
+      call assertTrue(index(unwrapped(run%output), ' kN of pull on the packer') > 0, message=run%output)
+      call assertEqual(0, index(unwrapped(run%output), 'No shallower'), message=run%output)
    contains
       !> Deck of tubing that is set on a packer, then pumped through.
       function tubing(loads) result(text)

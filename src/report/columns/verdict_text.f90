@@ -1,7 +1,7 @@
 !> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
 module dg_verdict_text
    use dg_kinds, only: wp
-   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static, rotates
    use dg_load_text, only: force_text, load_text, number_text, sum_texts, sum_width
    use dg_passed_pressure, only: is_burst
    use dg_readable, only: capital, spaced
@@ -86,7 +86,8 @@ contains
          else
             text = text//load_text(units, verdict%limit, verdict%load%value)//either(' at the bit alone', '', verdict%alone)
          end if
-         if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)//' of overpull at the bit'
+         if (load_case%wob < 0.0_wp) text = text//', with '//force_text(units, -load_case%wob)// &
+            either(' of pull on the packer', ' of overpull at the bit', verdict%packer_pushes .and. load_case%length_reference > 0)
       end select
       if (verdict%friction == friction_upper_end_alone) text = text//', at the upper end of the 95 % interval of friction'
    end function verdict_reason
@@ -193,7 +194,7 @@ contains
             text = text//'. Deepest bit depth possible: about '// &
                    in_units(units, unit_length, at_most(units, unit_length, verdict%reach%value, shown), shown)// &
                    ' by the soft string'
-         else
+         else if (load_case%operation /= operation_static) then
             text = text//'. No shallower bit depth is possible either'
          end if
       end if
@@ -205,6 +206,9 @@ contains
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
                 either(' without bit torque', '', load_case%wob > 0.0_wp)//', by the soft string. '// &
                 'Check it by a case operation = '''//either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
+      if (rotates(load_case%operation) .and. moves_axially(load_case%operation) .and. &
+          any(verdict%limit == [limit_lock_up, limit_string_weight])) &
+         text = text//'. Move the string more slowly, or rotate it faster: drag falls with trip_speed over rpm'
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, verdict)
       if (verdict%possible_friction%present) then
          if (verdict%friction == friction_upper_end_alone) then
