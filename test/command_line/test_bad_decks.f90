@@ -213,6 +213,9 @@ contains
       call refuse("md_top = 0.0, md_bottom = 400.0", "md_bottom = 0.0009, diameter = 230 /  &hole md_bottom = 400.0", 6, &
                   'the section from 0 m to 0.0009 m is shorter than the shortest contact, 1 mm')
       call refuse("md_bottom = 900.0", "md_bottom = 300.0", 8, 'md_bottom = 300 m is not below md_top = 400 m')
+      call refuse("md_top = 400.0, md_bottom = 900.0", "md_bottom = 300.0", 6, 'md_bottom = 400 m is not above '// &
+                  'md_bottom of the next section (line 8), 300 m')
+      call refuse("md_top = 400.0, md_bottom = 900.0", "md_top = 950.0", 8, 'md_top = 950 m is not above the last station, 900 m')
       call refuse("md_bottom = 900.0", "md_bottom = 850.0", 17, 'lies below the lowest hole section, which ends at 850 m')
    end subroutine test_holes
 

@@ -136,6 +136,8 @@ contains
       call assertEqual(0, index(run%output, 'The rig carries'), message=run%output)
       call follow('SI', 'od = 150, joint', 'od = 6, joint', "'bit': od = 6 mm is small for joint_od = 215.9 mm. Is od in "// &
                   'inches? Then write 152.4', 'od = 152.4, joint')
+      call follow('SI', 'id = 108.6, mass = 32', 'id = 4.276', 'leaves a wall of 61.36 mm. Is it in inches? '// &
+                  'Then write 108.6. Is id the wall? Then write id = 118.4', 'id = 108.6, mass = 32')
       call follow('SI', 'joint_od = 168.3', 'joint_od = 6.625', 'joint_od = 6.625 is smaller than od = 127. Is it in inches? '// &
                   'Then write 168.3', 'joint_od = 168.3')
       call follow('SI', '&rig', bow//'od = 8 / &rig', 'Is it in inches? Then write 203.2', bow//'od = 203.2 / &rig')
@@ -151,7 +153,8 @@ contains
          'running_force = '
       call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 30 ', "'open': wall_stiffness = 30 kN/m2 is "// &
                   'unusual. Usual is at least 50 kN/m2. Is it in GPa? Then write 3e7', 'friction = 0.3, wall_stiffness = 3e7 ')
-      call follow('SI', '&rig', bows//'350 / &rig', 'running_force = 350 kN is unusual. Usual is at most 20 kN. Is it in N? '// &
+      call follow('SI', '&rig', bows//'350 / &rig', 'of ''DP'': running_force = 350 kN is '// &
+                  'unusual. Usual is at most 20 kN. Is it in N? '// &
                   'Then write 0.35', bows//'0.35 / &rig')
       call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 2e4 ', 'wall_stiffness = 20000 kN/m2 is unusual. '// &
                   'Usual is at least 100000 kN/m2. Is it in MPa? Then write 2e7', 'friction = 0.3, wall_stiffness = 2e7 ')
@@ -203,8 +206,8 @@ contains
       character(*), parameter :: sound = "'DP', od = 5, id = 4.276, mass = 21.5, joint_od = 6.625, yield = 135 /", &
          casing = "'DP', kind = 'casing', od = 5, id = 4.276, mass = 18, yield = 135 / &centralizer component = 'DP', "// &
                   "kind = 'bow', od = 8, restoring_force = 1, spacing = "
-      call follow('field', sound, casing//'12 /', ': &centralizer: spacing = 12 ft is unusual. Usual is at least 13.12 ft. Is '// &
-                  'it in m? Then write 39.37', casing//'39.37 /')
+      call follow('field', sound, casing//'12 /', 'group &centralizer of ''DP'': spacing = 12 ft is unusual. Usual is at '// &
+                  'least 13.12 ft. Is it in m? Then write 39.37', casing//'39.37 /')
       run = run_deck_text(replaced(replaced(well('SI'), 'mass = 32', 'mass = 21.5'), "'DP',", "'DP', kind = 'VIT',"), '--check')
       call assertTrue(index(run%output, 'mass = 21.5, but a tube of its od, id and density has 26.73') > 0, message=run%output)
       call assertEqual(0, index(run%output, 'lbm/ft'), message=run%output)
@@ -233,13 +236,19 @@ contains
    !> A pipe that is pulled through a crossing under a river: drag is all.
    subroutine test_crossing()
       type(run_type) :: run
-      run = run_deck_text("&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
-         "&trajectory md = 0, 60, 400, 700, 760, inc = 78, 78, 90, 98, 98, azi = 5*10, tie_on = 'straight' /"//newline// &
+      character(*), parameter :: path = 'md = 0, 60, 400, 700, 760, inc = 78, 78, 90, 98, 98, azi = 5*10'
+      character(:), allocatable :: deck
+      deck = "&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory "//path//", tie_on = 'straight' /"//newline// &
          "&hole diameter = 914, friction = 0.3, wall_stiffness = 2e4 /"//newline//"&fluid density = 1150 /"//newline// &
          "&component name = 'pipe', kind = 'casing', od = 609.6, id = 581.2, joint_od = 620 /"//newline// &
-         "&load_case name = 'pull', operation = 'trip_out', bit_depth = 760, measured_hookload = 900 /"//newline, '--check')
+         "&load_case name = 'pull', operation = 'trip_out', bit_depth = 760, measured_hookload = 900 /"//newline
+      run = run_deck_text(deck, '--check')
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(0, index(run%output, newline//'note '), message=run%output)
+      run = run_deck_text(replaced(deck, path, 'md = 0, 100, 250, 550, 700, 800, inc = 78, 78, 90, 90, 102, 102, azi = 6*90'), &
+                          '--check')
+      call assertTrue(index(run%output, 'Well to 800 m, true vertical depth 0 m, at most 36.442 m. ') > 0, message=run%output)
    end subroutine test_crossing
 
    !> Holes and pipe in inches or metres. One message for a hole that nothing passes.

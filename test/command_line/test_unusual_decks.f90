@@ -255,6 +255,7 @@ contains
 
    !> Gravity in ft/s2, hours in seconds, temperatures in kelvin. Steam is usual.
    subroutine test_conditions()
+      type(run_type) :: run
       call mistake('profiles = .false. /', 'profiles = .false., gravity = 32.174 /', &
                    'gravity = 32.17 m/s2 is unusual. Usual is at most 10 m/s2')
       call mistake('tob = 5 ', 'tob = 5, rpm = 60, hours = 36000 ', 'hours = 36000 is unusual. Usual is at most 3000')
@@ -278,6 +279,12 @@ contains
                    "There is no fluid outside. For one on both sides write where = 'both'")
       call mistake('&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /", &
                    "There is no fluid inside. For one on both sides")
+      run = run_deck_text(replaced(replaced(deck(), '&fluid density = 9.6 /', "&fluid density = 9.6, where = 'outside' /"), &
+         "'up', bit", "'up', inside_density = 0, temperature_change_top = -10, temperature_change_bottom = 5, bit"), '--check')
+      call assertTrue(index(run%output, "load case 'up': without pump pressure the fluid inside presses on the bit") > 0, &
+                      message=run%output)
+      call assertEqual(0, index(run%output, 'There is no fluid inside'), message=run%output)
+      call assertTrue(index(run%output, ', cooler at top by 10 degF, warmer at bit by 5 degF') > 0, message=run%output)
    contains
       !> A packer set in a warm string that gets warmer by 50 degF.
       function warm(hot) result(text)
@@ -413,7 +420,8 @@ contains
          "&component od = 127, id = 108.6, mass = 32, joint_od = 168 / &load_case name = 'up', operation = 'up', "// &
          'bit_depth = 4000 /'//newline, '--check')
       call assertTrue(index(run%output, 'the survey ends at 13124 m, 3.281 times as deep as bit and hole. Is it in ft? In a '// &
-                            'file write survey_units = ''field''') > 0, message=run%output)
+                            'file write survey_units = ''field''. In the deck write md in m: '// &
+                            '4000 at its end') > 0, message=run%output)
    end subroutine test_rig
 
    !> Decks that looked like a mistake and are right.

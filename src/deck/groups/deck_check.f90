@@ -13,7 +13,7 @@ module dg_deck_check
    use dg_merge_sort, only: first_equal, sorted_places
    use dg_model, only: hold_free, hold_landed
    use dg_opening_check, only: set_opened_depth
-   use dg_shown_size, only: diameter_digits, diameter_words
+   use dg_shown_size, only: depth_words, diameter_digits, diameter_words
    use dg_string_check, only: check_in_string
    use dg_unusual_input, only: holes_in_inches, inches_meant
    use dg_text, only: lower_case, name_shown, quoted, text_type, to_text
@@ -61,6 +61,8 @@ contains
                end if
             end if
             if (.not. hole%sound) cycle
+            if (.not. hole%section%md_bottom > hole%section%md_top) call check_default_ends(i)
+            if (.not. hole%sound) cycle
             call check_section(hole%section, i, draft%units, in_itself)
             hole%sound = in_itself%count == 0
             call report_faults(draft, in_itself, faults)
@@ -80,6 +82,23 @@ contains
       call report_faults(draft, found, faults)
 
    contains
+
+      !> Report a section that ends above its beginning where one of the two follows from another section or the survey. The
+      !> depth that is written is named.
+      subroutine check_default_ends(number)
+         integer, intent(in) :: number      !< of the section
+         character(:), allocatable :: ends
+         associate (hole => draft%holes(number))
+            if (hole%has_top .eqv. hole%has_bottom) return
+            ends = 'the last station, '
+            if (hole%has_bottom) ends = 'md_bottom of the next section (line '//to_text(hole%line)//'), '
+            ends = ' = '//depth_words(draft%units, hole%section%md_top)//' is not above '//ends// &
+                   depth_words(draft%units, hole%section%md_bottom)
+            hole%sound = .false.
+            if (hole%has_top) call fault(hole%line_top, 'md_top'//ends)
+            if (hole%has_bottom) call fault(draft%holes(number - 1)%line_bottom, 'md_bottom'//ends)
+         end associate
+      end subroutine check_default_ends
 
       subroutine fault(line, message)
          integer, intent(in) :: line

@@ -133,7 +133,8 @@ contains
                ': without pump pressure the fluid inside presses on the bit with '//pressed(within)//', that outside with '// &
                pressed(around)//'; a float valve or plug at the end of the string must hold the difference'// &
                   either('. There is no fluid '//either('inside', 'outside', within < around)// &
-                         ". For one on both sides write where = 'both'", '', min(within, around) < no_pressure))
+                         ". For one on both sides write where = 'both'", '', &
+                         min(within, around) < no_pressure .and. .not. case%inside_density%present))
             end if
          end associate
       end subroutine note_bit

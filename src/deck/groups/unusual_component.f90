@@ -31,8 +31,8 @@ module dg_unusual_component
    real(wp), parameter :: heavy_joints = 0.11_wp
    !> Diameters of drill pipe [m]: 3 1/2 to 6 5/8 in; nominal weights of tubing, up to 4 in, are true ones.
    real(wp), parameter :: thinnest = 0.088_wp, thickest = 0.17_wp, thickest_tubing = 0.102_wp
-   !> Least bore of pipe over its outside diameter [-]: heavy weight pipe has 0.59, collars without a kind 0.25.
-   real(wp), parameter :: least_bore = 0.22_wp
+   !> Least bore of pipe over its outside diameter, and a usual one [-]: heavy weight pipe has 0.59, collars without a kind 0.25.
+   real(wp), parameter :: least_bore = 0.22_wp, usual_bore = 0.5_wp
    !> Young's modulus and density of light alloys [Pa, kg/m3]: aluminium has 72e9 and 2800, titanium 114e9 and 4430.
    real(wp), parameter :: soft_metal = 90.0e9_wp, light_metal = 5500.0_wp, stiff_metal = 170.0e9_wp
    !> Least yield strength of pipe with the fatigue curve of S135 [Pa]: 135 ksi less what a catalogue rounds off.
@@ -60,16 +60,17 @@ contains
       type(unit_system_type), intent(in) :: units
       type(draft_component_type), intent(in) :: item
       type(text_type), allocatable, intent(inout) :: notes(:)
-      character(:), allocatable :: what, question
+      character(:), allocatable :: what, question, of_springs
       what = part_text(item)
+      of_springs = 'group &centralizer of '//quoted(item%component%name)
       associate (part => item%component)
          if (part%yield > 0.0_wp) call note_range(units, what, usual_yield, part%yield, notes)
          call note_range(units, what, usual_makeup, part%makeup_torque, notes)
          call note_range(units, what, usual_joint_torsion, part%joint_torsion, notes)
-         call note_range(units, what, usual_restoring, part%centralizer%restoring_force, notes)
-         call note_range(units, what, usual_running_force, part%centralizer%running_force, notes)
+         call note_range(units, of_springs, usual_restoring, part%centralizer%restoring_force, notes)
+         call note_range(units, of_springs, usual_running_force, part%centralizer%running_force, notes)
          if (part%centralizer%present .and. is_casing(part)) &
-            call note_range(units, what//': &centralizer', usual_centralizers, part%centralizer%spacing, notes)
+            call note_range(units, of_springs, usual_centralizers, part%centralizer%spacing, notes)
          if (nearly_kind(part%kind) /= '') call append_text(notes, what//': kind = '//quoted(part%kind)// &
             ' is not known. Did you mean '//quoted(nearly_kind(part%kind))//'?')
          if (has_joints(part)) then
@@ -101,7 +102,9 @@ contains
             'catalogue')
          if (is_pipe(part) .and. part%id > 0.0_wp .and. part%id < least_bore*part%od) call append_text(notes, what//': id = '// &
             in_units(units, unit_diameter, part%id, digits)//' leaves a wall of '// &
-            in_units(units, unit_diameter, 0.5_wp*(part%od - part%id), digits)//'. Is id the wall? Then write id = '// &
+            in_units(units, unit_diameter, 0.5_wp*(part%od - part%id), digits)// &
+            unit_questions(units, unit_diameter, part%id/units%diameter, usual_bore*part%od, part%od, digits)// &
+            '. Is id the wall? Then write id = '// &
             to_text((part%od - 2.0_wp*part%id)/unit_factor(units, unit_diameter), digits))
          if ((part%youngs < soft_metal .and. part%density > light_metal) .or. &
              (part%youngs > stiff_metal .and. part%density < light_metal)) &

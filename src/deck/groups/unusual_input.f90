@@ -359,7 +359,7 @@ contains
       if (abs(last*foot - deepest) > as_feet*deepest .or. .not. in_metres(draft%units)) return
       call append_text(notes, 'group &trajectory: the survey ends at '//in_units(draft%units, unit_length, last, depth_digits)// &
                        ', '//to_text(last/deepest, digits)//' times as deep as bit and hole. Is it in ft? In a file write '// &
-                       "survey_units = 'field'")
+                       "survey_units = 'field'. In the deck write md in m: "//to_text(last*foot, digits)//' at its end')
    end subroutine note_survey_in_feet
 
    !> True for depths in metres.

@@ -271,8 +271,7 @@ contains
             optional(units, ', pump pressure ', unit_pressure, case%pump_pressure)// &
             optional(units, ', annulus pressure ', unit_pressure, case%annulus_pressure)// &
             given_text(units, ', density inside ', unit_density, case%inside_density)// &
-            optional(units, ', warmer at top by ', unit_temperature, case%temperature_change_top)// &
-            optional(units, ', at bit by ', unit_temperature, case%temperature_change_bottom)// &
+            change('top', case%temperature_change_top)//change('bit', case%temperature_change_bottom)// &
             optional(units, ', above ambient at top by ', unit_temperature, case%above_ambient_top)// &
             optional(units, ', above ambient at bit by ', unit_temperature, case%above_ambient_bottom)// &
             optional(units, ', ', unit_rotation, case%angular_speed)// &
@@ -282,6 +281,14 @@ contains
             given_text(units, ' and ', unit_moment, case%measured_torque)// &
             given_text(units, ', reference ', unit_force, case%reference_hookload)//reference)
       end associate
+   contains
+      !> Change of temperature of an end of the string; '' for none.
+      pure function change(place, value) result(text)
+         character(*), intent(in) :: place
+         real(wp), intent(in) :: value      !< [K]
+         character(:), allocatable :: text
+         text = optional(units, either(', cooler', ', warmer', value < 0.0_wp)//' at '//place//' by ', unit_temperature, abs(value))
+      end function change
    end subroutine add_case
 
    !> Settings of the solver.

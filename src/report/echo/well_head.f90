@@ -11,7 +11,7 @@ module dg_well_head
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_survey, only: tangent_of
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
    use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length
    use dg_units, only: unit_system_type
@@ -130,7 +130,9 @@ contains
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       character(:), allocatable :: line
-      real(wp) :: dogleg, sharpest
+      ! part of the deepest station above which a crossing ends, and round-off of depths [m]
+      real(wp), parameter :: half = 0.5_wp, no_depth = 1.0e-6_wp
+      real(wp) :: dogleg, sharpest, deepest, last
       integer :: i, steepest, place
       associate (path => model%trajectory)
          steepest = maxloc(path%inclination, dim=1)
@@ -143,9 +145,14 @@ contains
             sharpest = dogleg
             place = i
          end do
+         deepest = maxval([(true_vertical_depth(path, path%md(i)), i=1, size(path%md))])
          i = size(path%md)
+         last = true_vertical_depth(path, path%md(i))
+         if (abs(last) < no_depth) last = 0.0_wp
          line = 'Well to '//in_units(units, unit_length, path%md(i), digits)//', true vertical depth '// &
-            in_units(units, unit_length, true_vertical_depth(path, path%md(i)), digits)//'. Largest inclination '// &
+            in_units(units, unit_length, last, digits)//either(', at most '//in_units(units, unit_length, deepest, digits), '', &
+            last < half*deepest - no_depth)// &
+            '. Largest inclination '// &
             to_text(path%inclination(steepest)/units%angle, few)//' deg at '// &
             in_units(units, unit_length, path%md(steepest), digits)
          if (sharpest > 0.0_wp) line = line//', dogleg '//in_units(units, unit_curvature, sharpest, few)//' at '// &
