@@ -13,6 +13,9 @@ module dg_opening_check
    private
    public :: set_opened_depth, check_open_passage, opening_advice
 
+   !> Longest way up from a tool to the opened section that was meant to reach it [m]. A reamer may stand as far above the bit.
+   real(wp), parameter :: longest_pilot = 100.0_wp
+
 contains
 
    !> Set the default depth of a tool that opens: the lower end of the last cased section.
@@ -46,7 +49,8 @@ contains
          other = '; needs opened_od <= '//diameter_words(units, holes(h)%diameter, diameter_digits)
          if (holes(h)%md_bottom < lower_end) then
             other = other//' or opened_below >= '//depth_words(units, holes(h)%md_bottom)
-         else if (holes(max(h - 1, 1))%diameter >= component%opened_od) then      ! the opened section ends too high
+         else if (lower_end - holes(h)%md_top < longest_pilot .and. holes(max(h - 1, 1))%diameter >= component%opened_od) then
+            ! the opened section ends too high
             other = '; it stands at '//depth_words(units, lower_end - component%length)//' to '//depth_words(units, lower_end)// &
                     ', the section above ends at '//depth_words(units, holes(h)%md_top)//'; lower md_bottom of that section to '// &
                     depth_words(units, lower_end)//', or check opened_od'
