@@ -15,7 +15,7 @@ module dg_bench_ablation
    public :: print_ablation
 
    !> Numbers in the list.
-   integer, parameter :: numbers = 45
+   integer, parameter :: numbers = 46
    !> For a threshold that nothing reaches, and a count that none does.
    real(wp), parameter :: never = 1.0e30_wp
    integer, parameter :: endless = 1000000000
@@ -174,6 +174,7 @@ contains
       case (42); call change('hold_stiffness', tuning%hold_stiffness, 0.1_wp, changed)
       case (43); call change('most_held', tuning%most_held, 0.02_wp, changed)
       case (44); call change('longest_cycle', tuning%longest_cycle, endless, changed)
+      case (45); call change('hold_slipping', tuning%hold_slipping, 1.0_wp, changed)
       case default; call change('still', tuning%still, never, changed)
       end select
    end subroutine change_number

@@ -127,12 +127,15 @@ module dg_tuning
       real(wp) :: near = 1.0e-4_wp
 
       ! ---- a string that drifts (dg_held_coils)
-      !> Iterations in which no gap opened, closed or moved, after which a stable sliding string counts as drifting. With 20
-      !> some strings are held that come to rest by themselves.
-      integer :: longest_quiet = 30
+      !> Iterations in which few gaps opened, closed or moved, after which a stable sliding string counts as drifting. Attempts
+      !> after the first wait twice as long, and until no gap changes.
+      integer :: longest_quiet = 15
       !> Stiffness against its sideways motion, in units of damping [-]: half of the damping that a stable equilibrium may
       !> need.
       real(wp) :: hold_stiffness = 0.01_wp
+      !> The same where a contact slips, over the one above [-]. With 1 a string that creeps needs two to three times as many
+      !> iterations.
+      real(wp) :: hold_slipping = 0.01_wp
       !> Largest share of a contact's friction that acts sideways [-]. It reduces friction along the hole by at most 0.13 %.
       !> With 2 % some strings do not converge that converge by themselves.
       real(wp) :: most_held = 0.05_wp

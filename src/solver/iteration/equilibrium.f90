@@ -17,7 +17,7 @@
 !> 4. The step of a damped string is shortened while the energy still rises at its end, with friction forces held constant.
 !> Walls press there with the force of the linear problem, and with the softened stiffness on the depth beyond it.
 !> 5. A step that still raises the energy, and does not reduce the residual, is refused, and damping is raised.
-!> 6. A stable string that keeps moving for longest_quiet iterations without a change of its gaps is drifting. From then on
+!> 6. A stable string that keeps moving for longest_quiet iterations, while few of its gaps change, is drifting. From then on
 !> friction holds it sideways too (dg_held_coils).
 !>
 !> At convergence rho is the wall's stiffness. Residual, states (Eqs. 7 and 8) and places (Eq. 2) of the gaps are settled. A
@@ -202,8 +202,9 @@ contains
       end if
    end subroutine judge_progress
 
-   !> Begin to hold a string that drifts. If gaps do not change, Newton's method finds an equilibrium near a stable string in a
-   !> few iterations, or there is none. Strings with a small residual are not held. Neither are strings in vertical holes,
+   !> Begin to hold a string that drifts. If few gaps change, Newton's method finds an equilibrium near a stable string in a few
+   !> iterations, or there is none. Later attempts wait longer, and until no gap changes: some strings come to rest by
+   !> themselves. Strings with a small residual are not held. Neither are strings in vertical holes,
    !> where every turn about the hole is an equilibrium.
    subroutine judge_drift(it, solution)
       type(equilibrium_type), intent(inout) :: it
@@ -211,9 +212,11 @@ contains
       logical :: stable
       if (it%holder%holding .or. is_vertical(solution%mesh)) return
       it%holder%quiet = it%holder%quiet + 1
-      if (it%row%flips + it%row%moves > 0 .or. it%growth < rigid) it%holder%quiet = 0
-      associate (tuning => it%numerics%tuning)
-         if (it%holder%quiet < tuning%longest_quiet .or. it%before < tuning%near*solution%equations%force_scale) return
+      associate (tuning => it%numerics%tuning, first => it%row%attempt == 1)
+         if (it%row%flips + it%row%moves > merge(tuning%few, 0.0_wp, first)*it%row%contacts .or. it%growth < rigid) &
+            it%holder%quiet = 0
+         if (it%holder%quiet < merge(1, 2, first)*tuning%longest_quiet .or. &
+             it%before < tuning%near*solution%equations%force_scale) return
       end associate
       call judge_stability(it, solution, stable)
       if (.not. stable) return

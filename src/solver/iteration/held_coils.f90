@@ -6,9 +6,9 @@
 !>   F = m R (cos a t - sin a tau),   tan a = u/v,   tau = t x n.
 !> A string in equilibrium has no u, but its history is unknown, so that sin a may have any value. It is a state of its own
 !> here, zero when the string begins to be held. A step that moves a contact by u changes it by k u/(m R). At a small upper
-!> limit of it the contact slips. A string that goes on moving sideways is thus braked, and one that drifts comes to rest. The
-!> spring k is softer than the damping that a stable equilibrium may need, and stability is judged without it. The torque of
-!> the sideways force about the string's own axis, some newton metres, is neglected.
+!> limit of it the contact slips, against a softer spring. A string that goes on moving sideways is thus braked, and one that
+!> drifts comes to rest. The spring k is softer than the damping that a stable equilibrium may need, and stability is judged
+!> without it. The torque of the sideways force about the string's own axis, some newton metres, is neglected.
 module dg_held_coils
    use dg_kinds, only: wp
    use dg_block_matrix, only: block_matrix_type, block_size
@@ -17,6 +17,7 @@ module dg_held_coils
    use dg_gap_state, only: state_free
    use dg_mesh, only: mesh_type
    use dg_solution, only: solution_type
+   use dg_tuning, only: tuning_type
    use dg_workspace, only: dof_lateral_1
    implicit none
    private
@@ -24,7 +25,7 @@ module dg_held_coils
 
    type :: holder_type
       logical :: holding = .false.
-      integer :: quiet = 0                       !< iterations since a gap opened, closed or moved
+      integer :: quiet = 0                       !< iterations since many gaps opened, closed or moved
       real(wp), allocatable :: row(:, :)         !< motion along tau by the unknowns of the element's nodes (12,e) [-, m]
       real(wp), allocatable :: stiffness(:)      !< stiffness of the spring, 0 of a gap that is not held (e) [N/m]
       real(wp), allocatable :: before(:)         !< share of friction before the step (e) [-]
@@ -42,9 +43,10 @@ contains
                 source=0.0_wp)
    end subroutine start_to_hold
 
-   !> Compute the springs at the present state, before a step.
-   pure subroutine find_holding(share, lump, solution, holder)
-      real(wp), intent(in) :: share              !< stiffness over a unit of damping [-]
+   !> Compute the springs at the present state, before a step. Where a contact slips its force stays the same, so that its spring
+   !> is soft.
+   pure subroutine find_holding(tuning, lump, solution, holder)
+      type(tuning_type), intent(in) :: tuning
       real(wp), intent(in) :: lump(:, :)         !< diagonal terms of a unit of damping (6,nodes) [N/m, N.m]
       type(solution_type), intent(in) :: solution
       type(holder_type), intent(inout) :: holder
@@ -56,7 +58,8 @@ contains
             if (gaps%state(e) == state_free .or. .not. abs(mesh%friction_along(e)) > 0.0_wp .or. &
                 work%displacement(e) < near*gaps%law(e)%clearance) cycle
             call find_side_row(mesh, gaps, e, work, holder%row(:, e))
-            holder%stiffness(e) = 0.5_wp*share*(lump(dof_lateral_1, e) + lump(dof_lateral_1, e + 1))
+            holder%stiffness(e) = 0.5_wp*tuning%hold_stiffness*(lump(dof_lateral_1, e) + lump(dof_lateral_1, e + 1))
+            if (.not. abs(holder%before(e)) < tuning%most_held) holder%stiffness(e) = tuning%hold_slipping*holder%stiffness(e)
          end do
       end associate
    end subroutine find_holding

@@ -80,7 +80,7 @@ contains
       associate (equations => solution%equations, mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, &
                  work => solution%work)
          call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
-         if (it%holder%holding) call find_holding(it%numerics%tuning%hold_stiffness, it%lump, solution, it%holder)
+         if (it%holder%holding) call find_holding(it%numerics%tuning, it%lump, solution, it%holder)
          it%problem%closed = gaps%state /= state_free
          associate (tuning => it%numerics%tuning)
             margin = 0.0_wp         ! next to an equilibrium that counts as stable no more damping is needed
