@@ -6,7 +6,7 @@
 !> annulus, and cools by 20 degF. They find a shortening of 165.2 in in all, of that 16.6 in by the temperature. With 20,000 lbf set
 !> down on the packer before, which shorten the tubing by 49.7 in, its lower end moves by 115.5 in.
 module dg_test_length_change
-   use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: axial_stiffness, bending_stiffness, buoyed_weight, tube_area
@@ -50,6 +50,7 @@ contains
       call suite%addTest(TestMethod('pressure_alone', test_pressure))
       call suite%addTest(TestMethod('temperature_alone', test_temperature))
       call suite%addTest(TestMethod('not_asked_for', test_not_asked))
+      call suite%addTest(TestMethod('couplings', test_couplings))
    end function length_change_suite
 
    !> A number in a unit of the field, in SI.
@@ -161,6 +162,30 @@ contains
       call check_packer(model_soft, 1.0e-9_wp, 2.0e-3_wp)
       call check_packer(model_rigid, 1.0e-9_wp, 2.0e-3_wp)
    end subroutine test_packer_by_formulas
+
+   !> Couplings hold the helix off the casing, and the tubing between them bows out to it. So buckling takes up less length than
+   !> without couplings, and more than with couplings all along. The formula agrees with the beams, which solve couplings one by
+   !> one where a length is asked for.
+   subroutine test_couplings()
+      type(model_type) :: model
+      type(length_change_type) :: bare, smeared, beams, by_formula
+      call build(model)
+      model%boundary%packer_bore = si(bore, unit_diameter)
+      model%cases(1)%wob = si(set_down, unit_force)
+      call find(model, model_mcge, bare)
+      associate (pipe => model%strings(1)%components(1))
+         pipe%joint_od = si(3.668_wp, unit_diameter)
+         pipe%joint_length = 0.14_wp
+         pipe%joint_spacing = 9.45_wp
+      end associate
+      call find(model, model_mcge, beams)
+      call find(model, model_soft, by_formula)
+      call assertRelativelyEqual(beams%buckling, by_formula%buckling, 0.03_wp)
+      model%numerics%joints_by_need = .false.
+      call find(model, model_mcge, smeared)
+      call assertLessThan(beams%buckling, 1.2_wp*smeared%buckling, message='more than with couplings all along')
+      call assertLessThan(bare%buckling, beams%buckling, message='less than without')
+   end subroutine test_couplings
 
    !> The example as two load cases: tubing is landed in oil, then cement is pumped against pressure of the annulus.
    subroutine test_two_cases()

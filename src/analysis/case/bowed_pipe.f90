@@ -1,16 +1,18 @@
-!> Friction that smeared tool joints leave out: buckled pipe bows out to the wall between its joints.
+!> What smeared tool joints leave out: buckled pipe bows out to the wall between its joints. There it rubs, and its helix takes
+!> up more length.
 module dg_bowed_pipe
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
    use dg_component, only: has_joints
+   use dg_length_change, only: asks_for_length
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_static_result, only: add_message
    use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_force, unit_moment
+   use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    implicit none
    private
-   public :: note_bowed_pipe, rubs_between_joints
+   public :: bows_between_joints, note_bowed_pipe
 
    !> What smeared joints leave out, by the soft string.
    type :: left_out_type
@@ -18,6 +20,7 @@ module dg_bowed_pipe
       real(wp) :: torque = 0.0_wp       !< at surface [N.m]
       real(wp) :: weight = 0.0_wp       !< of the string [N]
       real(wp) :: all_torque = 0.0_wp   !< at surface, with smeared joints [N.m]
+      real(wp) :: length = 0.0_wp       !< that buckling takes up [m]
       logical :: locks_anyway = .false. !< the string locks up with smeared joints, too
       logical :: locks = .false.        !< the string locks up with joints one by one
    end type left_out_type
@@ -25,6 +28,8 @@ module dg_bowed_pipe
    !> Friction that is left out, over weight or over torque, above which it counts [-]. Beams find up to fifty times as much as
    !> the soft string, so that little is enough.
    real(wp), parameter :: noticeable = 1.0e-3_wp
+   !> Length that is left out, above which it counts [m]. Seals in a packer are placed to some centimetres.
+   real(wp), parameter :: noticeable_length = 0.01_wp
    !> Part of the message.
    character(*), parameter :: left_out = 'Smeared tool joints leave out the friction of buckled pipe between them'
    !> Digits of a force or torque in a message.
@@ -32,31 +37,47 @@ module dg_bowed_pipe
 
 contains
 
-   !> True where smeared joints leave out some of hook load or torque, or change the load at which the string locks up. Joints are
-   !> then to be solved one by one.
-   pure function rubs_between_joints(model, case_index) result(rubs)
+   !> True where smeared joints leave out some of hook load or torque, or change the load at which the string locks up. Also where
+   !> they leave out some of a change of length that the deck asks for. Joints are then to be solved one by one.
+   pure function bows_between_joints(model, case_index) result(bows)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      logical :: rubs
+      logical :: bows
       type(left_out_type) :: less
-      rubs = smears_joints(model, case_index)
-      if (.not. rubs) return
+      bows = smears_joints(model, case_index)
+      if (.not. bows) return
       call find_left_out(model, case_index, less)
-      rubs = less%locks .or. less%hookload > noticeable*less%weight .or. less%torque > noticeable*less%all_torque
-   end function rubs_between_joints
+      bows = less%locks .or. less%hookload > noticeable*less%weight .or. less%torque > noticeable*less%all_torque .or. &
+             takes_length(model, case_index, less)
+   end function bows_between_joints
 
-   !> Add a message where joints one by one would change the hook load or the torque of a compressed string. The soft string
-   !> tells by how much, as it knows both (coil_clearance). Above the weight of the string its change is no number to use.
+   !> True if smeared joints leave out some of a change of length that the deck asks for.
+   pure function takes_length(model, case_index, less) result(takes)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(left_out_type), intent(in) :: less
+      logical :: takes
+      takes = less%length > noticeable_length .and. asks_for_length(model, model%cases(case_index))
+   end function takes_length
+
+   !> Add a message where joints one by one would change the length, the hook load or the torque of a compressed string. The
+   !> soft string tells by how much, as it knows both (coil_clearance). Above the weight of the string its change is no number
+   !> to use.
    subroutine note_bowed_pipe(model, case_index, tried, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       logical, intent(in) :: tried               !< joints one by one found no equilibrium
       type(case_result_type), intent(inout) :: result
       type(left_out_type) :: less
-      character(:), allocatable :: text
+      character(:), allocatable :: text, cure
       if (.not. has_numbers(result%status) .or. .not. smears_joints(model, case_index)) return
       call find_left_out(model, case_index, less)
       if (less%locks_anyway) return
+      cure = ". Set tool_joints = 'discrete' in &solver"
+      if (tried) cure = '. With joints one by one no equilibrium was found'
+      if (takes_length(model, case_index, less)) &
+         call add_message(result, 'Smeared tool joints hold buckled pipe off the wall: its buckling shortens it by roughly '// &
+                          in_units(model%units, unit_length, less%length, shown)//' more'//cure)
       if (less%locks .or. less%hookload > less%weight) then
          result%left_out_friction = huge(1.0_wp)
          text = '. The string may lock up by it'
@@ -68,12 +89,7 @@ contains
       else
          return
       end if
-      if (tried) then
-         text = text//'. With joints one by one no equilibrium was found'
-      else
-         text = text//". Set tool_joints = 'discrete' in &solver"
-      end if
-      call add_message(result, left_out//text)
+      call add_message(result, left_out//text//cure)
    end subroutine note_bowed_pipe
 
    !> True if the string of a load case has tool joints that are smeared.
@@ -99,8 +115,8 @@ contains
       either%numerics%discrete_joints = .false.
       either%numerics%joints_by_need = .false.
       call find_loads(either, case_index, smeared, totals)
-      left_out = left_out_type(abs(loads(1) - smeared(1)), abs(loads(2) - smeared(2)), totals%weight, abs(smeared(2)), &
-                               totals%runaway, totals_apart%runaway)
+      left_out = left_out_type(abs(loads(1) - smeared(1)), abs(loads(2) - smeared(2)), abs(totals%weight), abs(smeared(2)), &
+                               totals_apart%coil - totals%coil, totals%runaway, totals_apart%runaway)
    end subroutine find_left_out
 
    !> Hook load and torque at surface of the soft string with the friction of buckling [N, N.m].

@@ -1,12 +1,13 @@
 !> Solve one load case by beams, with tool joints smeared along their components or one by one.
 !>
 !> Smeared joints are exact enough where pipe lies along the hole. Helically buckled pipe also touches the hole between its joints,
-!> and bows out farther there. Smeared joints may then leave out most of the friction: of seven such wells, two lock up by it. So
-!> joints are solved one by one where the soft string says that it matters, unless the deck asks for one of both ways. If that
-!> finds no equilibrium, the joints are smeared, and a message says so.
+!> and bows out farther there. Smeared joints may then leave out most of the friction: of seven such wells, two lock up by it. They
+!> leave out a third of the length that buckling takes up. So joints are solved one by one where the soft string says that it
+!> matters, unless the deck asks for one of both ways. If that finds no equilibrium, the joints are smeared, and a message says
+!> so.
 module dg_solve_by_beams
    use dg_kinds, only: wp
-   use dg_bowed_pipe, only: note_bowed_pipe, rubs_between_joints
+   use dg_bowed_pipe, only: bows_between_joints, note_bowed_pipe
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_without_load, only: solve_without_load
    use dg_confirm_lock_up, only: confirm_lock_up
@@ -45,7 +46,7 @@ contains
       logical :: tried
       other = model
       tried = model%numerics%joints_by_need
-      if (tried) tried = rubs_between_joints(model, case_index)
+      if (tried) tried = bows_between_joints(model, case_index)
       if (tried) then
          other%numerics%discrete_joints = .true.
          other%numerics%max_iterations = min(model%numerics%max_iterations, most_apart)
@@ -60,7 +61,7 @@ contains
       smeared%iterations = smeared%iterations + result%iterations
       smeared%seconds = smeared%seconds + result%seconds
       result = smeared
-      ! where the soft string sees no rubbing, nothing is left out
+      ! where the soft string sees no pipe that bows out, nothing is left out
       if (.not. totals_only .and. (tried .or. .not. model%numerics%joints_by_need)) &
          call note_bowed_pipe(model, case_index, tried, result)
    end subroutine solve_by_beams

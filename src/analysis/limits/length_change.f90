@@ -19,8 +19,9 @@ module dg_length_change
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
-   use dg_component, only: axial_stiffness, bending_stiffness, component_type, contact_diameter, room_of, tube_area
+   use dg_component, only: axial_stiffness, bending_stiffness, component_type, contact_diameter, find_bowing, room_of, tube_area
    use dg_drillstring, only: component_at, component_tops
+   use dg_helical_load, only: coil_clearance
    use dg_load_case, only: load_case_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
@@ -64,6 +65,8 @@ contains
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, length, outside, inside, axial
       integer :: i, number
+      logical :: bows
+      bows = model%numerics%discrete_joints .or. model%numerics%joints_by_need
       change%present = .true.
       associate (profile => result%profile, load_case => model%cases(result%case_index), &
                  string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))
@@ -81,8 +84,8 @@ contains
                   (inside*tube_area(part%id, 0.0_wp) - outside*tube_area(part%od, 0.0_wp))
                change%temperature = change%temperature + 0.5_wp*length*part%expansion*(warmer(i - 1) + warmer(i))
                if (is_missing(result%shortening)) change%buckling = change%buckling - 0.5_wp*length* &
-                  (lean(part, bit - tops(number), along, i - 1, profile%axial(i - 1)) + &
-                   lean(part, bit - tops(number), along, i, profile%axial(i)))
+                  (lean(part, bit - tops(number), bows, along, i - 1, profile%axial(i - 1)) + &
+                   lean(part, bit - tops(number), bows, along, i, profile%axial(i)))
             end associate
          end do
       end associate
@@ -100,18 +103,23 @@ contains
    end subroutine find_length_change
 
    !> Shortening per length, y'^2/2 [-], at a row, for the published shapes.
-   pure function lean(part, upper_end, along, row, axial) result(short)
+   pure function lean(part, upper_end, bows, along, row, axial) result(short)
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: upper_end   !< measured depth of the component's upper end [m]
+      logical, intent(in) :: bows         !< pipe bows out between its joints
       type(along_string_type), intent(in) :: along
       integer, intent(in) :: row
       real(wp), intent(in) :: axial       !< effective, tension > 0 [N]
       real(wp) :: short
-      real(wp) :: clearance, swing
+      real(wp) :: clearance, swing, height, euler
       short = 0.0_wp
       if (axial >= 0.0_wp) return
       clearance = room_of(0.5_wp*(along%hole_diameter(row) - contact_diameter(part, upper_end)))
       if (is_missing(along%helical(row)) .or. -axial > along%helical(row)) then
+         if (bows) then
+            call find_bowing(part, upper_end, height, euler)
+            clearance = coil_clearance(clearance, height, euler, -axial)
+         end if
          short = -clearance**2*axial/(4.0_wp*bending_stiffness(part))
       else if (-axial > along%sinusoidal(row)) then
          swing = sinusoidal_swing(-axial/along%sinusoidal(row))

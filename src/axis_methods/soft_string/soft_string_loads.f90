@@ -50,6 +50,7 @@ module dg_soft_string_loads
       integer :: steps = 0               !< integration steps
       real(wp) :: strain = 0.0_wp        !< largest in a helically buckled string, by compression and by the bending of the helix
                                          !< [-]
+      real(wp) :: coil = 0.0_wp          !< length that helical buckling takes up, of Lubinski's helix [m]
       logical :: runaway = .false.       !< axial force grew without bound
       real(wp) :: runaway_md = 0.0_wp    !< depth where it did, above which nothing was integrated [m]
    end type soft_totals_type
@@ -156,17 +157,23 @@ contains
       normal = piece%climb*normal
    end function pressed
 
-   !> Strain of a compressed piece by compression, and by bending if it is helically buckled [-].
-   pure function strain_of(piece, place, compression) result(strain)
+   !> Strain of a compressed piece by compression, and by bending if it is helically buckled [-]. Also the part of its length
+   !> that the helix takes up, c^2 F/(4 EI).
+   pure subroutine find_strain(piece, place, compression, strain, coil)
       type(piece_type), intent(in) :: piece
       type(place_type), intent(in) :: place
       real(wp), intent(in) :: compression    !< > 0 [N]
-      real(wp) :: strain, clearance
+      real(wp), intent(out) :: strain, coil
+      real(wp) :: clearance, bend, across
+      coil = 0.0_wp
       strain = compression/piece%stretching
       clearance = coil_clearance(piece%clearance, piece%joint_height, piece%euler, compression)
-      if (compression > helical_load(piece%stiffness, load_across(piece, place, -compression), piece%weight, clearance)) &
-         strain = strain + piece%reach*helical_bend(piece%stiffness, compression, clearance)
-   end function strain_of
+      across = load_across(piece, place, -compression)
+      if (.not. compression > helical_load(piece%stiffness, across, piece%weight, clearance)) return
+      bend = helical_bend(piece%stiffness, compression, clearance)
+      strain = strain + piece%reach*bend
+      coil = 0.5_wp*clearance*bend
+   end subroutine find_strain
 
    !> Integrate up a piece of string from `position` to `target`. The weight is the difference of true vertical depth, exact on
    !> an arc. Friction uses the classical Runge-Kutta method, exact where straight.
@@ -178,7 +185,7 @@ contains
       real(wp), intent(inout) :: force           !< [N]
       real(wp), intent(inout) :: moment          !< [N.m]
       type(soft_totals_type), intent(inout) :: sums
-      real(wp) :: step, angle, offset, normal, middle, upper, n1, n2, n3, n4
+      real(wp) :: step, angle, offset, normal, middle, upper, n1, n2, n3, n4, strain, coil
       type(place_type) :: half_way, there
       type(turn_type) :: turn
       logical :: bent
@@ -192,7 +199,7 @@ contains
       end if
       angle = step*piece%arc%curvature
       steps = 1
-      if (angle > 0.0_wp .or. (piece%coils .and. abs(piece%axial) > 0.0_wp) .or. piece%spans%present) &
+      if (angle > 0.0_wp .or. piece%coils .or. piece%spans%present) &
          steps = max(1, ceiling(step/longest_step), ceiling(angle/largest_angle))
       step = step/real(steps, wp)
       bent = angle > 0.0_wp
@@ -227,7 +234,11 @@ contains
          sums%normal_force = sums%normal_force + normal
          sums%weight = sums%weight + piece%weight*(place%depth - there%depth)
          sums%steps = sums%steps + 1
-         if (piece%coils .and. force < 0.0_wp) sums%strain = max(sums%strain, strain_of(piece, there, -force))
+         if (piece%coils .and. force < 0.0_wp) then
+            call find_strain(piece, there, -force, strain, coil)
+            sums%strain = max(sums%strain, strain)
+            sums%coil = sums%coil + step*coil
+         end if
          if (abs(force) > runaway_force .or. sums%strain > bearable_strain) then
             sums%runaway = .true.
             sums%runaway_md = piece%arc%md + offset

@@ -4,8 +4,7 @@ module dg_string_piece
    use dg_kinds, only: wp
    use dg_centralized_contact, only: body_share, spans_of, spans_type
    use dg_helical_load, only: least_helical_load
-   use dg_component, only: axial_stiffness, bending_stiffness, bowing_length, centralizer_diameter, contact_diameter
-   use dg_constants, only: pi
+   use dg_component, only: axial_stiffness, bending_stiffness, centralizer_diameter, contact_diameter, find_bowing
    use dg_contact_friction, only: find_friction, running_drag
    use dg_drillstring, only: component_at, component_tops
    use dg_fluid, only: fluid_tops
@@ -108,10 +107,8 @@ contains
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
-         if ((model%numerics%discrete_joints .or. model%numerics%joints_by_need) .and. bowing_length(part) > 0.0_wp) then
-            piece%joint_height = 0.5_wp*(contact_diameter(part, -layout%heights(i)) - part%od)
-            piece%euler = pi**2*piece%stiffness/bowing_length(part)**2
-         end if
+         if (model%numerics%discrete_joints .or. model%numerics%joints_by_need) &
+            call find_bowing(part, -layout%heights(i), piece%joint_height, piece%euler)
          if (part%centralizer%present) then
             piece%drag = running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing
             piece%spans = spans_of(part, model%holes(hole)%diameter, max(piece%clearance, 0.0_wp))

@@ -14,7 +14,7 @@ module dg_component
    public :: component_type, tube_area, tube_inertia, axial_stiffness, bending_stiffness, torsional_stiffness
    public :: visit_forces, visit_ratings
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
-   public :: effective_joint_length, bowing_length
+   public :: effective_joint_length, find_bowing
    public :: buoyed_weight, has_blades, has_joints, joint_bore, worn_od, is_worn, has_bend, has_pad, &
              is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
 
@@ -344,6 +344,21 @@ contains
       if (length < 2.0_wp*effective_joint_length(component) .or. component%centralizer%present .or. &
           .not. has_joints(component)) length = 0.0_wp
    end function bowing_length
+
+   !> Height of the joints over the body [m], and Euler's load of the body between two of them [N]. Both are 0 where the body
+   !> cannot bow out to the wall.
+   pure subroutine find_bowing(component, upper_end, height, euler)
+      type(component_type), intent(in) :: component
+      real(wp), intent(in) :: upper_end        !< measured depth of the component's upper end [m]
+      real(wp), intent(out) :: height, euler
+      real(wp) :: length
+      height = 0.0_wp
+      euler = 0.0_wp
+      length = bowing_length(component)
+      if (.not. length > 0.0_wp) return
+      height = 0.5_wp*(contact_diameter(component, upper_end) - component%od)
+      euler = pi**2*bending_stiffness(component)/length**2
+   end subroutine find_bowing
 
    !> Effective (buoyed) weight in fluid per length [N/m], which belongs to effective axial force. It is that of the pipe and
    !> of the fluid in its bore, less that of the fluid which both displace. A_i is the bore and m/rho the steel's area, with
