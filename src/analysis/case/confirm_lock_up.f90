@@ -160,14 +160,14 @@ contains
       load = merge(solved%weight_on_bit, solved%lock_up_load, found)
    end subroutine try_load
 
-   !> Text of a load: '35 kN reach the bit', 'the bit must be pulled with 12 kN'.
+   !> Text of a load: '35 kN reach the bit', 'the bit must be pulled with 12 kN under such a push'.
    function load_text(model, load) result(text)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: load         !< [N], < 0: a pull
       character(:), allocatable :: text
       text = in_units(model%units, unit_force, abs(load), shown)
       if (load < 0.0_wp) then
-         text = 'the bit must be pulled with '//text
+         text = 'the bit must be pulled with '//text//' under such a push'
       else
          text = text//' reach the bit'
       end if
