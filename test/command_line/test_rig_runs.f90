@@ -17,7 +17,7 @@ module dg_test_rig_runs
    integer, parameter :: lines_strung = 10
    !> Hook loads of the soft string, and fits that end at steps of 1e-7 [kN].
    real(wp), parameter :: at_rest = 1.0e-5_wp*along
-   integer, parameter :: summary_indicator = 30, sweep_indicator = 12
+   integer, parameter :: summary_hookload = 8, summary_indicator = 30, sweep_indicator = 12
 
 contains
 
@@ -29,6 +29,9 @@ contains
       call suite%addTest(TestMethod('measured_without_block', test_without_block))
       call suite%addTest(TestMethod('held_string', test_held))
       call suite%addTest(TestMethod('sweep_of_pairs_and_limits', test_sweep))
+      call suite%addTest(TestMethod('push_of_the_rig', test_push))
+      call suite%addTest(TestMethod('push_in_other_units', test_push_units))
+      call suite%addTest(TestMethod('hanger_that_holds_down', test_hanger))
       call suite%addTest(TestMethod('bad_groups', test_bad))
    end function rig_runs_suite
 
@@ -247,6 +250,139 @@ contains
          call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
       end subroutine refuse
    end subroutine test_sweep
+
+   !> A crossing below a river, whose string has no weight along the hole: 1 % less push than it needs is NO, 1 % more is yes. The
+   !> numbers beside the answer are followed: friction, weight on bit and depth 2 % to either side, by beams.
+   subroutine test_push()
+      character(*), parameter :: yes = newline//'push  yes ', no = newline//'push  NO '
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      real(wp) :: push, factor
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 0.0_wp))
+      call assertTrue(index(run%output, no) > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'String weight alone brings no load to the bit, 50 kN asked. ') > 0, &
+                      message=run%output)
+      allocate (rows, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      push = -number(rows(2)%text, summary_hookload)
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 0.99_wp*push))
+      call assertTrue(index(run%output, no) > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ' kN of push bring ') > 0, message=run%output)
+      call assertTrue(index(run%output, 'must be pushed at surface') > 0, message='a warning: '//run%output)
+      factor = value_after('yes below about ')
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 0.98_wp*value_after('Deepest bit depth possible: about '), 0.99_wp*push))
+      call assertTrue(index(run%output, yes) > 0, message='shallower: '//run%output)
+      run = run_deck_text(crossing(0.98_wp*factor*0.35_wp, 50.0_wp, 800.0_wp, 0.99_wp*push))
+      call assertTrue(index(run%output, yes) > 0, message='less friction: '//run%output)
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.01_wp*push))
+      call assertTrue(index(run%output, yes) > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Close to its limit: push at surface, ') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'must be pushed at surface'), message='no warning: '//run%output)
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))
+      call assertTrue(index(unwrapped(run%output), ', by string weight.') > 0, message=run%output)
+      factor = value_after('NO above about ')
+      call bracket(factor*0.35_wp, 0.0_wp, 'friction')
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))
+      call bracket(0.0_wp, value_after('String weight and push bring at most about '), 'weight on bit')
+   contains
+      !> Yes with 2 % less of a number, NO with 2 % more.
+      subroutine bracket(friction, wob, what)
+         real(wp), intent(in) :: friction, wob      !< 0: as in the deck
+         character(*), intent(in) :: what
+         real(wp) :: part
+         integer :: k
+         do k = -1, 1, 2
+            part = 1.0_wp + k*0.02_wp
+            run = run_deck_text(crossing(merge(part*friction, 0.35_wp, friction > 0.0_wp), &
+                                         merge(part*wob, 50.0_wp, wob > 0.0_wp), 800.0_wp, 1.5_wp*push))
+            call assertTrue(index(run%output, trim(merge(yes, no//' ', k < 0))) > 0, message=what//': '//run%output)
+         end do
+      end subroutine bracket
+
+      function value_after(words) result(value)
+         character(*), intent(in) :: words
+         real(wp) :: value
+         character(:), allocatable :: rest
+         rest = unwrapped(run%output(index(run%output, newline//'push '):))
+         call assertTrue(index(rest, words) > 0, message=words//': '//rest)
+         value = 0.0_wp
+         if (index(rest, words) > 0) read (rest(index(rest, words) + len(words):), *) value
+      end function value_after
+   end subroutine test_push
+
+   !> A string that is pushed through a crossing of 800 m.
+   function crossing(in_deck, wob, bit_depth, max_push) result(text)
+      real(wp), intent(in) :: in_deck, wob, bit_depth, max_push      !< friction [-]; [kN, m, kN]
+      character(:), allocatable :: text
+      text = "&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 100, 250, 550, 700, 800, inc = 78, 78, 90, 90, 102, 102, azi = 6*90 /'//newline// &
+         '&hole diameter = 250, friction = '//to_text(in_deck)//' /'//newline//'&fluid density = 1150 /'//newline// &
+         "&component name = 'bit', kind = 'bit', length = 0.3, od = 150, id = 50, joint_od = 250 /"//newline// &
+         "&component name = 'dp', od = 127, id = 108.6, mass = 32, yield = 931 /"//newline// &
+         '&rig max_push = '//to_text(max_push)//' /'//newline// &
+         "&load_case name = 'push', operation = 'slide', bit_depth = "//to_text(bit_depth)//', wob = '//to_text(wob)//' /'
+   end function crossing
+
+   !> A rotating string without weight along a level hole needs a push of its weight on bit, in all units.
+   subroutine test_push_units()
+      character(*), parameter :: units(3) = [character(6) :: 'SI', 'field', 'metric']
+      character(*), parameter :: force(3) = [character(4) :: 'kN', 'klbf', 'kdaN']
+      character(*), parameter :: sweep = "&sweep name = 'a', operations = 'rotary', bit_depth_from = 1000, wob = 10 /"
+      type(run_type) :: run
+      integer :: i
+      do i = 1, 3
+         run = run_deck_text(level(trim(units(i)), '9.9'))
+         call assertTrue(index(run%output, newline//'turn  NO ') > 0, message=run%output)
+         run = run_deck_text(level(trim(units(i)), '10.1'))
+         call assertTrue(index(run%output, newline//'turn  yes ') > 0, message=run%output)
+         call assertTrue(index(unwrapped(run%output), 'push at surface, 10 of 10.1 '//trim(force(i))) > 0, message=run%output)
+         run = run_deck_text(level(trim(units(i)), '9.9')//newline//sweep)
+         call assertTrue(index(unwrapped(run%output), 'Cannot be done at 1000 ') > 0, message=run%output)
+         run = run_deck_text(level(trim(units(i)), '10.1')//newline//sweep)
+         call assertEqual(0, index(unwrapped(run%output), 'Cannot be done at'), message=run%output)
+         run = run_deck_text(level(trim(units(i)), '-1'))
+         call assertEqual(2, run%status, message=run%output)
+      end do
+   contains
+      function level(units, max_push) result(text)
+         character(*), intent(in) :: units, max_push
+         character(:), allocatable :: text
+         text = "&job units = '"//units//"', models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+            '&trajectory md = 0, 1000, inc = 2*90, azi = 2*0 /'//newline// &
+            '&hole diameter = '//trim(merge('8.5  ', '215.9', units /= 'SI'))//', friction = 0.3 /'//newline// &
+            '&fluid density = '// &
+            trim(merge('1200', merge('10  ', '1.2 ', units == 'field'), units == 'SI'))//' /'//newline// &
+            "&component name = 'collar', kind = 'collar', od = "//trim(merge('6.5  ', '165.1', units /= 'SI'))//', id = '// &
+            trim(merge('2.8 ', '71.4', units /= 'SI'))//' /'//newline// &
+            '&rig max_push = '//max_push//' /'//newline// &
+            "&load_case name = 'turn', operation = 'rotary', bit_depth = 1000, wob = 10 /"
+      end function level
+   end subroutine test_push_units
+
+   !> Heated casing in a packer, whose hanger must hold its top down.
+   subroutine test_hanger()
+      character(*), parameter :: text = "&job plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 1200, inc = 0, 0 /'//newline//'&hole diameter = 276, friction = 0.2, cased = .true. /'//newline// &
+         '&fluid density = 1000 /'//newline//"&component kind = 'casing', od = 244.5, id = 220.5, mass = 69.9 /"//newline// &
+         "&boundary packer_bore = 216.8, packer_hold = 'fixed' /"//newline// &
+         "&load_case name = 'cold', operation = 'static', bit_depth = 1200 /"//newline// &
+         "&load_case name = 'hot', operation = 'static', bit_depth = 1200, temperature_change_top = 70, "// &
+         "temperature_change_bottom = 70, length_reference = 'cold' /"//newline
+      character(*), parameter :: held = 'The top must be held down with '
+      type(run_type) :: run
+      real(wp) :: push
+      run = run_deck_text(text)
+      call assertTrue(index(run%output, newline//'hot   NO ') > 0, message=run%output)
+      call assertTrue(index(run%output, held) > 0, message=run%output)
+      push = 0.0_wp
+      if (index(run%output, held) > 0) read (run%output(index(run%output, held) + len(held):), *) push
+      run = run_deck_text(text//'&rig max_push = '//to_text(0.98_wp*push)//' /')
+      call assertTrue(index(run%output, newline//'hot   NO ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ' kN possible.') > 0, message=run%output)
+      run = run_deck_text(text//'&rig max_push = '//to_text(1.02_wp*push)//' /')
+      call assertTrue(index(run%output, newline//'hot   yes ') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'push at surface') > 0, message=run%output)
+   end subroutine test_hanger
 
    subroutine test_bad()
       type(run_type) :: run

@@ -126,6 +126,11 @@ contains
       call assertEqual(1, size(lines))
       call assertEqual('Sweep b, model soft: can be done by string weight. No limits of rig or string are known', lines(1)%text)
       deallocate (lines)
+      points(3)%hookload = -1.0e3_wp
+      allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
+      call assertEqual('Sweep b, model soft: can be done by string weight and push. No limits of rig or string are known', &
+                       lines(1)%text)
+      deallocate (lines)
       points%rig_margin = 1.0_wp
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
       call assertEqual('Sweep b, model soft: can be done. No limit of rig or string is passed', lines(1)%text)

@@ -11,6 +11,7 @@ module dg_case_without_load
    use dg_model, only: model_type
    use dg_solve_again, only: solve_again
    use dg_stopping, only: stop_type
+   use dg_text, only: either
    use dg_unit_kind, only: at_most, in_units, unit_force
    use dg_weight_on_bit, only: matching_friction
    implicit none
@@ -22,8 +23,8 @@ module dg_case_without_load
 
 contains
 
-   !> Set `result%without_load` of a string that goes down under weight on bit, does not rotate, and locks up or must be
-   !> pushed. Iterations and seconds are added. The message of a lock-up gets the weight that comes to the bit.
+   !> Set `result%without_load` of a string that goes down under weight on bit, does not rotate, and locks up or needs more push
+   !> than `max_push`. Iterations and seconds are added. The message of a lock-up gets the weight that comes to the bit.
    subroutine solve_without_load(model, case_index, stop, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -33,7 +34,7 @@ contains
          if (.not. load_case%wob > 0.0_wp .or. block_way(load_case%operation) >= 0) return
          select case (result%status)
          case (result_converged)
-            if (.not. is_pushed(result%hookload, result%profile%axial)) return
+            if (.not. is_pushed(result%hookload + model%rig%max_push, result%profile%axial)) return
          case (result_locked_up)
             continue
          case default
@@ -42,7 +43,8 @@ contains
          if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
       end associate
       if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &
-         'Without a push '//in_units(model%units, unit_force, at_most(model%units, unit_force, &
+         either('With max_push ', 'Without a push ', model%rig%max_push > 0.0_wp)// &
+         in_units(model%units, unit_force, at_most(model%units, unit_force, &
                                                         weight_that_arrives(model, result), shown), shown)//' reach it')
    end subroutine solve_without_load
 

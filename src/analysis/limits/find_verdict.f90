@@ -1,7 +1,7 @@
 !> Finds the answer to 'can it be done?' for a load case from its result and its limits.
 !>
 !> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook
-!> load below zero means a push at surface. Strengths, slips and rig are in dg_utilisation. If a calibration has found the
+!> load below zero means a push at surface, possible up to `max_push` of the rig. Strengths, slips and rig are in dg_utilisation. If a calibration has found the
 !> friction, the limits must also hold at the upper end of its 95 % interval.
 module dg_find_verdict
    use dg_kinds, only: wp
@@ -10,17 +10,15 @@ module dg_find_verdict
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
-   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted, own_weight, &
-                                  passed_weight, weight_share
-   use dg_fluid_pressure, only: hanger_pull, is_hung, surface_push
+   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted
+   use dg_fluid_pressure, only: is_hung
    use dg_job, only: model_mcge
    use dg_limit_reach, only: find_limit_reach
    use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type, string_index
-   use dg_packer, only: packer_push
    use dg_passed_pressure, only: find_passed_pressure, find_pump_pressure
-   use dg_trajectory, only: top_md
+   use dg_string_weight, only: judge_weight
    use dg_turning_loads, only: find_turning_loads, judge_bit_torque
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
@@ -53,6 +51,7 @@ contains
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
             verdict%alone = .true.
+            verdict%max_push = model%rig%max_push
             call find_passed_pressure(model, result%case_index, design, verdict%also, verdict%also_load, verdict%also_allowed, &
                                       verdict%pressures_judged)
             if (block_way(load_case%operation) <= 0) then
@@ -79,7 +78,8 @@ contains
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
-            if (block_way(load_case%operation) < 0) call note_left_out(result%left_out_friction, result%hookload, verdict)
+            if (block_way(load_case%operation) < 0) &
+               call note_left_out(result%left_out_friction, result%hookload + model%rig%max_push, verdict)
          else
             call judge_bit_torque(model, result%case_index, verdict)
             return
@@ -132,9 +132,9 @@ contains
               moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)
    end function lacks_weight
 
-   !> Find weight on bit, bit depth and friction with which string weight is just enough, by the soft string with the friction
-   !> of helical buckling. A factor on that friction gives the hook load of the beams. It comes from the case without weight on
-   !> bit, if that was solved, else from the case itself.
+   !> Find weight on bit, bit depth and friction with which string weight and push are just enough, by the soft string. Its
+   !> friction includes helical buckling. A factor on that friction gives the hook load of the beams. It comes from the case without
+   !> weight on bit, if that was solved, else from the case itself.
    pure subroutine find_ways_down(model, result, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -143,8 +143,8 @@ contains
       associate (wob => model%cases(result%case_index)%wob, bare => result%without_load, i => result%case_index)
          scale = bare%friction_scale
          if (bare%status == result_converged) then
-            verdict%limit_without_load = merge(limit_string_weight, 0, bare%hookload < 0.0_wp)
-            verdict%excess_without_load = -bare%hookload
+            verdict%excess_without_load = -bare%hookload - model%rig%max_push
+            verdict%limit_without_load = merge(limit_string_weight, 0, verdict%excess_without_load > 0.0_wp)
          else if (bare%status == result_locked_up) then
             verdict%limit_without_load = limit_lock_up
          else if (result%status == result_converged .and. result%model == model_mcge) then
@@ -154,7 +154,7 @@ contains
          if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
          if (verdict%also > 0) return       ! weight is not the only shortage
          call find_reach(model, i, verdict%reach, scale)
-         part = matching_friction(model, i, wob, 0.0_wp)/scale
+         part = matching_friction(model, i, wob, -model%rig%max_push)/scale
          verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
       end associate
    end subroutine find_ways_down
@@ -315,64 +315,6 @@ contains
       verdict%allowed = whole%wob_yield
       verdict%md%present = .false.
    end subroutine judge_compressed
-
-   !> Judge string weight or lock-up, which decide if they are passed or used more than the strengths. They are not known if
-   !> the survey begins below surface. Tubing in its hanger must only pull there.
-   pure subroutine judge_weight(model, result, wob_lockup, verdict)
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: result
-      type(optional_real), intent(in) :: wob_lockup     !< largest weight on bit without a push, by the soft string [N]
-      type(verdict_type), intent(inout) :: verdict
-      real(wp) :: share, weight
-      integer :: passed
-      logical :: takes_weight
-      if (top_md(model%trajectory) > 0.0_wp) then
-         verdict%not_checked(limit_string_weight) = .true.
-         return
-      end if
-      associate (load_case => model%cases(result%case_index))
-         weight = own_weight(model, load_case, result)
-         verdict%pressure_pushes = surface_push(model, result%case_index) > 0.0_wp
-         verdict%packer_pushes = abs(packer_push(model, load_case)) > 0.0_wp
-         passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
-         if (is_hung(model, load_case) .and. passed == 0) return
-         if (passed > 0 .and. verdict%answer == answer_no) then
-            verdict%also = verdict%limit
-            verdict%also_load = verdict%load%value
-            verdict%also_allowed = verdict%allowed%value
-         end if
-         share = weight_share(model, load_case, result)
-         takes_weight = moves_axially(load_case%operation) .or. load_case%wob > 0.0_wp
-         verdict%weight_judged = takes_weight .and. block_way(load_case%operation) <= 0
-         if (passed == limit_string_weight .or. (takes_weight .and. is_most(share, verdict))) then
-            verdict%limit = limit_string_weight
-            verdict%used = optional_real(weight > 0.0_wp, share)
-            verdict%load = given(weight - result%hookload - hanger_pull(model, result%case_index))
-            verdict%allowed = given(weight)
-            ! Both numbers agree with the deck if only weight on bit takes the weight.
-            if (load_case%wob > 0.0_wp .and. .not. (moves_axially(load_case%operation) .or. &
-                                                    verdict%pressure_pushes .or. verdict%packer_pushes)) then
-               verdict%load = given(load_case%wob)
-               verdict%allowed = given(load_case%wob + result%hookload)
-            end if
-            verdict%md%present = .false.
-         end if
-         if (passed > 0) verdict%answer = answer_no
-         if (passed == limit_string_weight .or. block_way(load_case%operation) > 0 .or. .not. wob_lockup%present) return
-         if (passed == 0 .and. (rotates(load_case%operation) .or. .not. moves_axially(load_case%operation))) return
-         ! The soft string may lock up where beams do not: then the limit is reached, not passed.
-         share = 0.0_wp
-         if (load_case%wob > 0.0_wp) share = load_case%wob/max(wob_lockup%value, load_case%wob)
-         if (passed == 0 .and. .not. is_most(share, verdict)) return
-         verdict%limit = limit_lock_up
-         verdict%used = optional_real(load_case%wob > 0.0_wp .and. wob_lockup%value > 0.0_wp, share)
-         if (passed > 0 .and. verdict%used%present) verdict%used%value = load_case%wob/wob_lockup%value
-         verdict%load = given(load_case%wob)
-         verdict%allowed = given(wob_lockup%value)
-         if (passed == 0) verdict%allowed%value = max(wob_lockup%value, load_case%wob)
-         verdict%md%present = .false.
-      end associate
-   end subroutine judge_weight
 
    !> Judge the hours of rotation until fatigue of pipe or connections. They decide if the case uses more of them than of other
    !> limits, and no other limit is passed. Fatigue counts as checked if the bending has endless life, or the damage is known.

@@ -6,22 +6,22 @@ module dg_friction_reserve
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_case_result, only: case_result_type, is_pushed
+   use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
-   use dg_fluid_pressure, only: hanger_pull, surface_push
+   use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge, model_soft
-   use dg_load_case, only: block_way, load_case_type, rotates
+   use dg_load_case, only: block_way, rotates
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
+   use dg_string_weight, only: needed_push, weight_share
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
    use dg_verdict, only: limit_lock_up, limit_string_weight
-   use dg_weight_on_bit, only: locks_up
    implicit none
    private
-   public :: find_friction_reserve, find_possible_friction, find_shifted, own_weight, passed_weight, weight_share
+   public :: find_friction_reserve, find_possible_friction, find_shifted
 
    !> Smallest and largest factor of the search, and its accuracy [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
@@ -178,7 +178,7 @@ contains
       type(along_string_type) :: along
       type(utilisation_type) :: utilisation
       type(soft_totals_type) :: totals
-      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), share
+      real(wp) :: axial(size(soft%axial)), torque(size(soft%axial)), share, hookload
       logical :: runaway
       call shift_result(model, result, soft, factor, other, runaway)
       if (runaway) then
@@ -202,56 +202,14 @@ contains
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=.true.))
       share = locked
-      ! this holds for a string that floats too
-      if (.not. totals%runaway) share = 1.0_wp - (axial(1) - surface_push(model, result%case_index))/ &
-                                              max(totals%weight, abs(axial(1)), tiny(share))
+      if (.not. totals%runaway) then
+         hookload = axial(1) - surface_push(model, result%case_index)
+         ! this holds for a string that floats too
+         share = 1.0_wp - hookload/max(totals%weight, abs(axial(1)), tiny(share))
+         if (model%rig%max_push > 0.0_wp) share = needed_push(model, result%case_index, hookload)/model%rig%max_push
+      end if
       if (.not. margin > 1.0_wp - share) return
       margin = 1.0_wp - share
       limit = limit_lock_up
    end subroutine find_margin
-
-   !> Buoyed weight along the hole [N].
-   elemental function own_weight(model, load_case, result) result(weight)
-      type(model_type), intent(in) :: model
-      type(load_case_type), intent(in) :: load_case
-      type(case_result_type), intent(in) :: result
-      real(wp) :: weight
-      weight = result%hookload + surface_push(model, result%case_index) + end_compression(model, load_case) + result%friction
-   end function own_weight
-
-   !> Part of the buoyed weight that weight on bit and friction take [-]; the hook load is the rest. It is > 1 if the string
-   !> must be pushed. It is 0 if friction pulls the other way, and 2 if a floating string must be pushed.
-   elemental function weight_share(model, load_case, result) result(share)
-      type(model_type), intent(in) :: model
-      type(load_case_type), intent(in) :: load_case
-      type(case_result_type), intent(in) :: result
-      real(wp) :: share
-      real(wp) :: weight
-      weight = own_weight(model, load_case, result)
-      if (weight > 0.0_wp) then
-         share = max(1.0_wp - result%hookload/weight, 0.0_wp)
-      else
-         share = merge(locked, 0.0_wp, result%hookload < 0.0_wp)
-      end if
-   end function weight_share
-
-   !> Limit of the string's weight that a converged result passes; 0: none.
-   !> - string weight: the hook load is below zero
-   !> - lock-up: the friction of helical buckling takes it, which only beams have in their hook load
-   !> It is 0 if the survey begins below surface.
-   pure function passed_weight(model, method, case_index, hookload, largest) result(limit)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: method        !< number of the model that was solved (dg_job)
-      integer, intent(in) :: case_index
-      real(wp), intent(in) :: hookload     !< [N]
-      real(wp), intent(in) :: largest      !< largest axial force along the string, absolute, the scale of round-off [N]
-      integer :: limit
-      limit = 0
-      if (top_md(model%trajectory) > 0.0_wp) return
-      if (is_pushed(hookload + hanger_pull(model, case_index), [largest])) then
-         limit = limit_string_weight
-      else if (method /= model_mcge) then
-         if (locks_up(model, case_index)) limit = limit_lock_up
-      end if
-   end function passed_weight
 end module dg_friction_reserve

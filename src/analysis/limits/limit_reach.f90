@@ -7,7 +7,6 @@ module dg_limit_reach
    use dg_case_result, only: case_result_type
    use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
    use dg_design_factors, only: design_factors_type
-   use dg_friction_reserve, only: passed_weight
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: rotates
    use dg_missing, only: given, optional_real
@@ -16,6 +15,7 @@ module dg_limit_reach
    use dg_soft_string, only: set_profile, set_totals, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
+   use dg_string_weight, only: passed_weight
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, limit_count, utilisation_type
    implicit none

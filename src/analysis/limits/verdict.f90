@@ -19,8 +19,9 @@ module dg_verdict
    character(*), parameter :: answer_name(0:2) = [character(7) :: 'unknown', 'no', 'yes']
 
    !> Limits besides those of dg_utilisation:
-   !> - string weight: the part of the buoyed weight that friction and weight on bit take
-   !> - lock-up: weight on bit over the largest that comes to the bit without a push at surface
+   !> - string weight: the part of the buoyed weight that friction and weight on bit take. With a `max_push` of the rig it is the
+   !>   part of that push which is needed.
+   !> - lock-up: weight on bit over the largest that comes to the bit by string weight and `max_push`
    !> - fatigue: the part of the life of bodies or connections that the hours of the case use
    !> - yield under WOB: weight on bit over the one at which compressed pipe yields. It includes the bending of helical
    !>   buckling, which the stresses of the soft string lack.
@@ -63,7 +64,9 @@ module dg_verdict
       logical :: pressure_pushes = .false.          !< pressure of the annulus also takes string weight
       logical :: packer_pushes = .false.            !< pressures at a packer also take it
       logical :: buckled_by_formula = .false.       !< above the published load; else by beams
-      type(optional_real) :: most_wob               !< largest weight on bit without a push at surface [N]
+      real(wp) :: push = 0.0_wp                     !< push needed at surface [N]
+      real(wp) :: max_push = 0.0_wp                 !< largest one of the rig [N]
+      type(optional_real) :: most_wob               !< largest weight on bit by string weight and that push [N]
       type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
       type(optional_real) :: pump_pressure          !< no by burst or collapse: pump pressure with which the answer is yes [Pa]
       integer :: also = 0                           !< no by string weight or lock-up: a limit of pipe or rig that is also passed
@@ -101,7 +104,7 @@ contains
    !> load. `verdict` has its friction reserve.
    elemental subroutine note_left_out(friction, hookload, verdict)
       real(wp), intent(in) :: friction         !< rough number, huge: lock-up [N]
-      real(wp), intent(in) :: hookload         !< [N]
+      real(wp), intent(in) :: hookload         !< with the push that is possible [N]
       type(verdict_type), intent(inout) :: verdict
       if (verdict%answer /= answer_yes .or. .not. friction > 0.0_wp) return
       verdict%joints_uncertain = friction > hookload/roughest

@@ -51,7 +51,7 @@ module dg_whole_string
       real(wp) :: side_force_md = 0.0_wp            !< its depth [m]
       type(optional_real) :: wob_buckling           !< weight on bit at which buckling begins anywhere [N]
       type(optional_real) :: wob_no_hookload        !< weight on bit at zero hook load [N]
-      type(optional_real) :: wob_lockup             !< the same with the friction of helical buckling [N]
+      type(optional_real) :: wob_lockup             !< with friction of helical buckling and max_push of the rig [N]
       type(optional_real) :: wob_yield              !< at which a compressed part yields, if less than wob_lockup [N]
       integer :: shape = buckling_none              !< worst state by beams, gap elements only
       real(wp) :: snaking_length = 0.0_wp           !< length in sinusoidal buckling by beams [m]

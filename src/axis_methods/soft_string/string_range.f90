@@ -45,7 +45,8 @@ contains
       if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
          in_units(model%units, unit_length, worst_md, shown)// &
          ', outside the range of this model. Contact there is too low. Use model mcge'
-      if (is_pushed(hookload + hanger_pull(model, case_index), axial)) call add_sentence(warning, push_needed)
+      if (is_pushed(hookload + hanger_pull(model, case_index) + model%rig%max_push, axial)) &
+         call add_sentence(warning, push_needed)
    end subroutine range_warning
 
    !> Compression over the lower helical limit of dg_buckling_limits at a depth [-]; 0 below that limit, or without a limit.

@@ -30,7 +30,7 @@ module dg_weight_on_bit
 
 contains
 
-   !> Largest weight on bit by string weight [N]. Friction includes helical buckling, and the factor of beams over the soft
+   !> Largest weight on bit by string weight and `max_push` of the rig [N]. Friction includes helical buckling, and the factor of beams over the soft
    !> string. For a string that locks up it is at most the load by beams. Where friction and not weight limits it, it is less
    !> than that of the soft string in the ratio of both loads.
    pure function weight_that_arrives(model, result) result(most)
@@ -47,8 +47,8 @@ contains
    end function weight_that_arrives
 
    !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if not found. With `pushed` it is the greatest one by a
-   !> push at the top that the pipe carries. With `coiled`, friction includes helical buckling: without it nothing limits a
-   !> push.
+   !> push at the top that the pipe carries. With `coiled`, friction includes helical buckling, and the hook load may be below
+   !> zero by `max_push` of the rig. Without that friction nothing limits a push.
    pure function most_weight_on_bit(model, case_index, coiled, pushed, friction_scale) result(wob)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -101,7 +101,7 @@ contains
       load = bracket%low
    end function most_load_at_bit
 
-   !> True if the string of a load case is lowered and its own weight does not bring it down. Friction includes helical
+   !> True if the string of a load case is lowered and its own weight and `max_push` do not bring it down. Friction includes helical
    !> buckling.
    pure function locks_up(model, case_index) result(locks)
       type(model_type), intent(in) :: model
@@ -111,8 +111,8 @@ contains
       if (locks) locks = left_of(model, case_index, model%cases(case_index)%wob, coiled=.true., pushed=.false.) < 0.0_wp
    end function locks_up
 
-   !> Greatest bit depth at which a string that is lowered has its weight on bit without a push [m]. Friction includes helical
-   !> buckling. It is 0 if no depth of the search is possible. It is absent if the depth of the load case is possible, and for
+   !> Greatest bit depth at which a string that is lowered has its weight on bit by its own weight and `max_push` [m]. Friction
+   !> includes helical buckling. It is 0 if no depth of the search is possible. It is absent if the depth of the load case is possible, and for
    !> a string that is pulled.
    pure subroutine find_reach(model, case_index, reach, friction_scale)
       type(model_type), intent(in) :: model
@@ -165,7 +165,8 @@ contains
       pure function more_than_asked(factor) result(more)
          real(wp), intent(in) :: factor   !< [-]
          real(wp) :: more
-         more = left_of(model, case_index, wob, coiled=.true., pushed=.false., friction_scale=factor) - hookload
+         more = left_of(model, case_index, wob, coiled=.true., pushed=.false., friction_scale=factor) &
+                - model%rig%max_push - hookload
       end function more_than_asked
    end function matching_friction
 
@@ -179,8 +180,8 @@ contains
       end associate
    end function bearable_force
 
-   !> Hook load that a weight on bit [N] leaves [N], < 0 if it does not reach the bit. With `pushed` it is the strain that is
-   !> left to bearable_strain, as a force.
+   !> Hook load that a weight on bit [N] leaves [N], < 0 if it does not reach the bit. With `coiled`, `max_push` of the rig is
+   !> added. With `pushed` it is the strain that is left to bearable_strain, as a force.
    pure function left_of(model, case_index, wob, coiled, pushed, friction_scale) result(left)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
@@ -195,6 +196,7 @@ contains
       if (present(friction_scale)) other%friction_scale = friction_scale
       call soft_string_at(model, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, other=other)
       left = axial(1) - surface_push(model, case_index)
+      if (coiled) left = left + model%rig%max_push
       if (pushed) left = bearable_force(model, case_index)*(1.0_wp - totals%strain/bearable_strain)
       if (totals%runaway) left = min(left, -1.0_wp)
    end function left_of

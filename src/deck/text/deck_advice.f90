@@ -51,6 +51,7 @@ module dg_deck_advice
       names_type('rig', 'block_weight', 'block travelling_block block_mass hook_weight'), &
       names_type('rig', 'max_hookload', 'rig_limit capacity rated_load max_load hook_capacity'), &
       names_type('rig', 'max_torque', 'top_drive_torque torque_limit'), &
+      names_type('rig', 'max_push', 'push thrust max_thrust injector_force snubbing_force hold_down'), &
       names_type('rig', 'lines', 'number_of_lines line_count'), &
       names_type('trajectory', 'md', 'depth'), &
       names_type('trajectory', 'inc', 'inclination'), &

@@ -4,6 +4,7 @@ module dg_verdict_text
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static, rotates
    use dg_load_text, only: force_text, load_text, number_text, sum_texts, sum_width
    use dg_passed_pressure, only: is_burst
+   use dg_push_text, only: is_by_push, push_text, weight_text
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down, rounded_up
    use dg_text, only: either, to_text
@@ -61,11 +62,14 @@ contains
          else if (load_case%wob > 0.0_wp .and. .not. enough) then
             text = 'no load'
             if (verdict%most_wob%value > 0.0_wp) text = force_text(units, at_most(units, unit_force, verdict%most_wob%value, shown))
-            text = 'String weight alone brings '//text//' to the bit, '//force_text(units, load_case%wob)//' asked'
+            text = either('String weight and '//force_text(units, verdict%max_push)//' of push bring ', &
+                          'String weight alone brings ', verdict%max_push > 0.0_wp)//text//' to the bit, '// &
+                   force_text(units, load_case%wob)//' asked'
          else if (verdict%limit == limit_lock_up) then
-            text = 'String weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
+            text = capital(weight_text(verdict, 'does', 'do'))//' not bring the bit to '// &
+                   depth_text(units, load_case%bit_depth)
          else
-            text = capital(push_text(units, load_case, verdict%load%value - verdict%allowed%value))
+            text = capital(push_text(units, load_case, verdict))
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case (limit_wob_yield)
@@ -109,8 +113,11 @@ contains
          if (is_near_by_friction(verdict)) text = text//'Close to its limit: the answer '//reserve_text(verdict)//'. '
          text = text//nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
-             .and. verdict%limit /= limit_lock_up) text = text//'. String weight brings at most about '// &
+             .and. verdict%limit /= limit_lock_up) text = text//'. '// &
+            capital(weight_text(verdict, 'brings', 'bring'))//' at most about '// &
             force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
+         if (is_by_push(verdict) .and. verdict%limit /= limit_string_weight) &
+            text = text//'. '//capital(push_text(units, load_case, verdict))
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
             in_units(units, unit_length, verdict%buckled_length, shown)// &
             either(' by formula', '', verdict%buckled_by_formula)
@@ -149,17 +156,6 @@ contains
              either('all friction factors', 'the calibrated friction', verdict%friction == friction_given)
    end function times_text
 
-   !> Push needed at surface by a string whose weight is too little.
-   pure function push_text(units, load_case, push) result(text)
-      type(unit_system_type), intent(in) :: units
-      type(load_case_type), intent(in) :: load_case
-      real(wp), intent(in) :: push       !< [N]
-      character(:), allocatable :: text
-      text = force_text(units, push)//' of push needed at surface'
-      if (load_case%operation == operation_static .or. block_way(load_case%operation) > 0) &
-         text = 'the top must be held down with '//force_text(units, push)
-   end function push_text
-
    !> Reason why it is also impossible without weight on bit or overpull; '' if it is possible.
    pure function without_load_text(units, load_case, verdict) result(text)
       type(unit_system_type), intent(in) :: units
@@ -170,8 +166,9 @@ contains
       associate (limit => verdict%limit_without_load, excess => verdict%excess_without_load)
          if (limit == 0) return
          select case (limit)
-         case (limit_lock_up); text = 'string weight does not bring the bit to '//depth_text(units, load_case%bit_depth)
-         case (limit_string_weight); text = 'string weight is '//force_text(units, excess)//' short'
+         case (limit_lock_up); text = weight_text(verdict, 'does', 'do')//' not bring the bit to '// &
+                                    depth_text(units, load_case%bit_depth)
+         case (limit_string_weight); text = weight_text(verdict, 'is', 'are')//' '//force_text(units, excess)//' short'
          case default; text = shown_title(limit)//' '//load_text(units, limit, excess)//' too much then'
          end select
       end associate
@@ -214,7 +211,8 @@ contains
          if (verdict%friction == friction_upper_end_alone) then
             text = text//'. With up to about '//times_text(verdict, verdict%possible_friction%value)//' the answer is yes'
          else if (verdict%alone) then
-            text = text//'. String weight is enough below about '//times_text(verdict, verdict%possible_friction%value)
+            text = text//'. '//capital(weight_text(verdict, 'is', 'are'))//' enough below about '// &
+                   times_text(verdict, verdict%possible_friction%value)
          else
             text = text//'. The answer becomes yes below about '//times_text(verdict, verdict%possible_friction%value)
          end if
@@ -270,7 +268,7 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       character(sum_width) :: sums(3)      ! load, allowed load, what is left
-      logical :: by_wob
+      logical :: by_wob, by_push
       if (verdict%limit == 0) then
          text = either('Nothing is checked, as the deck gives no limit', 'String weight is enough', is_without_check(verdict))
          return
@@ -282,10 +280,11 @@ contains
       else
          text = either('Nearest of the limits checked', 'Nearest limit', any(verdict%not_checked))
       end if
-      text = text//': '//shown_title(verdict%limit)//place_text(units, verdict)
+      by_push = verdict%limit == limit_string_weight .and. is_by_push(verdict)
+      text = text//': '//either('push at surface', shown_title(verdict%limit), by_push)//place_text(units, verdict)
       by_wob = any(verdict%limit == [limit_lock_up, limit_wob_yield])
       if (verdict%allowed%present) sums = sum_texts(units, verdict%limit, verdict%load%value, verdict%allowed%value)
-      if (verdict%limit == limit_string_weight) then
+      if (verdict%limit == limit_string_weight .and. .not. by_push) then
          text = text//' ('//trim(sums(2))//'), '//takers_text(load_case, verdict)//' '//trim(sums(1))//' of it, '
       else if (verdict%allowed%present) then
          text = text//either(', WOB ', ', ', by_wob)//sums(1)(:index(sums(1), ' ') - 1)//' of '// &
@@ -295,7 +294,7 @@ contains
       end if
       text = text//used_text(verdict%used%value)//' % used'
       if (verdict%allowed%present .and. .not. by_wob) text = text//', '//trim(sums(3))//' left'
-      if (verdict%limit == limit_string_weight) text = text//' as hook load'
+      if (verdict%limit == limit_string_weight .and. .not. by_push) text = text//' as hook load'
    end function nearest_text
 
    !> Used part of a limit in percent; 100 only where all of it is used.

@@ -77,6 +77,7 @@ contains
       line = 'rig         block '//shown(units, unit_force, rig%block_weight)
       if (rig%max_torque%present) &
          line = line//', top drive '//shown(units, unit_moment, rig%max_torque%value)
+      if (rig%max_push > 0.0_wp) line = line//', push '//shown(units, unit_force, rig%max_push)
       if (.not. rig%sheave_efficiency < 1.0_wp) return
       line = line//', '//to_text(rig%lines)//' lines, sheaves of efficiency '//to_text(rig%sheave_efficiency, digits)// &
          ', dead-line sheave '//either('active', 'inactive', rig%active_deadline_sheave)

@@ -96,8 +96,8 @@ contains
                'reading of the weight indicator, block included: too low while the block rises, too high while it is lowered, '// &
                'as in drilling; empty without &rig', result%weight_indicator)
       call add(row, 'can_be_done', quantity_text, &
-               'yes: no known limit is passed; no: a limit is passed, the string locks up or must be pushed; unknown: '// &
-               'not_converged', answer_name(verdict%answer))
+               'yes: no known limit is passed; no: a limit is passed, the string locks up or needs more push than max_push; '// &
+               'unknown: not_converged', answer_name(verdict%answer))
       call add_filled(row, 'reason', quantity_text, &
                       'reason of a no, with numbers; else empty', verdict_reason(units, load_case, verdict))
       call add_filled(row, 'limit', quantity_text, 'limit that decides; for yes the limit used most', limit_code(verdict%limit))

@@ -218,7 +218,7 @@ contains
 
    !> Load of tubing on its hanger less the hook load [N]: pressure inside pulls the steel, pressure outside pushes it. The tree
    !> and not the string closes the bore at surface. It is 0 for other strings.
-   pure function hanger_pull(model, case_index) result(pull)
+   elemental function hanger_pull(model, case_index) result(pull)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp) :: pull

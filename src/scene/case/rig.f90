@@ -23,6 +23,7 @@ module dg_rig
       logical :: active_deadline_sheave = .false.
       type(optional_real) :: max_hookload      !< load that the rig may carry, with its block [N]
       type(optional_real) :: max_torque        !< largest torque of the top drive [N.m]
+      real(wp) :: max_push = 0.0_wp            !< largest push at surface: of rig, injector or hanger [N]
    end type rig_type
 
 contains
@@ -36,6 +37,7 @@ contains
       call visitor%number('sheave_efficiency', rig%sheave_efficiency)
       call visitor%optional('max_hookload', rig%max_hookload)
       call visitor%optional('max_torque', rig%max_torque)
+      call visitor%number('max_push', rig%max_push)
    end subroutine visit_rig
 
    !> Load of the weight indicator [N]: block and string, by the tension of the dead line.

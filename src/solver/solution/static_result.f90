@@ -110,7 +110,8 @@ contains
          result%inclination = inclination_of(tangent)
          result%hookload = work%hookload - surface_push(model, case_index)
          ! the top of a part of a string may be pushed by the string above it
-         if (outcome == outcome_converged .and. is_pushed(result%hookload + hanger_pull(model, case_index), work%axial) .and. &
+         if (outcome == outcome_converged .and. is_pushed(result%hookload + hanger_pull(model, case_index) &
+                                                                 + model%rig%max_push, work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
          if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
             call add_message(result, 'Up to '//to_text(rounded_up(100.0_wp*maxval(abs(work%held)), shown_clearances), &

@@ -6,7 +6,6 @@ module dg_sweep_points
    use dg_ensemble_record, only: ensemble_type, keep
    use dg_ensemble_watch, only: ensemble_watch_type
    use dg_error, only: error_type
-   use dg_friction_reserve, only: passed_weight
    use dg_interruption, only: by_signals, is_interrupted
    use dg_job, only: job_type, model_mcge, model_name, model_soft
    use dg_load_case, only: operation_label
@@ -14,6 +13,7 @@ module dg_sweep_points
    use dg_model, only: copy_without_cases, model_type, string_index
    use dg_rig, only: indicated_load
    use dg_solve_case, only: solve_case
+   use dg_string_weight, only: passed_weight
    use dg_sweep, only: point_at, point_case, point_count, point_holes, point_type, sweep_type
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_work, only: in_part

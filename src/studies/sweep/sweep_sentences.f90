@@ -1,5 +1,6 @@
 !> Sentences of a sweep: limits that it passes, and where first; warnings of its points.
 module dg_sweep_sentences
+   use dg_case_result, only: has_numbers
    use dg_kinds, only: wp
    use dg_job, only: model_name
    use dg_load_case, only: operation_label
@@ -49,7 +50,8 @@ contains
                              is_missing(points%overpull_margin))) then
             text = text//'can be done. No limit of rig or string is passed'
          else
-            text = text//'can be done by string weight. No limits of rig or string are known'
+            text = text//'can be done by string weight'//either(' and push', '', &
+               any(has_numbers(points%status) .and. points%hookload < 0.0_wp))//'. No limits of rig or string are known'
          end if
          warned = count(is_warned(points) .and. points_of_model(sweep, m))
          if (warned > 0) text = text//'. Points with a warning: '//to_text(warned)//', see column message of its file'
