@@ -1,8 +1,8 @@
 !> Finds the answer to 'can it be done?' for a load case from its result and its limits.
 !>
 !> The string must go down by its own weight: buoyed weight along the hole - weight on bit - friction = hook load >= 0. A hook
-!> load below zero means a push at surface, possible up to `max_push` of the rig. Strengths, slips and rig are in dg_utilisation. If a calibration has found the
-!> friction, the limits must also hold at the upper end of its 95 % interval.
+!> load below zero means a push at surface, possible up to `max_push` of the rig. Strengths, slips and rig are in
+!> dg_utilisation. If a calibration has found the friction, the limits must also hold at the upper end of its 95 % interval.
 module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string

@@ -30,9 +30,9 @@ module dg_weight_on_bit
 
 contains
 
-   !> Largest weight on bit by string weight and `max_push` of the rig [N]. Friction includes helical buckling, and the factor of beams over the soft
-   !> string. For a string that locks up it is at most the load by beams. Where friction and not weight limits it, it is less
-   !> than that of the soft string in the ratio of both loads.
+   !> Largest weight on bit by string weight and `max_push` of the rig [N]. Friction includes helical buckling, and the factor of
+   !> beams over the soft string. For a string that locks up it is at most the load by beams. Where friction and not weight
+   !> limits it, it is less than that of the soft string in the ratio of both loads.
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
@@ -112,8 +112,8 @@ contains
    end function locks_up
 
    !> Greatest bit depth at which a string that is lowered has its weight on bit by its own weight and `max_push` [m]. Friction
-   !> includes helical buckling. It is 0 if no depth of the search is possible. It is absent if the depth of the load case is possible, and for
-   !> a string that is pulled.
+   !> includes helical buckling. It is 0 if no depth of the search is possible. It is absent if the depth of the load case is
+   !> possible, and for a string that is pulled.
    pure subroutine find_reach(model, case_index, reach, friction_scale)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
