@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
       call suite%addTest(TestMethod('packer', test_packer))
+      call suite%addTest(TestMethod('directions_on_the_page', test_directions))
    end function printed_figures_suite
 
    !> A string on a slant. `loads` are those of its load case.
@@ -303,6 +304,35 @@ contains
          force = number(lines(2)%text, col_true_axial)
       end function top_force
    end subroutine test_hanger
+
+   !> The page says in words which way a length changes and a packer is pressed. A deck that asks for neither has no such table.
+   subroutine test_directions()
+      character(*), parameter :: heading = '<h2>Change of length and force on the packer</h2>'
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text(tubing("&boundary packer_bore = 101.6, packer_hold = 'fixed' /"//newline, 'set'))
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, heading) > 0, message=run%diagnostics)
+      page = page(index(page, heading):)
+      page = page(:index(page, '</table>'))
+      call assertTrue(index(page, '>50 kN down<') > 0 .and. index(page, ' kN up<') > index(page, '>50 kN down<'), message=page)
+      call assertTrue(index(page, ' m longer<') > 0 .and. index(page, ' m shorter<') > 0, message=page)
+      run = run_deck_text(tubing('', ''))
+      call assertEqual(0, index(content(results_path//'/report.html'), '<h2>Change of length'), message='not asked for')
+   contains
+      function tubing(boundary, reference) result(text)
+         character(*), intent(in) :: boundary, reference
+         character(:), allocatable :: text
+         text = "&job models = 'soft', hdf5 = .false., profiles = .false. /"//newline// &
+                '&trajectory md = 0, 3000, inc = 0, 0 /'//newline// &
+                '&hole diameter = 220.5, friction = 0.2, cased = .true. /'//newline//'&fluid density = 1100 /'//newline// &
+                "&component kind = 'tubing', od = 114.3, id = 100.5, mass = 19, yield = 552 /"//newline//boundary// &
+                "&load_case name = 'set', operation = 'static', wob = 50, bit_depth = 3000 /"//newline// &
+                "&load_case name = 'test', operation = 'static', bit_depth = 3000, pump_pressure = 35, length_reference = '"// &
+                reference//"' /"//newline
+         if (reference == '') text = replaced(text, ", length_reference = ''", '')
+      end function tubing
+   end subroutine test_directions
 
    !> A packer and its seals have no limits in a deck: the answer says so.
    subroutine test_packer()

@@ -6,6 +6,7 @@ module dg_html_report
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
+   use dg_html_length, only: append_lengths
    use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_pictures, only: append_pictures
    use dg_html_short, only: append_short
@@ -83,6 +84,7 @@ contains
       call start_page(job, lines)
       call append_verdicts(lines, job, model, results, wholes, shown)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
+      call append_lengths(lines, job, model, results, wholes)
       call append_warnings(lines, job, model, results, wholes)
       call append_outcome(lines, job%units, printed%outcome)
       if (allocated(model%path_notes)) then
