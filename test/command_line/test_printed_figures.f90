@@ -28,6 +28,7 @@ contains
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
       call suite%addTest(TestMethod('packer', test_packer))
       call suite%addTest(TestMethod('directions_on_the_page', test_directions))
+      call suite%addTest(TestMethod('locked_up_on_the_page', test_locked))
    end function printed_figures_suite
 
    !> A string on a slant. `loads` are those of its load case.
@@ -333,6 +334,21 @@ contains
          if (reference == '') text = replaced(text, ", length_reference = ''", '')
       end function tubing
    end subroutine test_directions
+
+   !> A case that locks up is named beside those that are found to buckle.
+   subroutine test_locked()
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text('&job hdf5 = .false., profiles = .false. /'//newline// &
+         '&trajectory md = 0, 1800, 2150, 5150, inc = 0, 0, 90, 90, azi = 4*0 /'//newline// &
+         '&hole diameter = 97.2, friction = 0.25, cased = .true. /'//newline//'&fluid density = 1020 /'//newline// &
+         "&component name = 'coil', kind = 'tubing', od = 50.8, id = 42.85, yield = 552 /"//newline// &
+         "&load_case name = 'rih', operation = 'trip_in', bit_depth = 5150 /"//newline// &
+         "&load_case name = 'pooh', operation = 'trip_out', bit_depth = 5150 /"//newline)
+      page = content(results_path//'/report.html')
+      call assertTrue(index(page, '<li>Found to buckle: no load case with a solution.</li>') > 0, message=run%output)
+      call assertTrue(index(page, '<li>Locked up, no solution: rih.</li>') > 0, message=run%output)
+   end subroutine test_locked
 
    !> A packer and its seals have no limits in a deck: the answer says so.
    subroutine test_packer()

@@ -1,7 +1,7 @@
 !> A run in a few sentences: range of the hook load, buckling, accuracy of the results.
 module dg_html_short
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_block_question, only: block_question
    use dg_comparison, only: as_measured, percent_error
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
@@ -47,7 +47,8 @@ contains
       call add_line(lines, '<ul>')
       if (size(rows) > 0) then
          call append_loads(lines, job, model, results(rows))
-         call append_buckled(lines, model, results(rows), wholes(rows))
+         call append_buckled(lines, model, results(rows), wholes(rows), &
+                             pack(results%case_index, results%model == shown .and. results%status == result_locked_up))
          call append_errors(lines, job%units, model, results(rows))
          call append_models(lines, job, model, results, rows)
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
@@ -82,12 +83,14 @@ contains
       end if
    end subroutine append_loads
 
-   !> Append the cases that buckle by beams, or that are above the published limit by models on the axis.
-   subroutine append_buckled(lines, model, results, wholes)
+   !> Append the cases that buckle by beams, or that are above the published limit by models on the axis. Then those that lock
+   !> up, which have no solution to look at.
+   subroutine append_buckled(lines, model, results, wholes, locked)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
+      integer, intent(in) :: locked(:)         !< load cases that lock up
       logical :: buckled(size(results))
       integer :: cases(size(results))
       character(:), allocatable :: text
@@ -102,8 +105,9 @@ contains
       if (any(buckled)) then
          call add_line(lines, '<li>'//text//': '//named(model, pack(cases, buckled))//'.</li>')
       else
-         call add_line(lines, '<li>'//text//': no load case.</li>')
+         call add_line(lines, '<li>'//text//': no load case'//either(' with a solution', '', size(locked) > 0)//'.</li>')
       end if
+      if (size(locked) > 0) call add_line(lines, '<li>Locked up, no solution: '//named(model, locked)//'.</li>')
    end subroutine append_buckled
 
    !> Append hook loads against measured ones, and against another calculation.
