@@ -834,7 +834,8 @@ module dg_page_script
       '.lead{display:flex;flex-direction:column}.lead .wide,.answers,.answers tbody{display:contents}', &
       '.answers tr{display:grid;grid-template-columns:14em 6em 1fr;font-size:8pt;padding:.1em .4em;border-bottom:1px '// &
       'solid #ddd;break-inside:avoid}.answers td{padding:0;border:none}', &
-      '.answers .more{order:8;font-weight:600}.more td{grid-column:1/-1}', &
+      '.lead tbody tr{break-before:auto;break-after:auto}.wide~.note,.answers .more{order:8}.head{order:9}.answers .m'// &
+      'ore{font-weight:600}.more td{grid-column:1/-1}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
    character(400), parameter :: style_lines(33) = [ &
