@@ -29,6 +29,10 @@ for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {
       ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
    })))
 }
+for (const chart of D.charts ?? []) {                         // no torque where nothing turns
+   const turns = ({curves: [{column}], lines}) => column !== 'torque' || lines.some(l => l.curve.v.some(v => v))
+   chart.panels = chart.panels.filter(turns)
+}
 const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))
 for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {
    line.curve = curve_of(line.points)

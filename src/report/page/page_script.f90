@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'PMI31PhvPmtOPI1BxbbZ9jMSdqFQkoV0W8ZL9d7rud8='
+   character(*), parameter :: script_hash = 'vhp4PNtvZZqX3n/wIiUSESFHUIclG7R8E4C2fQ9skoc='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -36,6 +36,11 @@ module dg_page_script
       '...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.colu'// &
       'mn]', &
       '})))', &
+      '}', &
+      'for (const chart of D.charts ?? []) {', &
+      'const turns = ({curves: [{column}], lines}) => column !== ''torque'' || lines.some(l => l.curve.v.some(v => v)'// &
+      ')', &
+      'chart.panels = chart.panels.filter(turns)', &
       '}', &
       'const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))', &
       'for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {', &
@@ -112,14 +117,14 @@ module dg_page_script
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
       'function key_of(p) {', &
       'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
-      ' D.looks.length', &
+      ' D.looks.length']
+   character(169), parameter :: script_lines_2(100) = [character(169) :: &
       'if (cases.length < 2) return p.key', &
       'return {...p.key, mark: D.looks[(n + Math.floor(n / most)) % most].mark, look: {...p.key.look, ...D.looks[n % '// &
       'most].look}}', &
       '}', &
       'const lines_of = panel => S.charts ? panel.lines.filter(l => chosen(l.profile)).map(l => ({...key_of(l.profile'// &
-      '), ...l})) : panel.lines']
-   character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      '), ...l})) : panel.lines', &
       'const visible = line => !line.keys.some(k => state.hidden.has(k))', &
       'const shown = () => D.profiles.filter((p, k) => chosen(p) && !state.hidden.has(k))', &
       'function row_beside({curve: {d, v}}) {', &
@@ -227,12 +232,12 @@ module dg_page_script
       'function set_depth(depth) {', &
       'if (depth !== state.depth) view.notice.textContent = ''''', &
       'view.slider.value = depth', &
-      'state.depth = +view.slider.value', &
+      'state.depth = +view.slider.value']
+   character(169), parameter :: script_lines_3(100) = [character(169) :: &
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
-      'draw_readout()']
-   character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'draw_readout()', &
       'note_address()', &
       '}', &
       'function cells_of_profiles() {', &
@@ -332,12 +337,12 @@ module dg_page_script
       'if (isNaN(y)) return', &
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
-      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))', &
+      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))']
+   character(169), parameter :: script_lines_4(100) = [character(169) :: &
       '}', &
       'const spread = e => {', &
       'if (e.touches.length !== 2 || S.rows) return', &
-      'e.preventDefault()']
-   character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'e.preventDefault()', &
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
       'const step = (pinch[1] - pinch[0]) / Math.max(b - a, 20), top = Math.max(0, pinch[0] - step * (a - up))', &
@@ -441,12 +446,12 @@ module dg_page_script
       '}', &
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
-      'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
+      'e.textContent = e.dataset[units.toLowerCase()] ?? own']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
-      '}']
-   character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      '}', &
       'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
       'if (D.systems.includes(q.get(''units''))) units = q.get(''units'')', &
@@ -552,12 +557,12 @@ module dg_page_script
       'const made = new Float64Array(v.length)', &
       'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
       'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
-      '}', &
+      '}']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       'return with_peaks(d, made, peaks)', &
       '}', &
       'function sum_of(a, b, peaks) {', &
-      'const d = [], v = [], next = [0, 0]']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
       'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
       'd.push(depth)', &
@@ -665,12 +670,12 @@ module dg_page_script
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
+   character(169), parameter :: script_lines_7(91) = [character(169) :: &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
       '}', &
-      '}']
-   character(169), parameter :: script_lines_7(87) = [character(169) :: &
+      '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
       'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])', &
       'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])', &
@@ -769,7 +774,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(687) = [ &
+   character(169), parameter :: script_lines(691) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
