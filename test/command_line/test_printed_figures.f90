@@ -283,6 +283,15 @@ contains
       run = run_deck_text(tubing('pump_pressure = 90, temperature_change_bottom = -60'))
       call assertTrue(index(unwrapped(run%output), ' kN of pull on the packer') > 0, message=run%output)
       call assertEqual(0, index(unwrapped(run%output), 'No shallower'), message=run%output)
+      ! a hanger may hold the top down, and nothing helps against collapse
+      run = run_deck_text("&job models = 'soft' plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 5000, inc = 0, 0, azi = 0, 0 /'//newline//'&hole diameter = 220.5, friction = 0.2 /'//newline// &
+         "&fluid density = 2000, where = 'outside' /"//newline//"&fluid density = 2000, where = 'inside' /"//newline// &
+         "&component name = 'tieback', catalogue = 'CSG 7 32.00 P110' /"//newline// &
+         "&load_case name = 'c', operation = 'static', bit_depth = 5000, inside_density = 0 /"//newline)
+      call assertTrue(index(unwrapped(run%output), "Collapse at 5000 m in 'tieback': 98.1 MPa, 74.3 MPa allowed, 23.8 MPa "// &
+                            'too much. The top must be held down with ') > 0, message=run%output)
+      call assertEqual(0, index(unwrapped(run%output), 'The answer becomes yes'), message='a push is missing, too: '//run%output)
    contains
       !> Deck of tubing that is set on a packer, then pumped through.
       function tubing(loads) result(text)

@@ -93,7 +93,7 @@ contains
          end if
          if (wants_reach(model, result, verdict)) &
             call find_limit_reach(model, result, whole%utilisation, design, rig_limit, verdict%reach)
-         if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone .and. &
+         if (verdict%answer == answer_no .and. verdict%also == 0 .and. verdict%friction /= friction_upper_end_alone .and. &
              all(verdict%passed(limit_count + 1:) <= 1.0_wp)) &
             call find_pump_pressure(model, result, design, rig_limit, verdict%limit, whole%wob_yield, verdict%pump_pressure)
          if (verdict%part > 0) &

@@ -4,7 +4,7 @@ module dg_string_weight
    use dg_case_result, only: case_result_type, is_pushed
    use dg_fluid_pressure, only: hanger_pull, is_hung, surface_push
    use dg_job, only: model_mcge
-   use dg_load_case, only: block_way, load_case_type, moves_axially, rotates
+   use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static, rotates
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression, packer_push
@@ -43,6 +43,10 @@ contains
          passed = passed_weight(model, result%model, result%case_index, result%hookload, maxval(abs(result%profile%axial)))
          by_push = verdict%max_push > 0.0_wp .and. verdict%push > 0.0_wp
          if (is_hung(model, load_case) .and. passed == 0 .and. .not. by_push) return
+         if (passed == limit_string_weight .and. verdict%answer == answer_no .and. load_case%operation == operation_static) then
+            verdict%also = passed       ! strength decides, as a hanger may hold the top down
+            return
+         end if
          if (passed > 0 .and. verdict%answer == answer_no) then
             verdict%also = verdict%limit
             verdict%also_load = verdict%load%value

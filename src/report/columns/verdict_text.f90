@@ -182,8 +182,12 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (verdict%also > 0) text = '. Also too much: '//shown_title(verdict%also)//', '// &
-         number_text(units, verdict%also, verdict%also_load)//' of '//load_text(units, verdict%also, verdict%also_allowed)
+      if (verdict%also == limit_string_weight) then
+         text = '. '//capital(push_text(units, load_case, verdict))
+      else if (verdict%also > 0) then
+         text = '. Also too much: '//shown_title(verdict%also)//', '//number_text(units, verdict%also, verdict%also_load)// &
+                ' of '//load_text(units, verdict%also, verdict%also_allowed)
+      end if
       text = text//passed_text(verdict)
       text = text//without_load_text(units, load_case, verdict)
       if (verdict%reach%present) then
