@@ -198,10 +198,10 @@ contains
    !> Tubing that slides near lock-up, coiled above and in the build: with friction along the hole alone its coils turn round the
    !> hole for ever. Friction holds them sideways, too. It is Coulomb's in sum: along the hole it is less than the friction factor
    !> times contact by what the largest share takes, no more. Forces balance in the sum over the string, sideways friction
-   !> included. At 36 kN an equilibrium without it is found, too, after a long way: hook loads differ by less than the largest share
-   !> may take off friction. With less load the string soon comes to rest by itself, and nothing holds it.
+   !> included. At 36 kN an equilibrium without it is found, too, after a long way. Held coils stop short of it: hook loads differ
+   !> by 0.22 % of drag. With less load the string soon comes to rest by itself, and nothing holds it.
    subroutine test_drifting_coils()
-      real(wp), parameter :: friction = 0.348_wp, wob(3) = [34.5e3_wp, 36.0e3_wp, 29.7e3_wp]
+      real(wp), parameter :: friction = 0.348_wp, wob(3) = [34.5e3_wp, 36.0e3_wp, 27.0e3_wp], short = 2.5e-3_wp
       integer, parameter :: drifting = 2
       type(model_type) :: model, unheld
       type(case_result_type) :: result, other
@@ -234,8 +234,7 @@ contains
             call assertLessThan(lost, 0.51_wp*model%numerics%tuning%most_held**2, message='no more than the largest share takes')
             if (i == 1) call assertEqual(result_not_converged, other%status, message='not held')
             if (i == 2) call assertEqual(result_converged, other%status, message=other%message)
-            if (i == 2) call assertLessThan(abs(result%hookload - other%hookload), &
-                                            0.5_wp*model%numerics%tuning%most_held**2*abs(other%friction), message='hook load')
+            if (i == 2) call assertLessThan(abs(result%hookload - other%hookload), short*abs(other%friction), message='hook load')
          else
             call assertEqual(index(result%message, 'acts sideways'), 0, message='nothing said: '//result%message)
             call assertEqual(other%hookload, result%hookload, message='hook load')
