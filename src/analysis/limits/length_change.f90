@@ -25,6 +25,7 @@ module dg_length_change
    use dg_load_case, only: load_case_type
    use dg_missing, only: is_missing
    use dg_model, only: model_type, string_index
+   use dg_numerics, only: smears_all_joints
    use dg_pipe_stress, only: true_axial
    use dg_profile, only: between_ends
    use dg_sinusoidal_shape, only: sinusoidal_swing, sinusoidal_wave
@@ -66,7 +67,7 @@ contains
       real(wp) :: bit, length, outside, inside, axial
       integer :: i, number
       logical :: bows
-      bows = model%numerics%discrete_joints .or. model%numerics%joints_by_need
+      bows = .not. smears_all_joints(model%numerics)
       change%present = .true.
       associate (profile => result%profile, load_case => model%cases(result%case_index), &
                  string => model%strings(string_index(model%strings, model%cases(result%case_index)%string)))

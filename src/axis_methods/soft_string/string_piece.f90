@@ -11,6 +11,7 @@ module dg_string_piece
    use dg_fluid_pressure, only: weight_at
    use dg_hole_section, only: hole_section_at
    use dg_model, only: model_type, string_index
+   use dg_numerics, only: smears_all_joints
    use dg_trajectory, only: arc_type, arc_at, point_on_arc, top_md
    use dg_vector, only: cross
    implicit none
@@ -107,7 +108,7 @@ contains
          piece%clearance = 0.5_wp*(model%holes(hole)%diameter - contact_diameter(part, -layout%heights(i)))
          call find_friction(model%holes(hole), part, load_case, part%centralizer%present, piece%radius, friction_scale, &
                             piece%axial, piece%rotary)
-         if (model%numerics%discrete_joints .or. model%numerics%joints_by_need) &
+         if (.not. smears_all_joints(model%numerics)) &
             call find_bowing(part, -layout%heights(i), piece%joint_height, piece%euler)
          if (part%centralizer%present) then
             piece%drag = running_drag(model%holes(hole), part, load_case)/part%centralizer%spacing

@@ -11,7 +11,7 @@ module dg_deck_echo
    use dg_centralizer, only: centralizer_type
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: hold_free, model_type, packer_hold_name
-   use dg_numerics, only: gap_location_name, numerics_type
+   use dg_numerics, only: gap_location_name, numerics_type, smears_all_joints
    use dg_pipe_strength, only: burst_strength, collapse_strength, collapses_as_steel, slip_share, tensile_strength, &
       torsional_strength
    use dg_rig, only: rig_type
@@ -300,7 +300,7 @@ contains
       character(:), allocatable :: joints
       joints = ''
       if (numerics%discrete_joints) joints = ', tool joints one by one'
-      if (.not. (numerics%discrete_joints .or. numerics%joints_by_need)) joints = ', tool joints smeared'
+      if (smears_all_joints(numerics)) joints = ', tool joints smeared'
       if (numerics%wall_climb) joints = joints//', soft strings climb the wall'
       call add_line(lines, 'solver      elements to '// &
          shown(units, unit_length, numerics%element_length)//', gaps at '// &

@@ -8,7 +8,7 @@ module dg_numerics
    use dg_tuning, only: tuning_type
    implicit none
    private
-   public :: numerics_type, default_wall, patience, settings_of_attempt, visit_numerics
+   public :: numerics_type, default_wall, patience, settings_of_attempt, visit_numerics, smears_all_joints
    public :: gap_at_extremum, gap_at_nodes
    public :: gap_location_count, gap_location_name
    public :: fidelity_name, settings_of, set_fidelity
@@ -92,6 +92,13 @@ contains
       call visitor%number('step_limit', numerics%step_limit)
       call visitor%number('imperfection', numerics%imperfection)
    end subroutine visit_numerics
+
+   !> True if pipe never bows out to the wall between its tool joints: they are smeared in every case, also of the soft string.
+   pure function smears_all_joints(numerics) result(smears)
+      type(numerics_type), intent(in) :: numerics
+      logical :: smears
+      smears = .not. (numerics%discrete_joints .or. numerics%joints_by_need)
+   end function smears_all_joints
 
    !> Settings of a fidelity by its name, in any letter case. new_model refuses settings of an unknown name.
    pure function settings_of(fidelity) result(numerics)
