@@ -8,14 +8,14 @@ module dg_friction_reserve
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
-   use dg_fluid_pressure, only: surface_push
+   use dg_fluid_pressure, only: needed_push, surface_push
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: block_way, rotates
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_string_weight, only: needed_push, weight_share
+   use dg_string_weight, only: weight_share
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
    use dg_verdict, only: limit_lock_up, limit_string_weight

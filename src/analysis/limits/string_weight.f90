@@ -2,7 +2,7 @@
 module dg_string_weight
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, is_pushed
-   use dg_fluid_pressure, only: hanger_pull, is_hung, surface_push
+   use dg_fluid_pressure, only: is_hung, needed_push, surface_push
    use dg_job, only: model_mcge
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_static, rotates
    use dg_missing, only: given, optional_real
@@ -13,7 +13,7 @@ module dg_string_weight
    use dg_weight_on_bit, only: locks_up
    implicit none
    private
-   public :: judge_weight, needed_push, passed_weight, weight_share
+   public :: judge_weight, passed_weight, weight_share
 
    !> Share of the limit of a floating string that must be pushed [-].
    real(wp), parameter :: too_much = 2.0_wp
@@ -115,15 +115,6 @@ contains
          share = merge(too_much, 0.0_wp, result%hookload < 0.0_wp)
       end if
    end function weight_share
-
-   !> Push at surface that a hook load needs [N], < 0 for a pull: minus the load of the hanger, where the string has one.
-   elemental function needed_push(model, case_index, hookload) result(push)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      real(wp), intent(in) :: hookload     !< [N]
-      real(wp) :: push
-      push = -hookload - hanger_pull(model, case_index)
-   end function needed_push
 
    !> Limit of the string's weight that a converged result passes; 0: none.
    !> - string weight: the hook load is below zero, by more than `max_push` of the rig

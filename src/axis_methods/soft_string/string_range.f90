@@ -3,7 +3,7 @@ module dg_string_range
    use dg_kinds, only: wp
    use dg_buckling_limits, only: curved_limit, helical_limit, helical_low, least_curved_limit, vertical_unit
    use dg_case_result, only: add_sentence, is_pushed, push_needed
-   use dg_fluid_pressure, only: hanger_pull
+   use dg_fluid_pressure, only: needed_push
    use dg_model, only: model_type
    use dg_string_piece, only: layout_of, layout_type, piece_above, piece_type
    use dg_text, only: to_text
@@ -45,7 +45,7 @@ contains
       if (worst > 1.0_wp) warning = 'Compression is '//to_text(worst, shown)//' times the helical buckling load at '// &
          in_units(model%units, unit_length, worst_md, shown)// &
          ', outside the range of this model. Contact there is too low. Use model mcge'
-      if (is_pushed(hookload + hanger_pull(model, case_index) + model%rig%max_push, axial)) &
+      if (is_pushed(model%rig%max_push - needed_push(model, case_index, hookload), axial)) &
          call add_sentence(warning, push_needed)
    end subroutine range_warning
 

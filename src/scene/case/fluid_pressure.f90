@@ -15,7 +15,7 @@ module dg_fluid_pressure
    use dg_trajectory, only: top_md, true_vertical_depth
    implicit none
    private
-   public :: fluid_column_type, hanger_pull, is_hung, new_fluid_column, pressure_at, push_of, stretch_type, stretches_of, &
+   public :: fluid_column_type, is_hung, needed_push, new_fluid_column, pressure_at, push_of, stretch_type, stretches_of, &
              surface_push, weight_at
 
    !> The fluids of one side in a load case, as pieces of one density from the top down.
@@ -231,4 +231,13 @@ contains
                 - annulus_at_surface(model, load_case)*tube_area(top%od, 0.0_wp)
       end associate
    end function hanger_pull
+
+   !> Push at surface that a hook load needs [N], < 0 for a pull: minus the load of the hanger, where the string has one.
+   elemental function needed_push(model, case_index, hookload) result(push)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      real(wp), intent(in) :: hookload     !< [N]
+      real(wp) :: push
+      push = -hookload - hanger_pull(model, case_index)
+   end function needed_push
 end module dg_fluid_pressure

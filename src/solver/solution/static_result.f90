@@ -6,7 +6,7 @@ module dg_static_result
                              result_not_converged
    use dg_gap_survey, only: node_offset
    use dg_gap_table, only: count_states
-   use dg_fluid_pressure, only: hanger_pull, surface_push
+   use dg_fluid_pressure, only: needed_push, surface_push
    use dg_job, only: model_mcge
    use dg_mesh, only: mesh_type, widest_beside
    use dg_missing, only: is_missing
@@ -110,8 +110,8 @@ contains
          result%inclination = inclination_of(tangent)
          result%hookload = work%hookload - surface_push(model, case_index)
          ! the top of a part of a string may be pushed by the string above it
-         if (outcome == outcome_converged .and. is_pushed(result%hookload + hanger_pull(model, case_index) &
-                                                                 + model%rig%max_push, work%axial) .and. &
+         if (outcome == outcome_converged .and. &
+             is_pushed(model%rig%max_push - needed_push(model, case_index, result%hookload), work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
          if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
             call add_message(result, 'Up to '//to_text(rounded_up(100.0_wp*maxval(abs(work%held)), shown_clearances), &
