@@ -1,6 +1,6 @@
 !> Print the cost of solutions. Parts: whole cases, the rest of the program, growth with size, memory, phases of an iteration,
 !> linear solvers. Then orders of convergence, the effect of the wall's stiffness, and errors against cost of each fidelity on
-!> the sample decks. `fpm run --example bench --profile release` from the root of the repository. Medians of several runs;
+!> the sample decks. `fpm run --example bench --flag -O3` from the root of the repository. Medians of several runs;
 !> there are no assertions.
 !>
 !> `-- ablation [DECK ...]` prints instead what each number of dg_tuning is worth: these decks, or all wells of input/, solved with
@@ -96,7 +96,7 @@ contains
       write (output_unit, '(a)') program_name//' '//program_version//', '//machine_name()
       write (output_unit, '(a)') compiler_version()
       write (output_unit, '(a)') compiler_options()
-      if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --profile release'
+      if (index(compiler_options(), '-O') == 0) write (output_unit, '(a)') 'NOT OPTIMISED: add --flag -O3'
       write (output_unit, '(a,i0,a)') 'Processor time; medians of ', runs, ' runs where not said otherwise'
       call print_cases(model, runs)
       call print_program(deck, sweep_deck, runs)

@@ -1,5 +1,5 @@
 !> All numbers of the start and the iteration of beams that are neither physics nor the user's choice. To measure their worth,
-!> `fpm run --example bench --profile release -- ablation` solves wells with and without each. A new number is also entered
+!> `fpm run --example bench --flag -O3 -- ablation` solves wells with and without each. A new number is also entered
 !> there (`app/bench/bench_ablation.f90`).
 module dg_tuning
    use dg_kinds, only: wp
