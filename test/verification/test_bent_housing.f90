@@ -493,7 +493,7 @@ contains
          call assertLessThan(result%iterations, most, message='iterations')
          model%cases(1)%wob = 40.0e3_wp
          known = model
-         call find_stiff_drag(model, 1, known%stiff_drag)
+         call find_stiff_drag(model, 1, known%stiff_drag, known%stiff_share)
          call soft_string_at(known, 1, [above], axial, torque)
          n = minloc(abs(result%profile%md - above), dim=1)
          found = result%profile%axial(n)

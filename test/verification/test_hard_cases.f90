@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('severe_dogleg', test_severe_dogleg))
       call suite%addTest(TestMethod('drifting_coils', test_drifting_coils))
       call suite%addTest(TestMethod('more_than_pipe_bears', test_more_than_pipe_bears))
+      call suite%addTest(TestMethod('noisy_survey', test_noisy_survey))
    end function hard_cases_suite
 
    !> Walls of 1e9 to 1e17 N/m2, ten million times as stiff as solid steel. A place of some hundred metres is known to 1e-13 m, and
@@ -268,4 +269,29 @@ contains
          end if
       end do
    end subroutine test_more_than_pipe_bears
+
+   !> A string that is pulled along a level hole whose survey goes left and right by 3 deg every 9 m. The soft string follows each
+   !> bend and would be stretched by more than 1 %. Pipe in a hole that is much wider cuts the bends short.
+   subroutine test_noisy_survey()
+      integer, parameter :: stations = 231, most_iterations = 60
+      real(wp), parameter :: spacing = 9.0_wp, noise = 3.0_wp, pull = 50.0e3_wp, steel = 206.0e9_wp
+      real(wp), parameter :: no_pipe = 0.01_wp, part = 0.2_wp, refined = 0.012_wp
+      type(model_type) :: model
+      type(case_result_type) :: result, soft, finer
+      type(error_type), allocatable :: error
+      integer :: n
+      call new_well(model, [(spacing*n, n=0, stations - 1)], spread(90.0_wp, 1, stations), &
+                    [(noise*mod(n, 2), n=0, stations - 1)], 0.2_wp, 0.4_wp, pipe(w, od, id))
+      model%cases(1)%operation = operation_trip_out
+      model%cases(1)%wob = -pull
+      call solve_soft_string(model, 1, soft, error)
+      call assertGreaterThan(soft%hookload/(steel*0.25_wp*acos(-1.0_wp)*(od**2 - id**2)), no_pipe, message='stretch, soft')
+      call solve_static_analysis(model, 1, result, error)
+      call assertEqual(result_converged, result%status, message=result%message)
+      call assertLessThan(result%friction/soft%friction, part, message='friction over that of the soft string')
+      call assertLessThan(result%iterations, most_iterations, message='iterations')
+      model%numerics%element_length = result%element_lengths(2)/3.0_wp
+      call solve_static_analysis(model, 1, finer, error)
+      call assertRelativelyEqual(result%hookload, finer%hookload, refined, message='elements a third as long')
+   end subroutine test_noisy_survey
 end module dg_test_hard_cases

@@ -125,7 +125,7 @@ contains
       type(other_loads_type), intent(in) :: loads
       type(piece_type), intent(out) :: piece
       type(place_type), intent(out) :: place    !< at that depth
-      piece = piece_above(model, layout, md, loads%friction_scale, loads%coiled, loads%climbs)
+      piece = piece_above(model, layout, md, loads%friction_scale*model%stiff_share, loads%coiled, loads%climbs)
       place = place_at(piece, md - piece%arc%md)
    end subroutine enter_piece
 

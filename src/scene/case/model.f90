@@ -45,6 +45,7 @@ module dg_model
                                                           !< known [N]
       real(wp) :: stiff_drag = 0.0_wp                     !< friction that the soft string of the present case lacks (dg_stiff_drag)
                                                           !< [N]
+      real(wp) :: stiff_share = 1.0_wp                    !< part of the friction of the soft string that beams have (dg_stiff_drag)
       type(unit_system_type) :: units                     !< units of messages; all numbers are SI
    end type model_type
 
@@ -74,6 +75,7 @@ contains
       copy%mud = model%mud
       copy%gravity = model%gravity
       copy%stiff_drag = model%stiff_drag
+      copy%stiff_share = model%stiff_share
       copy%hookload = model%hookload
       copy%units = model%units
       allocate (copy%cases(1))

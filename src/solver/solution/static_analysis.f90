@@ -98,7 +98,7 @@ contains
       allocate (history(0))
       known = model
       known%numerics%joints_by_need = .false.
-      call find_stiff_drag(known, case_index, known%stiff_drag)
+      call find_stiff_drag(known, case_index, known%stiff_drag, known%stiff_share)
       asked = model%numerics%element_length
       do i = 1, model%numerics%tuning%most_meshes
          mesh = model%numerics%tuning%mesh(i)

@@ -1,10 +1,14 @@
-!> Friction along the hole of a stiff assembly, which the soft string neglects.
+!> Friction along the hole of a stiff string, where that of the soft string is far from it.
 !>
 !> A bent housing, or stabilizers that fill a bending hole, are pressed to the wall by their own stiffness, with up to hundreds
 !> of kilonewtons. The soft string has contact by weight and tension alone. A string that slides or is run in has to push such
 !> an assembly. Without that push the expected compression is too small, and elements are too long. The pipe then buckles out
 !> of the hole between its gaps. The beam of the start (dg_bent_start) has the contact of the assembly, from which friction is
 !> taken here.
+!>
+!> A string that is pulled through the bends of a noisy survey cuts them short. The soft string follows each, and its friction
+!> grows from bend to bend, up to several times that of the beam. Its force would call a string locked up that is not, and is
+!> a poor start. So its friction is multiplied by a share, with which both have the same.
 module dg_stiff_drag
    use dg_kinds, only: wp
    use dg_case_result, only: scale_count
@@ -27,36 +31,48 @@ module dg_stiff_drag
    real(wp), parameter :: eased_by = 0.01_wp
    !> Number of times that the friction of a locked-up string is computed. The load at its bit depends on that friction.
    integer, parameter :: passes = 2
+   !> Most corrections of the share, and the friction of the beam over that of the soft string above which none is needed [-].
+   integer, parameter :: corrections = 5
+   real(wp), parameter :: alike = 0.9_wp
 
 contains
 
    !> Friction of the stiff assembly less the friction of the soft string there, positive down the hole [N]. It is 0 where it
-   !> has no effect. For a string that locks up it is found under the greatest load that reaches its bit.
-   pure subroutine find_stiff_drag(model, case_index, drag)
+   !> has no effect. For a string that locks up it is found under the greatest load that reaches its bit. The share belongs to
+   !> a string that is pulled and nowhere compressed, else it is 1.
+   pure subroutine find_stiff_drag(model, case_index, drag, share)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(out) :: drag   !< > 0 down the hole [N]
+      real(wp), intent(out) :: share  !< friction of the beam over that of the soft string elsewhere, at most 1 [-]
       type(model_type) :: eased
-      real(wp) :: most
+      real(wp) :: most, part
       integer :: i
       logical :: locked_up
-      call find_drag(model, case_index, drag, locked_up)
-      if (.not. locked_up) return
       eased = model
+      share = 1.0_wp
+      do i = 1, corrections
+         call find_drag(eased, case_index, drag, part, locked_up)
+         if (locked_up .or. part > alike) exit
+         eased%stiff_share = eased%stiff_share*part
+      end do
+      share = eased%stiff_share
+      if (.not. locked_up) return
       do i = 1, passes
          most = most_load_at_bit(eased, case_index, coiled=.true., pushed=.true.)
          eased%cases(case_index)%wob = most - eased_by*abs(most)
-         call find_drag(eased, case_index, drag, locked_up)
+         call find_drag(eased, case_index, drag, part, locked_up)
          if (locked_up .or. .not. abs(drag) > 0.0_wp) return
          eased%stiff_drag = drag
       end do
    end subroutine find_stiff_drag
 
    !> Find that friction for a string under the loads of its case.
-   pure subroutine find_drag(model, case_index, drag, locked_up)
+   pure subroutine find_drag(model, case_index, drag, part, locked_up)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       real(wp), intent(out) :: drag
+      real(wp), intent(out) :: part             !< friction of the beam over that of the soft string, 1 if it is not pulled [-]
       logical, intent(out) :: locked_up         !< true if the soft string locks up; `drag` is 0 then
       type(mesh_type) :: mesh
       type(gap_table_type) :: gaps
@@ -64,13 +80,16 @@ contains
       real(wp), allocatable :: sideways(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
       real(wp) :: compressed, strained, pressing
       logical, allocatable :: stiff(:)
+      logical :: pulled
       integer :: shortened(scale_count)
       drag = 0.0_wp
+      part = 1.0_wp
       call mesh_for_case(model, case_index, model%numerics%element_length, mesh, totals, compressed, strained, pressing, shortened)
       locked_up = totals%runaway
       if (locked_up) return
       stiff = near_edges(mesh)
-      if (.not. any(abs(mesh%friction_along) > 0.0_wp .and. stiff)) return
+      pulled = .not. compressed > 0.0_wp .and. any(mesh%friction_along > 0.0_wp)
+      if (.not. (pulled .or. any(abs(mesh%friction_along) > 0.0_wp .and. stiff))) return
       allocate (sideways(mesh%elements), pressed(mesh%elements), soft(mesh%elements))
       allocate (state(6, mesh%nodes), axial(mesh%nodes), free(mesh%nodes), torque(mesh%nodes))
       call find_sideways(model, case_index, mesh, compressed, sideways)
@@ -82,6 +101,8 @@ contains
       axial = axial - free
       soft = axial(:mesh%elements) - axial(2:)
       drag = sum(mesh%friction_along*pressed - soft, mask=stiff)
+      if (pulled .and. any(soft > 0.0_wp .and. .not. stiff)) &
+         part = sum(mesh%friction_along*pressed, mask=.not. stiff)/sum(soft, mask=.not. stiff)
       if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
    end subroutine find_drag
 end module dg_stiff_drag
