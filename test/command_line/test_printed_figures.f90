@@ -1,6 +1,6 @@
 !> Figures that a run prints beside its answers: they agree with the deck, with another run, and with what the advice brings.
 module dg_test_printed_figures
-   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: lines_of, number
@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('overpull', test_overpull))
       call suite%addTest(TestMethod('slips', test_slips))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
+      call suite%addTest(TestMethod('weight_of_coiled_pipe', test_coiled_weight))
       call suite%addTest(TestMethod('pump_pressure_advised', test_pump))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
@@ -391,4 +392,36 @@ contains
       if (place > 0) read (text(place + len(words):), *, iostat=status) value
       call assertEqual(0, status, message=words//' in '//output)
    end function value_after
+
+   !> The weight on bit that a helically buckled string still brings, and the friction that is possible. Beams confirm both: the
+   !> friction of their coils grows faster than that of the soft string.
+   subroutine test_coiled_weight()
+      real(wp), parameter :: wob = 15.0_wp, apart = 0.03_wp
+      type(run_type) :: run
+      real(wp) :: most, factor
+      run = run_deck_text(lateral(wob, 1.0_wp))
+      most = value_after(run%output, 'String weight alone brings ')
+      factor = value_after(unwrapped(run%output), 'The answer becomes yes below about ')
+      run = run_deck_text(lateral(wob, (1.0_wp - apart)*factor))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message='less friction: '//run%output)
+      run = run_deck_text(lateral((1.0_wp + apart)*most, 1.0_wp))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message='more: '//run%output)
+      run = run_deck_text(lateral((1.0_wp - apart)*most, 1.0_wp))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message='less: '//run%output)
+      call assertRelativelyEqual(most, value_after(unwrapped(run%output), 'String weight brings at most about '), apart, &
+                                 message='beside a yes')
+   contains
+      !> Drill pipe of 2 7/8 in that slides in a lateral.
+      function lateral(weight, scale) result(text)
+         real(wp), intent(in) :: weight, scale   !< [kN, -]
+         character(:), allocatable :: text
+         text = "&job plots = .false., hdf5 = .false., models = 'mcge' /"//newline// &
+                '&trajectory md = 0, 600, 900, 3500, inc = 0, 0, 90, 90, azi = 4*0 /'//newline// &
+                '&hole diameter = 157.1, md_bottom = 1000, friction = '//to_text(0.22_wp*scale)//' /'//newline// &
+                '&hole diameter = 155.6, friction = '//to_text(0.3_wp*scale)//' /'//newline//'&fluid density = 1050 /'//newline// &
+                "&component kind = 'bit', length = 0.5, od = 90, joint_od = 150 /"//newline// &
+                "&component catalogue = 'DP 2-7/8 10.40 NC31 4-1/8x2-1/8 S135', length = 2600 /"//newline// &
+                "&load_case name = 'c', operation = 'sliding', bit_depth = 2200, wob = "//to_text(weight)//' /'//newline
+      end function lateral
+   end subroutine test_coiled_weight
 end module dg_test_printed_figures

@@ -26,7 +26,7 @@ module dg_find_verdict
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, is_most, note_left_out, &
                          note_uncertain, set_name, verdict_type
-   use dg_weight_on_bit, only: find_reach, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
+   use dg_weight_on_bit, only: find_reach, friction_by_beams, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -141,15 +141,12 @@ contains
       type(verdict_type), intent(inout) :: verdict
       real(wp) :: scale, part
       associate (wob => model%cases(result%case_index)%wob, bare => result%without_load, i => result%case_index)
-         scale = bare%friction_scale
+         scale = friction_by_beams(model, result)
          if (bare%status == result_converged) then
             verdict%excess_without_load = -bare%hookload - model%rig%max_push
             verdict%limit_without_load = merge(limit_string_weight, 0, verdict%excess_without_load > 0.0_wp)
          else if (bare%status == result_locked_up) then
             verdict%limit_without_load = limit_lock_up
-         else if (result%status == result_converged .and. result%model == model_mcge) then
-            scale = matching_friction(model, i, wob, result%hookload)
-            if (.not. scale > 0.0_wp) scale = 1.0_wp
          end if
          if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
          if (verdict%also > 0) return       ! weight is not the only shortage

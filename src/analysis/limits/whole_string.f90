@@ -22,7 +22,7 @@ module dg_whole_string
    use dg_trajectory, only: top_md
    use dg_utilisation, only: as_much, utilisation_type
    use dg_verdict, only: verdict_type
-   use dg_weight_on_bit, only: most_weight_on_bit
+   use dg_weight_on_bit, only: most_weight_on_bit, weight_that_arrives
    implicit none
    private
    public :: whole_string_type, find_whole_string, neutral_points_of
@@ -329,7 +329,7 @@ contains
          whole%wob_buckling = given(high)
       end if
       whole%wob_no_hookload = given(most_weight_on_bit(model, k, coiled=.false., pushed=.false.))
-      whole%wob_lockup = given(most_weight_on_bit(model, k, coiled=.true., pushed=.false.))
+      whole%wob_lockup = given(weight_that_arrives(model, result))
       high = whole%wob_lockup%value
       at_high = margin_to_yield(model, result, along, high)
       if (at_high >= 0.0_wp) return

@@ -2,10 +2,11 @@
 module dg_weight_on_bit
    use dg_kinds, only: wp
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_case_result, only: case_result_type, result_locked_up
+   use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_component, only: axial_stiffness
    use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
-   use dg_load_case, only: block_way
+   use dg_load_case, only: block_way, rotates
+   use dg_job, only: model_mcge
    use dg_missing, only: given, is_missing, optional_real
    use dg_fluid_pressure, only: surface_push
    use dg_model, only: model_type, string_index
@@ -13,7 +14,7 @@ module dg_weight_on_bit
    use dg_trajectory, only: top_md
    implicit none
    private
-   public :: weight_that_arrives, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
+   public :: friction_by_beams, weight_that_arrives, most_load_at_bit, most_weight_on_bit, locks_up, find_reach, matching_friction
 
    !> Accuracy of a load over its bracket [-].
    real(wp), parameter :: tolerance = 1.0e-11_wp
@@ -36,15 +37,36 @@ contains
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      real(wp) :: most, pushed
+      real(wp) :: most, pushed, without
       most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
-                                friction_scale=result%without_load%friction_scale)
+                                friction_scale=friction_by_beams(model, result))
+      if (result%status == result_converged .and. result%without_load%status == result_converged) then
+         without = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
+                                      friction_scale=result%without_load%friction_scale)
+         ! the factor grows in proportion to weight on bit, and the load falls in proportion to the factor
+         if (without > most) most = without/(1.0_wp + (without - most)/model%cases(result%case_index)%wob)
+      end if
       if (result%status /= result_locked_up .or. is_missing(result%lock_up_load)) return
       pushed = most_load_at_bit(model, result%case_index, coiled=.true., pushed=.true., &
                                 friction_scale=result%without_load%friction_scale)
       if (most > by_friction*pushed) most = most*min(result%lock_up_load/pushed, 1.0_wp)
       most = min(most, max(result%lock_up_load, 0.0_wp))
    end function weight_that_arrives
+
+   !> Factor on all friction of the soft string, helical buckling included, with which it has the hook load of beams [-]. It is
+   !> that of the case itself where a string slides down, else of the case without weight on bit, 1 if neither is known.
+   pure function friction_by_beams(model, result) result(scale)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result
+      real(wp) :: scale
+      scale = result%without_load%friction_scale
+      associate (load_case => model%cases(result%case_index))
+         if (result%status /= result_converged .or. result%model /= model_mcge .or. block_way(load_case%operation) >= 0 .or. &
+             rotates(load_case%operation)) return
+         scale = matching_friction(model, result%case_index, load_case%wob, result%hookload)
+      end associate
+      if (.not. scale > 0.0_wp) scale = 1.0_wp
+   end function friction_by_beams
 
    !> Greatest weight on bit [N] that leaves a hook load >= 0; 0 if not found. With `pushed` it is the greatest one by a
    !> push at the top that the pipe carries. With `coiled`, friction includes helical buckling, and the hook load may be below

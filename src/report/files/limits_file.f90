@@ -104,16 +104,15 @@ contains
                'weight on bit at which buckling begins (soft string); 0: buckles without WOB; empty for operations that pull', &
                whole%wob_buckling)
       call add(row, 'wob_no_hookload', quantity_force, &
-               'weight on bit at zero hook load (soft string, without friction of helical buckling: an upper bound of '// &
-               'wob_lockup without max_push)', whole%wob_no_hookload)
+               'weight on bit at zero hook load (soft string, without friction of helical buckling)', whole%wob_no_hookload)
       call add(row, 'rig_limit', quantity_force, 'max_hookload of &rig, or rig_limit of &job', whole%rig_limit)
       call add(row, 'rig_margin', quantity_force, 'rig_limit - hook load - block_weight of &rig', whole%rig_margin)
       call add(row, 'makeup_margin', quantity_moment, &
                'make-up torque - torque, least along the string; empty without make-up torque', whole%makeup_margin)
       call add(row, 'makeup_margin_md', quantity_length, 'measured depth of this value', whole%makeup_margin_md)
       call add(row, 'wob_lockup', quantity_force, &
-               'wob_no_hookload with friction of helical buckling and max_push of &rig, same while rotating; beams may lock '// &
-               'up at less WOB', &
+               'the same with friction of helical buckling and max_push of &rig; where mcge slides, all friction times the '// &
+               'factor that gives its hook load; beams may lock up at less WOB', &
                whole%wob_lockup)
    end subroutine add_margins
 
