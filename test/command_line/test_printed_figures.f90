@@ -24,6 +24,7 @@ contains
       call suite%addTest(TestMethod('slips', test_slips))
       call suite%addTest(TestMethod('locked_up_and_burst', test_burst))
       call suite%addTest(TestMethod('weight_of_coiled_pipe', test_coiled_weight))
+      call suite%addTest(TestMethod('weight_below_the_pipe', test_below_pipe))
       call suite%addTest(TestMethod('pump_pressure_advised', test_pump))
       call suite%addTest(TestMethod('yield_under_weight_on_bit', test_yield))
       call suite%addTest(TestMethod('tubing_in_its_hanger', test_hanger))
@@ -424,4 +425,27 @@ contains
                 "&load_case name = 'c', operation = 'sliding', bit_depth = 2200, wob = "//to_text(weight)//' /'//newline
       end function lateral
    end subroutine test_coiled_weight
+
+   !> Weight below the drill pipe: wash pipe is none, and casing alone has none.
+   subroutine test_below_pipe()
+      character(*), parameter :: words = ' of it below the drill pipe'
+      type(run_type) :: run
+      character(:), allocatable :: text, washing
+      text = well('soft', '0.2', "operation = 'up'")
+      run = run_deck_text(text)
+      call assertTrue(index(run%output, weight_below(100.0_wp, 0.1651_wp, 0.0714_wp)//words) > 0, message=run%output)
+      washing = replaced(text, "&component name = 'dc'", "&component kind = 'washpipe', length = 50, od = 165.1, id = 71.4 /"// &
+                         newline//"&component name = 'dc'")
+      run = run_deck_text(washing)
+      call assertTrue(index(run%output, weight_below(150.0_wp, 0.1651_wp, 0.0714_wp)//words) > 0, message=run%output)
+      run = run_deck_text(replaced(text, "name = 'dp'", "name = 'dp', kind = 'casing'"))
+      call assertEqual(0, index(run%output, words), message=run%output)
+   contains
+      !> Weight in mud of steel, three digits.
+      function weight_below(length, od, id) result(text)
+         real(wp), intent(in) :: length, od, id   !< [m]
+         character(:), allocatable :: text
+         text = to_text(length*0.25e-3_wp*acos(-1.0_wp)*(od**2 - id**2)*(7850.0_wp - 1200.0_wp)*9.80665_wp, 3)//' kN'
+      end function weight_below
+   end subroutine test_below_pipe
 end module dg_test_printed_figures

@@ -1,7 +1,7 @@
 !> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
 module dg_well_head
    use dg_kinds, only: wp
-   use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_hwdp, is_pipe
+   use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_drill_pipe
    use dg_drillstring, only: component_tops, drillstring_type
    use dg_fluid, only: density_at, side_inside, side_outside
    use dg_fluid_pressure, only: stretch_type, stretches_of
@@ -221,7 +221,7 @@ contains
       mud = 0.0_wp
       collars = 0.0_wp
       allocate (stretches, source=stretches_of(model, string, bit))
-      pipe = findloc(is_pipe(string%components) .and. .not. is_hwdp(string%components), .true., dim=1)
+      pipe = findloc(is_drill_pipe(string%components), .true., dim=1)
       if (pipe == 0) pipe = size(string%components) + 1
       do i = 1, size(stretches)
          associate (part => string%components(stretches(i)%component))

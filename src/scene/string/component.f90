@@ -16,7 +16,8 @@ module dg_component
    public :: closed_diameter, contact_diameter, centralizer_diameter, opens, is_open
    public :: effective_joint_length, find_bowing
    public :: buoyed_weight, has_blades, has_joints, joint_bore, worn_od, is_worn, has_bend, has_pad, &
-             is_bit, is_eccentric, is_hwdp, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, shortest_contact, usual_yield_loss
+             is_bit, is_eccentric, is_hwdp, is_drill_pipe, is_pipe, is_coiled_tubing, room_of, room_of_held_bit, &
+             shortest_contact, usual_yield_loss
 
    !> Beginning of the kind of a stabilizer, in either spelling or short.
    character(*), parameter :: stabilizer = 'stab'
@@ -268,6 +269,16 @@ contains
       is = kind == '' .or. index(kind, 'pipe') > 0 .or. &
            any(kind == [character(10) :: 'hwdp', 'casing', 'liner', 'tubing', 'sucker_rod', 'rod'])
    end function is_pipe
+
+   !> True for drill pipe: no heavy weight pipe, wash pipe, casing, tubing or rods.
+   elemental function is_drill_pipe(component) result(is)
+      type(component_type), intent(in) :: component
+      logical :: is
+      is = .true.
+      if (.not. allocated(component%kind)) return
+      if (component%kind /= '') is = index(lower_case(component%kind), 'pipe') > 0 .and. &
+                                     index(lower_case(component%kind), 'wash') == 0
+   end function is_drill_pipe
 
    !> True for heavy weight drill pipe, whose weight serves as weight on bit.
    elemental function is_hwdp(component) result(is)
