@@ -169,9 +169,12 @@ contains
                       message=run%output)
       call assertTrue(index(run%output, 'Warning: upper: the measurements ask for friction below 0; look for another cause') > 0, &
                       message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Do not rely on them: after the calibration friction is 0 in upper') > 0, &
+                      message=run%output)
       run = run_deck_text(replaced(text, 'apply', "separate = 'none', apply"))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(0, index(run%output, 'at its bound'), message=run%output)
+      call assertEqual(0, index(unwrapped(run%output), 'Do not rely'), message=run%output)
    end subroutine test_bound
 
    !> Parts find the same friction each, and join.

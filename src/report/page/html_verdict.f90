@@ -55,7 +55,7 @@ contains
       call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
-      other = interval_line(wholes)
+      other = interval_line(model, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       do i = 1, size(job%models)
          other = unlike_text(job, model, results, wholes, job%models(i))

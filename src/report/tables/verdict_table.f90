@@ -56,7 +56,7 @@ contains
          end associate
       end do
       call append_wrapped(lines, unchecked_line(job, model, results, wholes))
-      call append_wrapped(lines, interval_line(wholes))
+      call append_wrapped(lines, interval_line(model, wholes))
       do i = 1, size(job%models)
          call append_wrapped(lines, unlike_text(job, model, results, wholes, job%models(i)))
       end do
@@ -119,13 +119,24 @@ contains
       end function named
    end function summary_line
 
-   !> Say that answers use calibrated friction without an interval; '' if none does.
-   pure function interval_line(wholes) result(text)
+   !> Say that answers use calibrated friction without an interval; '' if none does. A section without any friction is a fault of
+   !> the measurements.
+   pure function interval_line(model, wholes) result(text)
+      type(model_type), intent(in) :: model
       type(whole_string_type), intent(in) :: wholes(:)
       character(:), allocatable :: text
+      type(text_type), allocatable :: names(:)
+      integer :: i
       text = ''
-      if (any(wholes%verdict%friction == friction_calibrated)) text = 'Answers hold for the friction found. Not every hole '// &
-         'section has a 95 % interval of it, so its upper end is not tried.'
+      if (.not. any(wholes%verdict%friction == friction_calibrated)) return
+      text = 'Answers hold for the friction found. Not every hole section has a 95 % interval of it, so its upper end is not tried.'
+      allocate (names(0))
+      do i = 1, size(model%holes)
+         if (.not. max(model%holes(i)%friction_axial, model%holes(i)%friction_rotary) > 0.0_wp) &
+            call append_text(names, either(model%holes(i)%name, 'a hole section', model%holes(i)%name /= ''))
+      end do
+      if (size(names) > 0) text = text//' Do not rely on them: after the calibration friction is 0 in '// &
+         first_names(names, most_names)//'. See its warnings.'
    end function interval_line
 
    !> Limits that count for cases with an answer and have no rating in the deck: those of all these cases, then what some have
