@@ -98,7 +98,7 @@ contains
       run = run_deck_text(replaced(deck(from), 'friction_deviation = 0.02', "friction_from = 'K'"))
       call assertEqual(0, run%status, message=run%diagnostics)
       ends = [0.2_wp, 0.3_wp] + 1.959963984540054_wp*deviations
-      call assertTrue(index(run%output, newline//'Upper end of its 95 % interval, section by section '// &
+      call assertTrue(index(run%output, newline//'Upper end of its 95 % interval, each section alone (together less): '// &
                             to_text(ends(1), 3)//' in upper, '//to_text(ends(2), 3)//' in lower'//newline) > 0, message=run%output)
       allocate (found, source=lines_of(results_path//'/uncertainty_u.csv'))
       if (anyExceptions()) return

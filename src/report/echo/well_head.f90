@@ -35,13 +35,16 @@ contains
       type(text_type), allocatable :: lines(:)
       real(wp) :: deepest, air, mud, collars
       character(:), allocatable :: line
+      logical :: several
       integer :: i
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
       call append_text(lines, friction_line(model))
       if (present(upper)) then
+         several = size(upper%holes) > 1
          if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &
-            'Upper end of its 95 % interval, section by section'//sections_text(upper%holes))
+            'Upper end of its 95 % interval'//either(', each section alone (together less):', '', several)// &
+            sections_text(upper%holes))
       end if
       do i = 1, size(model%strings)
          deepest = deepest_bit(model, model%strings(i))
