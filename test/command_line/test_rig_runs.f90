@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('sweep_of_pairs_and_limits', test_sweep))
       call suite%addTest(TestMethod('push_of_the_rig', test_push))
       call suite%addTest(TestMethod('push_in_other_units', test_push_units))
+      call suite%addTest(TestMethod('push_without_need', test_no_need))
       call suite%addTest(TestMethod('hanger_that_holds_down', test_hanger))
       call suite%addTest(TestMethod('bad_groups', test_bad))
    end function rig_runs_suite
@@ -322,6 +323,17 @@ contains
          '&rig max_push = '//to_text(max_push)//' /'//newline// &
          "&load_case name = 'push', operation = 'slide', bit_depth = "//to_text(bit_depth)//', wob = '//to_text(wob)//' /'
    end function crossing
+
+   !> A rig that may push does not hide how much of the string weight drag takes. Weight and push carry drag together.
+   subroutine test_no_need()
+      real(wp), parameter :: most = 10.0_wp
+      type(run_type) :: run
+      run = run_deck_text(deck(friction, rig_group(block)))
+      call assertTrue(index(unwrapped(run%output), 'string weight along the hole (') > 0, message=run%output)
+      run = run_deck_text(deck(friction, replaced(rig_group(block), '&rig', '&rig max_push = '//to_text(most)//',')))
+      call assertTrue(index(unwrapped(run%output), 'string weight and push ('//to_text(along + most, 4)//' kN), drag takes ') > 0, &
+                      message=run%output)
+   end subroutine test_no_need
 
    !> A rotating string without weight along a level hole needs a push of its weight on bit, in all units.
    subroutine test_push_units()

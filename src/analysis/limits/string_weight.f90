@@ -59,7 +59,7 @@ contains
             verdict%limit = limit_string_weight
             verdict%used = optional_real(weight > 0.0_wp .or. by_push, share)
             verdict%load = given(weight + needed_push(model, result%case_index, result%hookload))
-            verdict%allowed = given(weight)
+            verdict%allowed = given(weight + model%rig%max_push)
             if (by_push) then
                verdict%load = given(verdict%push)
                verdict%allowed = given(verdict%max_push)
@@ -99,20 +99,21 @@ contains
 
    !> Part of the buoyed weight that weight on bit and friction take [-]; the hook load is the rest. It is > 1 if the string
    !> must be pushed. It is 0 if friction pulls the other way, and 2 if a floating string must be pushed. With a `max_push` it
-   !> is the part of that push which is needed: 0 as long as the weight is enough.
+   !> is the part of weight and push that they take. As soon as a push is needed it is the part of that push.
    elemental function weight_share(model, load_case, result) result(share)
       type(model_type), intent(in) :: model
       type(load_case_type), intent(in) :: load_case
       type(case_result_type), intent(in) :: result
       real(wp) :: share
-      real(wp) :: weight
+      real(wp) :: weight, push
       weight = own_weight(model, load_case, result)
-      if (model%rig%max_push > 0.0_wp) then
-         share = max(needed_push(model, result%case_index, result%hookload)/model%rig%max_push, 0.0_wp)
+      push = needed_push(model, result%case_index, result%hookload)
+      if (model%rig%max_push > 0.0_wp .and. push > 0.0_wp) then
+         share = push/model%rig%max_push
       else if (weight > 0.0_wp) then
-         share = max(1.0_wp - result%hookload/weight, 0.0_wp)
+         share = max((weight + push)/(weight + model%rig%max_push), 0.0_wp)
       else
-         share = merge(too_much, 0.0_wp, result%hookload < 0.0_wp)
+         share = merge(too_much, 0.0_wp, push > 0.0_wp)
       end if
    end function weight_share
 

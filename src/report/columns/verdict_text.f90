@@ -270,7 +270,7 @@ contains
       type(unit_system_type), intent(in) :: units
       type(load_case_type), intent(in) :: load_case
       type(verdict_type), intent(in) :: verdict
-      character(:), allocatable :: text
+      character(:), allocatable :: text, title
       character(sum_width) :: sums(3)      ! load, allowed load, what is left
       logical :: by_wob, by_push
       if (verdict%limit == 0) then
@@ -285,7 +285,10 @@ contains
          text = either('Nearest of the limits checked', 'Nearest limit', any(verdict%not_checked))
       end if
       by_push = verdict%limit == limit_string_weight .and. is_by_push(verdict)
-      text = text//': '//either('push at surface', shown_title(verdict%limit), by_push)//place_text(units, verdict)
+      title = shown_title(verdict%limit)
+      if (verdict%limit == limit_string_weight .and. verdict%max_push > 0.0_wp) &
+         title = either('push at surface', 'string weight and push', by_push)
+      text = text//': '//title//place_text(units, verdict)
       by_wob = any(verdict%limit == [limit_lock_up, limit_wob_yield])
       if (verdict%allowed%present) sums = sum_texts(units, verdict%limit, verdict%load%value, verdict%allowed%value)
       if (verdict%limit == limit_string_weight .and. .not. by_push) then
@@ -298,7 +301,7 @@ contains
       end if
       text = text//used_text(verdict%used%value)//' % used'
       if (verdict%allowed%present .and. .not. by_wob) text = text//', '//trim(sums(3))//' left'
-      if (verdict%limit == limit_string_weight .and. .not. by_push) text = text//' as hook load'
+      if (verdict%limit == limit_string_weight .and. .not. verdict%max_push > 0.0_wp) text = text//' as hook load'
    end function nearest_text
 
    !> Used part of a limit in percent; 100 only where all of it is used.
