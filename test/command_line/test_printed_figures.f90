@@ -221,6 +221,11 @@ contains
       call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
       run = run_deck_text(empty(0.99_wp*pump))
       call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+      run = run_deck_text(replaced(replaced(empty(0.0_wp), 'yield = 379', 'yield = 758'), 'density = 100,', 'density = 0,'))
+      call assertEqual(0, index(unwrapped(run%output), advice), message='nobody pumps up an empty string: '//run%output)
+      call assertTrue(index(unwrapped(run%output), 'Fill the empty string: ') > 0, message=run%output)
+      run = run_deck_text(replaced(replaced(empty(0.0_wp), 'yield = 379', 'yield = 758'), 'density = 100,', 'density = 1200,'))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message='filled: '//run%output)
    contains
       function pumped(pump) result(text)
          real(wp), intent(in) :: pump           !< [MPa]

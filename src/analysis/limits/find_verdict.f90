@@ -95,7 +95,8 @@ contains
             call find_limit_reach(model, result, whole%utilisation, design, rig_limit, verdict%reach)
          if (verdict%answer == answer_no .and. verdict%also == 0 .and. verdict%friction /= friction_upper_end_alone .and. &
              all(verdict%passed(limit_count + 1:) <= 1.0_wp)) &
-            call find_pump_pressure(model, result, design, rig_limit, verdict%limit, whole%wob_yield, verdict%pump_pressure)
+            call find_pump_pressure(model, result, design, rig_limit, verdict%limit, whole%wob_yield, verdict%pump_pressure, &
+                                    verdict%fill)
          if (verdict%part > 0) &
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate

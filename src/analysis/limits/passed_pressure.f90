@@ -6,6 +6,7 @@ module dg_passed_pressure
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
+   use dg_fluid, only: density_at, fills, mud_type, side_inside, side_outside
    use dg_job, only: model_soft
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
@@ -21,6 +22,8 @@ module dg_passed_pressure
    integer, parameter :: by_pressure(4) = [limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse]
    !> Accuracy of a pump pressure over its search [-].
    real(wp), parameter :: narrowness = 1.0e-5_wp
+   !> Density of air below which a string is empty [kg/m3]. Gas that is kept under pressure is heavier.
+   real(wp), parameter :: empty = 10.0_wp
 
 contains
 
@@ -65,7 +68,8 @@ contains
    !> Find the pump pressure with which a result that passes a limit by pressure passes no limit of dg_utilisation. It is the one
    !> next to the given pressure: less for burst, more for collapse. Pump pressure changes no axial force. Absent if there is no
    !> such pressure, for tubing in a packer, whose forces change, and where compressed pipe yields.
-   pure subroutine find_pump_pressure(model, result, design, rig_limit, limit, wob_yield, pump)
+   !> An empty string is to be filled instead, if that prevents collapse.
+   pure subroutine find_pump_pressure(model, result, design, rig_limit, limit, wob_yield, pump, fill)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
       type(design_factors_type), intent(in) :: design
@@ -73,12 +77,19 @@ contains
       integer, intent(in) :: limit                       !< that is passed
       type(optional_real), intent(in) :: wob_yield       !< weight on bit at which compressed pipe yields [N]
       type(optional_real), intent(out) :: pump           !< [Pa]
+      logical, intent(out) :: fill                       !< true: fill the string with the fluid outside
       type(bracket_type) :: bracket
       type(utilisation_type) :: uses
       real(wp) :: now, far, left, pressure
+      fill = .false.
       if (all(by_pressure /= limit) .or. model%boundary%packer_bore > 0.0_wp) return
       if (wob_yield%present .and. model%cases(result%case_index)%wob > wob_yield%value) return
       now = model%cases(result%case_index)%pump_pressure
+      if (.not. is_burst(limit) .and. is_empty()) then
+         uses = uses_at(now, filled(model%mud))
+         fill = uses%used(uses%governing)%value <= 1.0_wp + as_much
+         if (fill) return
+      end if
       uses = uses_at(now)
       left = 1.0_wp - uses%used(limit)%value
       far = now + merge(-1.0_wp, 1.0_wp, is_burst(limit))*uses%load(limit)
@@ -94,18 +105,40 @@ contains
       uses = uses_at(bracket%low)
       if (uses%used(uses%governing)%value <= 1.0_wp + as_much) pump = given(bracket%low)
    contains
-      !> Uses of all limits with a pump pressure [Pa].
-      pure function uses_at(pressure) result(uses)
+      !> True if the string is empty anywhere between its top and the bit.
+      pure function is_empty() result(is)
+         logical :: is
+         integer :: i
+         is = .false.
+         do i = 1, size(result%profile%md)
+            is = density_at(model%mud, side_inside, result%profile%md(i), model%cases(result%case_index)%bit_depth) < empty
+            if (is) return
+         end do
+      end function is_empty
+
+      !> Uses of all limits with a pump pressure [Pa], and with another mud.
+      pure function uses_at(pressure, mud) result(uses)
          real(wp), intent(in) :: pressure
+         type(mud_type), intent(in), optional :: mud
          type(utilisation_type) :: uses
          type(model_type) :: other
          type(along_string_type) :: along
          other = model
          other%cases(result%case_index)%pump_pressure = pressure
+         if (present(mud)) other%mud = mud
          call find_along_string(other, result, along)
          call find_utilisation(other, result, along, design, rig_limit, uses)
       end function uses_at
    end subroutine find_pump_pressure
+
+   !> Fluids of a string that is filled with those outside.
+   pure function filled(mud)
+      type(mud_type), intent(in) :: mud
+      type(mud_type) :: filled
+      if (.not. allocated(mud%fluids)) return
+      allocate (filled%fluids, source=pack(mud%fluids, fills(mud%fluids, side_outside)))
+      filled%fluids%inside = .true.
+   end function filled
 
    !> True for a limit of pressure inside.
    elemental function is_burst(limit) result(is)

@@ -69,6 +69,7 @@ module dg_verdict
       type(optional_real) :: most_wob               !< largest weight on bit by string weight and that push [N]
       type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
       type(optional_real) :: pump_pressure          !< no by burst or collapse: pump pressure with which the answer is yes [Pa]
+      logical :: fill = .false.                     !< no by collapse: the answer is yes if the empty string is filled
       integer :: also = 0                           !< no: another limit that is also passed, 0: none
       real(wp) :: also_load = 0.0_wp, also_allowed = 0.0_wp   !< load there and allowed load [N, N.m, Pa or s]
       logical :: alone = .false.                    !< no without a solution: of the other limits only pressure is known

@@ -199,6 +199,7 @@ contains
             text = text//'. No shallower bit depth is possible either'
          end if
       end if
+      if (verdict%fill) text = text//'. Fill the empty string: with the fluid outside in it the answer becomes yes'
       if (verdict%pump_pressure%present) text = text//'. The answer becomes yes with a pump_pressure of at '// &
          pump_text(units, verdict)
       if (verdict%turning_hookload%present) &
