@@ -24,6 +24,7 @@ contains
       suite = TestSuite('calibration_runs')
       call suite%addTest(TestMethod('known_friction', test_known))
       call suite%addTest(TestMethod('block_left_out_of_measurements', test_block_left_out))
+      call suite%addTest(TestMethod('measured_on_one_side', test_one_side))
       call suite%addTest(TestMethod('without_scatter', test_without_scatter))
       call suite%addTest(TestMethod('predicted', test_predicted))
       call suite%addTest(TestMethod('coverage', test_coverage))
@@ -66,6 +67,26 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertEqual(0, index(run%output, warning), message=run%output)
    end subroutine test_block_left_out
+
+   !> Hook loads that are all measured 20 kN too high, pulled and lowered. The offset takes it, as the warning advises.
+   subroutine test_one_side()
+      real(wp), parameter :: friction = 0.2_wp, too_high(3) = [20.0_wp, 0.0_wp, -20.0_wp]
+      character(*), parameter :: warning(3) = [character(52) :: 'kN above those found, pulled and lowered alike', &
+                                               'pulled and lowered alike', 'kN below those found, pulled and lowered alike']
+      type(run_type) :: run
+      character(:), allocatable :: deck
+      integer :: i
+      do i = 1, size(too_high)
+         deck = straight_deck(0.5_wp*(along + friction*across) + too_high(i), along + friction*across + too_high(i), &
+                              along - friction*across + too_high(i), "&calibrate name = 'k', separate = 'none' /")
+         run = run_deck_text(deck)
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call assertTrue((index(unwrapped(run%output), trim(warning(i))) > 0) .eqv. i /= 2, message=run%output)
+         run = run_deck_text(replaced(deck, "separate = 'none'", "separate = 'none', offset = 'one'"))
+         call assertEqual(0, run%status, message=run%diagnostics)
+         call assertEqual(0, index(unwrapped(run%output), 'pulled and lowered alike'), message=run%output)
+      end do
+   end subroutine test_one_side
 
    !> Hook loads, and torques, of one friction factor: the deviation that is asked for gives its interval.
    subroutine test_without_scatter()

@@ -11,7 +11,7 @@ module dg_calibration_table
    use dg_deck_echo, only: hole_friction_text
    use dg_learnt_friction, only: learn_friction
    use dg_least_squares, only: fit_done
-   use dg_load_case, only: operation_label
+   use dg_load_case, only: block_way, operation_label
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: copy_without_cases, model_type
    use dg_number_text, only: append_wrapped, fixed_text
@@ -171,6 +171,7 @@ contains
                                 'without the block? Then leave out block_weight of &rig')
          end if
       end do
+      call append_wrapped(lines, one_sided_text(units, model, calibration, result))
       do k = 1, size(result%statistics%mixtures)
          associate (mixture => result%statistics%mixtures(k))
             call append_text(lines, 'Warning: the measurements cannot tell these factors apart. Each of them may be wrong, '// &
@@ -202,6 +203,34 @@ contains
          to_text(scatter, 2)//' times the standard deviations given: friction alone does not explain '// &
          'what was measured')
    end subroutine append_warnings
+
+   !> Warning of hook loads that are all measured on the same side of those found, pulled and lowered alike; '' if there is none.
+   !> Friction changes both ways by opposite amounts.
+   function one_sided_text(units, model, calibration, result) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(calibration_type), intent(in) :: calibration
+      type(calibration_result_type), intent(in) :: result
+      character(:), allocatable :: text
+      integer, parameter :: enough = 3         ! values
+      real(wp), parameter :: apart = 0.25_wp   ! the least difference over the largest one, which scatter does not reach
+      logical :: weighed(size(calibration%data))
+      real(wp) :: above(size(calibration%data)), least, most
+      integer :: way(size(calibration%data)), d
+      text = ''
+      weighed = calibration%data%kind == hookload_datum
+      if (any(calibration%unknowns%is_offset) .or. count(weighed) < enough) return
+      above = calibration%data%measured - result%fit%values
+      way = [(block_way(model%cases(calibration%cases(calibration%data(d)%case))%operation), d=1, size(way))]
+      if (.not. (any(way > 0 .and. weighed) .and. any(way < 0 .and. weighed))) return
+      least = minval(abs(above), mask=weighed)
+      most = maxval(abs(above), mask=weighed)
+      if (least < apart*most .or. any(weighed .and. above > 0.0_wp) .eqv. any(weighed .and. above < 0.0_wp)) return
+      text = 'Warning: all '//to_text(count(weighed))//' measured hook loads are '//fixed_text(least/units%force, 1)//' to '// &
+             fixed_text(most/units%force, 1)//' '//trim(units%force_label)//' '// &
+             either('above', 'below', any(weighed .and. above > 0.0_wp))//' those found, pulled and lowered alike. Friction '// &
+             'does not do that. Set offset = ''one'' in &calibrate, or check block_weight and the density of the mud'
+   end function one_sided_text
 
    !> Keys of the gauges whose standard deviation is not given.
    pure function deviations_wanted(calibration) result(keys)
