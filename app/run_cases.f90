@@ -1,6 +1,7 @@
 !> Solves the load cases of a deck with every model that it asks for, writes the results as they come, and prints them.
 module dg_run_cases
    use dg_along_string, only: along_string_type, find_along_string
+   use dg_bowed_pipe, only: with_joints_apart
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
    use dg_wear_files, only: write_casing_wear, write_fatigue
@@ -29,7 +30,6 @@ module dg_run_cases
    use dg_result_table, only: cost_table, result_table
    use dg_results_h5, only: write_results_h5
    use dg_run_outcome, only: note_cases
-   use dg_solve_by_beams, only: with_joints_apart
    use dg_solve_case, only: solve_case
    use dg_standard_output, only: flush_output
    use dg_stopping, only: stop_type

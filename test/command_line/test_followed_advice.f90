@@ -171,6 +171,8 @@ contains
                   "'smeared'", "'discrete'", 0)
       call follow(slid_pipe('260'), left_out//'. The string may lock up by it. Set tool_joints', &
                   "'smeared'", "'discrete'", 0)
+      call follow(replaced(slid_pipe('60'), 'inc = 0, 0', 'inc = 80, 80'), left_out//'. It may be a tenth of the weight. '// &
+                  'Set tool_joints', "'smeared'", "'discrete'", 0)
       call follow(replaced(slid_pipe('140'), sliding, "'rotary_drilling'"), ' of torque. Set tool_joints', "'smeared'", &
                   "'discrete'", 0)
       run = run_deck_text(longer(slid_pipe('140'), '1200'))

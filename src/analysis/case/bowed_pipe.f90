@@ -4,6 +4,7 @@ module dg_bowed_pipe
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
    use dg_component, only: has_joints
+   use dg_load_case, only: block_way
    use dg_length_change, only: asks_for_length
    use dg_model, only: model_type, string_index
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
@@ -12,7 +13,7 @@ module dg_bowed_pipe
    use dg_unit_kind, only: in_units, unit_force, unit_length, unit_moment
    implicit none
    private
-   public :: bows_between_joints, note_bowed_pipe
+   public :: bows_between_joints, note_bowed_pipe, with_joints_apart
 
    !> What smeared joints leave out, by the soft string.
    type :: left_out_type
@@ -21,13 +22,17 @@ module dg_bowed_pipe
       real(wp) :: weight = 0.0_wp       !< of the string [N]
       real(wp) :: all_torque = 0.0_wp   !< at surface, with smeared joints [N.m]
       real(wp) :: length = 0.0_wp       !< that buckling takes up [m]
+      real(wp) :: bowed = 0.0_wp        !< length of buckled pipe that bows out between its joints [m]
       logical :: locks_anyway = .false. !< the string locks up with smeared joints, too
       logical :: locks = .false.        !< the string locks up with joints one by one
    end type left_out_type
 
-   !> Friction that is left out, over weight or over torque, above which it counts [-]. Beams find up to fifty times as much as
-   !> the soft string, so that little is enough.
-   real(wp), parameter :: noticeable = 1.0e-3_wp
+   !> Length of pipe that bows out, above which its friction counts: about one joint [m]. Beams find up to a tenth of the hook
+   !> load where the soft string finds nothing. It knows no bow below the load at which the whole string buckles.
+   real(wp), parameter :: noticeable_bow = 10.0_wp
+   !> Friction that is left out, over weight or over torque, above which a message has its number [-]. Below, beams may still
+   !> find `hidden` of the weight.
+   real(wp), parameter :: noticeable = 1.0e-3_wp, hidden = 0.1_wp
    !> Length that is left out, above which it counts [m]. Seals in a packer are placed to some centimetres.
    real(wp), parameter :: noticeable_length = 0.01_wp
    !> Part of the message.
@@ -37,18 +42,18 @@ module dg_bowed_pipe
 
 contains
 
-   !> True where smeared joints leave out some of hook load or torque, or change the load at which the string locks up. Also where
-   !> they leave out some of a change of length that the deck asks for. Joints are then to be solved one by one.
+   !> True where pipe bows out between its joints: it is compressed by more than the Euler load of its length between them.
+   !> Smeared joints then leave out friction, and length that its buckling takes up. Joints are to be solved one by one.
    pure function bows_between_joints(model, case_index) result(bows)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       logical :: bows
-      type(left_out_type) :: less
+      real(wp) :: loads(2)
+      type(soft_totals_type) :: totals
       bows = smears_joints(model, case_index)
       if (.not. bows) return
-      call find_left_out(model, case_index, less)
-      bows = less%locks .or. less%hookload > noticeable*less%weight .or. less%torque > noticeable*less%all_torque .or. &
-             takes_length(model, case_index, less)
+      call find_loads(with_joints_apart(model), case_index, loads, totals)
+      bows = totals%bowed > noticeable_bow
    end function bows_between_joints
 
    !> True if smeared joints leave out some of a change of length that the deck asks for.
@@ -86,6 +91,9 @@ contains
          text = ', roughly '//in_units(model%units, unit_force, less%hookload, shown)//' of hook load, by beams often more'
       else if (less%torque > noticeable*less%all_torque) then
          text = ', roughly '//in_units(model%units, unit_moment, less%torque, shown)//' of torque'
+      else if (less%bowed > noticeable_bow) then
+         if (block_way(model%cases(case_index)%operation) < 0) result%left_out_friction = hidden*less%weight
+         text = '. It may be a tenth of the weight'
       else
          return
       end if
@@ -106,18 +114,25 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(left_out_type), intent(out) :: left_out
-      type(model_type) :: either
+      type(model_type) :: together
       type(soft_totals_type) :: totals, totals_apart
       real(wp) :: smeared(2), loads(2)
-      either = model
-      either%numerics%discrete_joints = .true.
-      call find_loads(either, case_index, loads, totals_apart)
-      either%numerics%discrete_joints = .false.
-      either%numerics%joints_by_need = .false.
-      call find_loads(either, case_index, smeared, totals)
+      call find_loads(with_joints_apart(model), case_index, loads, totals_apart)
+      together = model
+      together%numerics%discrete_joints = .false.
+      together%numerics%joints_by_need = .false.
+      call find_loads(together, case_index, smeared, totals)
       left_out = left_out_type(abs(loads(1) - smeared(1)), abs(loads(2) - smeared(2)), abs(totals%weight), abs(smeared(2)), &
-                               totals_apart%coil - totals%coil, totals%runaway, totals_apart%runaway)
+                               totals_apart%coil - totals%coil, totals_apart%bowed, totals%runaway, totals_apart%runaway)
    end subroutine find_left_out
+
+   !> The model with its tool joints one by one.
+   pure function with_joints_apart(model) result(apart)
+      type(model_type), intent(in) :: model
+      type(model_type) :: apart
+      apart = model
+      apart%numerics%discrete_joints = .true.
+   end function with_joints_apart
 
    !> Hook load and torque at surface of the soft string with the friction of buckling [N, N.m].
    pure subroutine find_loads(model, case_index, loads, totals)

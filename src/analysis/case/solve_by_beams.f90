@@ -2,9 +2,9 @@
 !>
 !> Smeared joints are exact enough where pipe lies along the hole. Helically buckled pipe also touches the hole between its joints,
 !> and bows out farther there. Smeared joints may then leave out most of the friction: of seven such wells, two lock up by it. They
-!> leave out a third of the length that buckling takes up. So joints are solved one by one where the soft string says that it
-!> matters, unless the deck asks for one of both ways. If that finds no equilibrium, the joints are smeared, and a message says
-!> so.
+!> leave out a third of the length that buckling takes up. Pipe that bows out between its joints, while the string as a whole does
+!> not buckle yet, may take a tenth of the hook load. So joints are solved one by one where pipe bows out, unless the deck asks for
+!> one of both ways. If that finds no equilibrium, the joints are smeared, and a message says so.
 module dg_solve_by_beams
    use dg_kinds, only: wp
    use dg_bowed_pipe, only: bows_between_joints, note_bowed_pipe
@@ -21,7 +21,7 @@ module dg_solve_by_beams
    use dg_unit_kind, only: in_units, unit_length
    implicit none
    private
-   public :: solve_by_beams, with_joints_apart
+   public :: solve_by_beams
 
    !> Most iterations with joints one by one. Of 60 wells that are solved so, the hardest takes 359.
    integer, parameter :: most_apart = 500
@@ -65,14 +65,6 @@ contains
       if (.not. totals_only .and. (tried .or. .not. model%numerics%joints_by_need)) &
          call note_bowed_pipe(model, case_index, tried, result)
    end subroutine solve_by_beams
-
-   !> The model with its tool joints one by one.
-   pure function with_joints_apart(model) result(apart)
-      type(model_type), intent(in) :: model
-      type(model_type) :: apart
-      apart = model
-      apart%numerics%discrete_joints = .true.
-   end function with_joints_apart
 
    !> Solve one load case with its joints as the model says.
    subroutine solve_one_way(model, case_index, totals_only, stop, result, error)

@@ -51,6 +51,7 @@ module dg_soft_string_loads
       real(wp) :: strain = 0.0_wp        !< largest in a helically buckled string, by compression and by the bending of the helix
                                          !< [-]
       real(wp) :: coil = 0.0_wp          !< length that helical buckling takes up, of Lubinski's helix [m]
+      real(wp) :: bowed = 0.0_wp         !< length of pipe that bows out between its tool joints [m]
       logical :: runaway = .false.       !< axial force grew without bound
       real(wp) :: runaway_md = 0.0_wp    !< depth where it did, above which nothing was integrated [m]
    end type soft_totals_type
@@ -238,6 +239,7 @@ contains
             call find_strain(piece, there, -force, strain, coil)
             sums%strain = max(sums%strain, strain)
             sums%coil = sums%coil + step*coil
+            if (piece%joint_height > 0.0_wp .and. -force > piece%euler) sums%bowed = sums%bowed + step
          end if
          if (abs(force) > runaway_force .or. sums%strain > bearable_strain) then
             sums%runaway = .true.

@@ -400,7 +400,7 @@ module dg_deck_keys
          meaning='solve a sliding string in helical buckling from a second start too; gives the range of hook loads'), &
       key_rule_type('solver', 'tool_joints', kind_text, default='auto', choices='auto smeared discrete', &
          meaning='smeared: joint_od touches all along; discrete: each joint, and pipe between; '// &
-         'auto: discrete if buckled, not with fast'), &
+         'auto: discrete if pipe bows, not with fast'), &
       key_rule_type('solver', 'linear_solver', kind_text, default='block', choices='block banded sparse', &
          meaning='solver of the linear equations'), &
       key_rule_type('solver', 'tolerance', low=round_off, high=0.1_wp, &
