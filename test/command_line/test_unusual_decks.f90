@@ -177,6 +177,11 @@ contains
    !> Left out: fluid, friction.
    subroutine test_fluid_and_friction()
       call mistake('&fluid density = 9.6 /'//newline, '', 'There is no &fluid')
+      call mistake('&fluid density = 9.6', "&fluid where = 'both'", 'group &fluid in line 6 has no density: the string is '// &
+                   'weighed in air. Give density, or density = 0 for air')
+      call mistake('&fluid density = 9.6', "&fluid density = 9.6, where = 'inside' / &fluid where = 'outside'", 'has no density')
+      call usual('&fluid density = 9.6', '&fluid density = 0')
+      call usual('&fluid density = 9.6', "&fluid density = 0.01, where = 'outside' / &fluid where = 'inside'")
       call mistake('diameter = 8.5, friction = 0.30', 'diameter = 8.5', '''open'' has no friction')
       call mistake('friction = 0.30', 'friction = 0.025', '''open'': friction = 0.025 is unusual. Usual is at least 0.03')
       call mistake('friction = 0.30', 'friction = 0.30, friction_running_in = 0.025', &

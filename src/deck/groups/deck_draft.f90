@@ -36,6 +36,7 @@ module dg_deck_draft
    type :: draft_fluid_type
       type(fluid_type) :: fluid
       logical :: has_tvd = .false.             !< its upper end is a true vertical depth
+      logical :: density_given = .false.
       real(wp) :: tvd_top = 0.0_wp             !< [m]
       integer :: line = 0
       integer :: line_tvd = 0, line_density = 0

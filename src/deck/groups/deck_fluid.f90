@@ -44,6 +44,7 @@ contains
       item%line = group%line
       item%line_tvd = line_of(group, 'tvd_top')
       item%line_density = line_of(group, 'density')
+      item%density_given = is_given(group, 'density')
       item%has_tvd = is_given(group, 'tvd_top') .and. is_sound(group, 'tvd_top')
       item%tvd_top = real_of(group, 'tvd_top', 0.0_wp)
       associate (fluid => item%fluid)

@@ -5,7 +5,7 @@ module dg_unusual_input
    use dg_constants, only: degree, foot, inch
    use dg_component, only: component_type, has_joints, is_bit, is_pipe, opens
    use dg_contact_friction, only: axial_friction
-   use dg_deck_draft, only: draft_hole_type, draft_type, lowest_of, string_use_type
+   use dg_deck_draft, only: draft_fluid_type, draft_hole_type, draft_type, lowest_of, string_use_type
    use dg_load_case, only: moves_axially, operation_static, rotates
    use dg_meant_units, only: deepest_model
    use dg_missing, only: is_missing
@@ -63,20 +63,7 @@ contains
       if (size(draft%fluids) == 0) call append_text(notes, 'There is no &fluid: the string is weighed in air. Mud takes '// &
                                                     'about 15 % off its weight')
       do i = 1, size(draft%fluids)
-         associate (fluid => draft%fluids(i)%fluid)
-            call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
-            call note_range(draft%units, 'group &fluid', usual_surface, fluid%surface_pressure, notes)
-            if (fluid%density > 0.0_wp .and. .not. (fluid%inside .and. fluid%outside)) &
-               call note_light(draft%units, 'group &fluid in line '//to_text(draft%fluids(i)%line)//': density', fluid%density, &
-                               largest_pressure(draft), notes)
-            if (fluid%above_bit > 0.0_wp .and. fluid%above_bit >= deepest_bit(draft, uses)) &
-               call append_text(notes, 'group &fluid: above_bit = '//in_units(draft%units, unit_length, fluid%above_bit, &
-               depth_digits)//' is longer than any string in the hole, so that this fluid fills all of it'// &
-               feet_question(draft%units, fluid%above_bit, deepest_bit(draft, uses)))
-            if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
-               in_units(draft%units, unit_length, fluid%md_top, depth_digits)//' is below the hole, so that this fluid '// &
-               'is nowhere. Give the depth where it begins')
-         end associate
+         call note_fluid(draft, draft%fluids(i), deepest_bit(draft, uses), notes)
       end do
       if (.not. fitted) call note_friction(draft, notes)
       do i = 1, size(draft%holes)
@@ -117,6 +104,29 @@ contains
                         draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
       end do
    end subroutine note_unusual
+
+   !> One fluid: its numbers, and a density that is left out where the string is weighed in it.
+   subroutine note_fluid(draft, item, deepest, notes)
+      type(draft_type), intent(in) :: draft
+      type(draft_fluid_type), intent(in) :: item
+      real(wp), intent(in) :: deepest     !< bit of all cases and studies [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      associate (fluid => item%fluid, what => 'group &fluid in line '//to_text(item%line))
+         if (fluid%outside .and. .not. item%density_given) call append_text(notes, what//' has no density: the string is '// &
+            'weighed in air. Give density, or density = 0 for air')
+         call note_range(draft%units, 'group &fluid', usual_density, fluid%density, notes)
+         call note_range(draft%units, 'group &fluid', usual_surface, fluid%surface_pressure, notes)
+         if (fluid%density > 0.0_wp .and. .not. (fluid%inside .and. fluid%outside)) &
+            call note_light(draft%units, what//': density', fluid%density, largest_pressure(draft), notes)
+         if (fluid%above_bit > 0.0_wp .and. fluid%above_bit >= deepest) &
+            call append_text(notes, 'group &fluid: above_bit = '//in_units(draft%units, unit_length, fluid%above_bit, &
+            depth_digits)//' is longer than any string in the hole, so that this fluid fills all of it'// &
+            feet_question(draft%units, fluid%above_bit, deepest))
+         if (fluid%md_top >= draft%stations%md(size(draft%stations%md))) call append_text(notes, 'group &fluid: md_top = '// &
+            in_units(draft%units, unit_length, fluid%md_top, depth_digits)//' is below the hole, so that this fluid '// &
+            'is nowhere. Give the depth where it begins')
+      end associate
+   end subroutine note_fluid
 
    !> Largest pressure of pump, annulus and surface [Pa].
    pure function largest_pressure(draft) result(pressure)
