@@ -27,6 +27,8 @@ contains
       call suite%addTest(TestMethod('mud_weights', test_mud_weights))
       call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('pressures_and_widths', test_pressures))
+      call suite%addTest(TestMethod('joints_and_fatigue', test_joints))
+      call suite%addTest(TestMethod('deviations', test_deviations))
    end function followed_units_suite
 
    !> A deviated well in SI, or in the units of the field.
@@ -109,6 +111,41 @@ contains
       call follow('field', '&rig', '&strength slip_length = 0.4064 / &rig', 'slip_length = 0.4064 in is unusual. Usual is '// &
                   'at least 3.937 in. Is it in m? Then write 16', '&strength slip_length = 16 / &rig')
    end subroutine test_ranges
+
+   !> Strength and bore of tool joints, strength of an own fatigue curve.
+   subroutine test_joints()
+      character(*), parameter :: own = "yield = 931, fatigue_curve = 'own', fatigue_limit = "
+      call follow('SI', 'yield = 931', "yield = 931, connection = 'NC50', joint_id = 82.6, joint_yield = 120", &
+                  'joint_yield = 120 MPa is unusual. Usual is at least 150 MPa. Is it in ksi? Then write 827.4', &
+                  "yield = 931, connection = 'NC50', joint_id = 82.6, joint_yield = 827.4")
+      call follow('SI', 'yield = 931', 'yield = 931, joint_id = 3.25', 'joint_id = 3.25 mm is unusual. Usual is at least '// &
+                  '15 mm. Is it in inches? Then write 82.55', 'yield = 931, joint_id = 82.55')
+      call follow('SI', 'yield = 931', own//'20', 'fatigue_limit = 20 MPa is unusual. Usual is at least 30 MPa. Is it in ksi? '// &
+                  'Then write 137.9', own//'137.9')
+      call follow('field', 'yield = 135', "yield = 135, fatigue_curve = 'own', fatigue_limit = 138", 'fatigue_limit = 138 ksi '// &
+                  'is unusual. Usual is at most 87 ksi. Is it in MPa? Then write 20.02', &
+                  "yield = 135, fatigue_curve = 'own', fatigue_limit = 20.02")
+      call follow('SI', 'yield = 931', 'yield = 931, joint_fatigue_limit = 10', 'joint_fatigue_limit = 10 MPa is unusual. '// &
+                  'Usual is at least 15 MPa. Is it in ksi? Then write 68.95', 'yield = 931, joint_fatigue_limit = 68.95')
+      call follow('field', 'yield = 135', "yield = 135, fatigue_curve = 'own', fatigue_limit = 20, tensile_strength = 11.5", &
+                  'tensile_strength = 11.5 ksi is unusual. Usual is at least 29.01 ksi. Check the unit', &
+                  "yield = 135, fatigue_curve = 'own', fatigue_limit = 20, tensile_strength = 115")
+   end subroutine test_joints
+
+   !> Standard deviations of studies.
+   subroutine test_deviations()
+      character(*), parameter :: study = "&uncertainty operations = 'trip_out', model = 'soft', bit_depth_from = 4000, "// &
+         "samples = 50, "
+      call follow('metric', '&fluid', study//'density_deviation = 20 / &fluid', 'group &uncertainty: density_deviation = 20 sg '// &
+                  'is unusual. Usual is at most 0.54 sg. Is it in kg/m3? Then write 0.02', &
+                  study//'density_deviation = 0.02 / &fluid')
+      call follow('SI', '&fluid', study//'hookload_deviation = 20000 / &fluid', 'hookload_deviation = 20000 kN is unusual. '// &
+                  'Usual is at most 3600 kN. Is it in N? Then write 20', study//'hookload_deviation = 20 / &fluid')
+      call follow('SI', '&fluid', study//'torque_deviation = 1000 / &fluid', 'torque_deviation = 1000 kN.m is unusual. Usual '// &
+                  'is at most 40 kN.m. Is it in N.m? Then write 1', study//'torque_deviation = 1 / &fluid')
+      call follow('SI', '&fluid', study//'friction_deviation = 0.4 / &fluid', 'friction_deviation = 0.4 is unusual. Usual is '// &
+                  'at most 0.2', study//'friction_deviation = 0.04 / &fluid')
+   end subroutine test_deviations
 
    !> Numbers of casing, completion and rig that were read in another unit.
    subroutine test_pressures()

@@ -96,6 +96,7 @@ contains
          part%kind = text_of(group, 'kind', 'drillpipe')
          part%name = text_of(group, 'name', part%kind)
          item%mass_given = is_given(group, 'mass')
+         item%joint_yield = real_of(group, 'joint_yield', item%joint_yield)
          select case (text_of(group, 'wear_class', 'new'))
          case ('premium'); part%wall_left = premium_wall
          case ('class2'); part%wall_left = class_2_wall

@@ -30,6 +30,7 @@ module dg_open_deck
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: deck_system, unit_system, unit_system_type, si_units
+   use dg_unusual_case, only: note_deviations
    use dg_unusual_input, only: note_unusual
    use dg_unusual_rig, only: note_rig
    implicit none
@@ -98,6 +99,7 @@ contains
       fitted = .false.
       if (allocated(deck%estimates)) fitted = size(deck%estimates) > 0
       call note_unusual(deck%draft, deck%uses, fitted, notes)
+      call note_deviations(deck%draft%units, deck%groups, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
       call note_fluids(model, deck%draft%units, notes)
       call note_rig(model, deck%uses, deck%draft%units, notes)

@@ -1,6 +1,7 @@
 !> Notes on legal but unusual loads, speeds and temperatures of a load case or a study. Each has one note.
 module dg_unusual_case
    use dg_kinds, only: wp
+   use dg_checked_group, only: checked_group_type, real_of
    use dg_component, only: is_bit, opens
    use dg_deck_draft, only: string_use_type
    use dg_hole_section, only: hole_section_at
@@ -15,11 +16,11 @@ module dg_unusual_case
    use dg_units, only: unit_system_type
    use dg_unusual_component, only: holds_any
    use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_annulus, usual_density, &
-                             usual_friction, usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, usual_trip_speed, &
-                             usual_warming_bottom, usual_warming_top, usual_wob
+                             usual_friction, usual_hookload, usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, &
+                             usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
-   public :: note_bit_loads, note_case, note_light, note_temperatures, note_use, is_gas
+   public :: note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas
 
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
@@ -281,6 +282,24 @@ contains
          call note_ways(units, what, use%operations(k), load_of(use%wob, k), load_of(use%tob, k), notes)
       end do
    end subroutine note_use
+
+   !> Adds notes on the standard deviations of studies.
+   subroutine note_deviations(units, groups, notes)
+      type(unit_system_type), intent(in) :: units
+      type(checked_group_type), intent(in) :: groups(:)
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      character(*), parameter :: keys(*) = [character(18) :: 'friction_deviation', 'density_deviation', 'hookload_deviation', &
+                                            'torque_deviation']
+      integer, parameter :: ranges(size(keys)) = [usual_friction, usual_density, usual_hookload, usual_measured]
+      integer :: i, k
+      do i = 1, size(groups)
+         do k = 1, size(keys)
+            if (.not. any(groups(i)%values%key == keys(k))) cycle
+            call note_range(units, 'group &'//groups(i)%name, ranges(k), real_of(groups(i), trim(keys(k)), 0.0_wp), notes, &
+                            deviation=trim(keys(k)))
+         end do
+      end do
+   end subroutine note_deviations
 
    !> Load of an operation: one for each, one for all or none.
    pure function load_of(loads, k) result(load)

@@ -13,9 +13,9 @@ module dg_unusual_component
    use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment, &
                            unit_stress
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_compression, usual_joint_length, &
-                             usual_joint_spacing, usual_joint_torsion, usual_makeup, usual_restoring, usual_running_force, &
-                             usual_tension, usual_yield
+   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_compression, usual_fatigue, usual_joint_fatigue, &
+                             usual_joint_id, usual_joint_length, usual_joint_spacing, usual_joint_torsion, usual_joint_yield, &
+                             usual_makeup, usual_restoring, usual_running_force, usual_tensile, usual_tension, usual_yield
    implicit none
    private
    public :: holds_any, note_component, note_joint, note_place, note_twice
@@ -65,6 +65,11 @@ contains
       of_springs = 'group &centralizer of '//quoted(item%component%name)
       associate (part => item%component)
          if (part%yield > 0.0_wp) call note_range(units, what, usual_yield, part%yield, notes)
+         if (item%joint_yield > 0.0_wp) call note_range(units, what, usual_joint_yield, item%joint_yield, notes)
+         if (part%joint_id > 0.0_wp) call note_range(units, what, usual_joint_id, part%joint_id, notes)
+         if (part%fatigue%limit > 0.0_wp) call note_range(units, what, usual_fatigue, part%fatigue%limit, notes)
+         if (part%fatigue%tensile > 0.0_wp) call note_range(units, what, usual_tensile, part%fatigue%tensile, notes)
+         if (part%joint_fatigue%limit > 0.0_wp) call note_range(units, what, usual_joint_fatigue, part%joint_fatigue%limit, notes)
          call note_range(units, what, usual_makeup, part%makeup_torque, notes)
          call note_range(units, what, usual_joint_torsion, part%joint_torsion, notes)
          call note_range(units, of_springs, usual_restoring, part%centralizer%restoring_force, notes)

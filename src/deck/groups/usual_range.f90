@@ -15,7 +15,8 @@ module dg_usual_range
              usual_gravity, usual_hours, usual_warming_top, usual_warming_bottom, usual_ambient_top, usual_ambient_bottom, &
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
              usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips, &
-             usual_surface, usual_annulus, usual_casing_yield, usual_hole, usual_bore, usual_tension, usual_compression
+             usual_surface, usual_annulus, usual_casing_yield, usual_hole, usual_bore, usual_tension, usual_compression, &
+             usual_joint_yield, usual_joint_id, usual_fatigue, usual_joint_fatigue, usual_tensile
 
    !> Usual range of a key.
    type :: usual_type
@@ -33,12 +34,13 @@ module dg_usual_range
                          usual_bend = 24, usual_lines = 25, usual_sheave = 26, usual_wear = 27, usual_restoring = 28, &
                          usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32, &
                          usual_slips = 33, usual_surface = 34, usual_annulus = 35, usual_casing_yield = 36, usual_hole = 37, &
-                         usual_bore = 38, usual_tension = 39, usual_compression = 40
+                         usual_bore = 38, usual_tension = 39, usual_compression = 40, usual_joint_yield = 41, usual_joint_id = 42, &
+                         usual_fatigue = 43, usual_joint_fatigue = 44, usual_tensile = 45
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(40) = [ &
+   type(usual_type), parameter :: usual(45) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -79,10 +81,17 @@ module dg_usual_range
       usual_type('diameter', unit_diameter, 0.0_wp, 1.6_wp, 'crossings and conductors of 60 in'), &
       usual_type('packer_bore', unit_diameter, 0.02_wp, 0.5_wp, 'slim tubing 1 in; tie-back of 13 3/8 in'), &
       usual_type('tension_efficiency', unit_none, 0.1_wp, 2.0_wp, 'connections 0.3 to 1.2 of the body'), &
-      usual_type('compression_efficiency', unit_none, 0.1_wp, 2.0_wp, 'connections 0.3 to 1.2 of the body')]
+      usual_type('compression_efficiency', unit_none, 0.1_wp, 2.0_wp, 'connections 0.3 to 1.2 of the body'), &
+      usual_type('joint_yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'as yield'), &
+      usual_type('joint_id', unit_diameter, 0.015_wp, 0.6_wp, 'slim pipe 1 in; casing of 20 in'), &
+      usual_type('fatigue_limit', unit_stress, 30.0e6_wp, 600.0e6_wp, 'pipe in brine 10 ksi; half the strength of hard steel'), &
+      usual_type('joint_fatigue_limit', unit_stress, 15.0e6_wp, 600.0e6_wp, 'threads 20 to 100 MPa of the bending beside them'), &
+      usual_type('tensile_strength', unit_stress, 200.0e6_wp, 1600.0e6_wp, 'soft aluminium 250 MPa; rods and pipe to 1,300 MPa')]
    integer, parameter :: digits = 4, few_digits = 3
-   !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare.
+   !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare, low endurance is not.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
+   !> Largest usual standard deviation over the largest usual value [-].
+   real(wp), parameter :: most_deviation = 0.2_wp
    !> Softest rock and solid steel [Pa].
    real(wp), parameter :: least_rock = 1.0e9_wp, steel = 2.1e11_wp
    !> Temperature of the air, 24 degC [K], and minutes of an hour.
@@ -99,19 +108,21 @@ contains
    end function is_unusual
 
    !> Adds a note on a value outside of its usual range.
-   subroutine note_range(units, what, number, value, notes)
+   subroutine note_range(units, what, number, value, notes, deviation)
       type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: what
       integer, intent(in) :: number       !< of the range
       real(wp), intent(in) :: value       !< [SI]
       type(text_type), allocatable, intent(inout) :: notes(:)
+      character(*), intent(in), optional :: deviation   !< key of a standard deviation; absent: the key of the range
       character(:), allocatable :: range
-      associate (low => usual(number)%low, high => usual(number)%high)
-         if (.not. is_unusual(number, value)) return
-         range = 'at least '//value_text(low, digits)
-         if (value > high) range = 'at most '//value_text(at_most(units, usual(number)%unit, high, few_digits), few_digits)
-      end associate
-      call append_text(notes, what//': '//trim(usual(number)%key)//' = '//value_text(value, digits)// &
+      type(usual_type) :: row
+      row = usual(number)
+      if (present(deviation)) row = usual_type(deviation, row%unit, 0.0_wp, most_deviation*row%high, '')
+      if (value >= row%low .and. value <= row%high) return
+      range = 'at least '//value_text(row%low, digits)
+      if (value > row%high) range = 'at most '//value_text(at_most(units, row%unit, row%high, few_digits), few_digits)
+      call append_text(notes, what//': '//trim(row%key)//' = '//value_text(value, digits)// &
                        ' is unusual. Usual is '//range// &
                        either(unit_question(), '', all(number /= [usual_friction, usual_running_in, usual_lines, usual_sheave])))
 
@@ -120,10 +131,8 @@ contains
       !> Questions for the unit, with the number that is right for another one in which it would be usual.
       function unit_question() result(text)
          character(:), allocatable :: text
-         type(usual_type) :: row
          real(wp) :: least, most
          text = ''
-         row = usual(number)
          select case (number)
          case (usual_hours)
             text = '. Is it in minutes? Then write '//to_text(value/minutes, digits)
@@ -134,7 +143,8 @@ contains
             text = '. Is it a temperature? Then write its rise since the string was run'
          case default
             least = max(row%low, least_meant*row%high)
-            if (row%unit == unit_stress) least = least_steel*row%high
+            if (row%unit == unit_stress .and. all(number /= [usual_fatigue, usual_joint_fatigue])) least = least_steel*row%high
+            if (present(deviation)) least = most_deviation*least
             most = row%high
             if (row%unit == unit_wall) then
                least = least_rock
@@ -155,7 +165,7 @@ contains
          integer, intent(in) :: places        !< digits
          character(:), allocatable :: text
          text = to_text(number_in_si, places)
-         if (usual(number)%unit /= unit_none) text = in_units(units, usual(number)%unit, number_in_si, places)
+         if (row%unit /= unit_none) text = in_units(units, row%unit, number_in_si, places)
       end function value_text
    end subroutine note_range
 end module dg_usual_range
