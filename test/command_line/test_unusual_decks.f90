@@ -74,6 +74,7 @@ contains
 
    !> Radians, a mistyped station, metres read as feet.
    subroutine test_survey()
+      type(run_type) :: run
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 1.5708, 1.5708, 1.5708', 'Are the inclinations in radians?')
       call mistake('0, 0, 0, 90, 91, 90', '0, 0, 0, 0, 0, 1.047', 'Are the inclinations in radians?')
       call usual('0, 0, 0, 90, 91, 90', '0, 0, 0, 0, 0, 1.05')
@@ -90,6 +91,10 @@ contains
                    'and their units: are depths in m? 1 m is 3.281 ft')
       call mistake('&hole name = ''casing''', '&tortuosity kind = ''sine'', amplitude = 5, period = 60 / &hole name = ''casing''', &
                    'group &tortuosity: the dogleg is ')
+      run = run_deck_text(replaced(deck(), '&fluid', "&tortuosity kind = 'random', amplitude = 5, period = 95 / &fluid"), &
+                          '--check')
+      call assertTrue(index(run%output, 'random changes of 5 deg') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'group &trajectory'), message=run%output)
       call mistake('0, 2000, 8200, 9200, 12000, 15000', '0, 2000, 8200, 8290, 12000, 15000', &
                    'the dogleg is 100 deg/100 ft at 8290 ft. Usual in a hole of 8.5 in is at most 24.3 deg/100 ft. Check '// &
                    'depths, angles '// &

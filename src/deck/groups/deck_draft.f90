@@ -71,6 +71,7 @@ module dg_deck_draft
       character(:), allocatable :: path        !< of the deck
       type(unit_system_type) :: units
       type(station_list_type) :: stations
+      type(station_list_type) :: plan          !< stations of the deck, before tortuosity
       logical :: has_stations = .false.        !< stations are without fault
       integer :: trajectory_line = 0
       integer :: interpolation = interpolation_minimum_curvature

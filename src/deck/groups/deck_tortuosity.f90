@@ -31,6 +31,7 @@ contains
       integer, allocatable :: lines(:)
       integer :: i, k, before
       before = faults%noted
+      draft%plan = draft%stations
       allocate (sections(0), lines(0))
       do i = 1, size(groups)
          if (groups(i)%name /= 'tortuosity') cycle

@@ -5,6 +5,7 @@ module dg_unusual_survey
    use dg_deck_draft, only: draft_type
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of, turn_between
+   use dg_survey_file, only: station_list_type
    use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: at_most, in_units, unit_curvature, unit_diameter, unit_length
    implicit none
@@ -62,6 +63,7 @@ contains
       call note_swapped(draft, notes)
       call note_level(draft, notes)
       call note_doglegs(draft, notes)
+      call note_spikes(draft, notes)
       if (size(notes) == before) call note_steps(draft, notes)
       if (size(notes) == before) call note_turns(draft, notes)
    end subroutine note_survey
@@ -72,7 +74,7 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp) :: largest
       logical :: builds, one_way
-      associate (inclination => draft%stations%inclination, azimuth => draft%stations%azimuth)
+      associate (inclination => draft%plan%inclination, azimuth => draft%plan%azimuth)
          largest = maxval(inclination)
          if (largest > largest_of_both .or. largest < least_radian) return
          if (.not. azimuths_in_radians(pack(azimuth, inclination > 0.0_wp))) then
@@ -104,9 +106,9 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), allocatable :: azimuth(:)
       integer :: n
-      associate (inclination => draft%stations%inclination)
+      associate (inclination => draft%plan%inclination)
          if (maxval(inclination) <= 2.0_wp*pi*degree) return
-         azimuth = pack(modulo(draft%stations%azimuth, 2.0_wp*pi), inclination > azimuth_told)
+         azimuth = pack(modulo(draft%plan%azimuth, 2.0_wp*pi), inclination > azimuth_told)
          n = size(azimuth)
          if (n < few .or. maxval(azimuth) > 2.0_wp*pi*degree .or. abs(azimuth(n) - azimuth(1)) < least_turn) return
          if (any((azimuth(2:) - azimuth(:n - 1))*(azimuth(n) - azimuth(1)) < 0.0_wp)) return
@@ -135,12 +137,12 @@ contains
    subroutine note_swapped(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: azimuth(size(draft%stations%md))
+      real(wp) :: azimuth(size(draft%plan%md))
       integer :: half
-      azimuth = modulo(draft%stations%azimuth, 2.0_wp*pi)
+      azimuth = modulo(draft%plan%azimuth, 2.0_wp*pi)
       half = findloc(azimuth >= 0.5_wp*maxval(azimuth), .true., dim=1)
-      associate (inclination => draft%stations%inclination)
-         if (draft%stations%md(1) > surface .or. azimuth(1) > zero) return
+      associate (inclination => draft%plan%inclination)
+         if (draft%plan%md(1) > surface .or. azimuth(1) > zero) return
          if (.not. maxval(inclination) > 0.0_wp .and. maxval(azimuth) > bent .and. maxval(azimuth) < lying) &
             call append_text(notes, 'group &trajectory: all inclinations are 0, and the azimuth goes from 0 to '// &
                              to_text(maxval(azimuth)/degree, digits)//' deg. Are inc and azi swapped?')
@@ -158,8 +160,8 @@ contains
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), parameter :: level = 0.5_wp*pi
-      associate (inclination => draft%stations%inclination)
-         if (draft%stations%md(1) > surface .or. abs(inclination(1) - level) > zero) return
+      associate (inclination => draft%plan%inclination)
+         if (draft%plan%md(1) > surface .or. abs(inclination(1) - level) > zero) return
          if (maxval(inclination) > level + zero .or. minval(inclination) > level - plunge) return
          call append_text(notes, 'group &trajectory: the hole is level at surface, inc = '// &
                           to_text(inclination(1)/degree, digits)//' deg, and goes down deeper, inc = '// &
@@ -168,20 +170,17 @@ contains
       end associate
    end subroutine note_level
 
-   !> The sharpest dogleg, where it is sharp for its hole, and stations that point another way than both neighbours.
+   !> The sharpest dogleg, where it is sharp for its hole.
    subroutine note_doglegs(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: angles(size(draft%stations%md)), dogleg, worst, limit, usual_here
-      logical :: turns
+      real(wp) :: dogleg, worst, limit, usual_here
       integer :: i, place
       associate (stations => draft%stations, units => draft%units)
-         angles(1) = 0.0_wp
          worst = 1.0_wp
          place = 0
          do i = 2, size(stations%md)
-            angles(i) = between(i - 1, i)
-            dogleg = angles(i)/(stations%md(i) - stations%md(i - 1))
+            dogleg = angle_between(stations, i - 1, i)/(stations%md(i) - stations%md(i - 1))
             limit = max(least_dogleg, usual_dogleg*(usual_hole/diameter_at(stations%md(i)))**3)
             if (dogleg <= worst*limit) cycle
             worst = dogleg/limit
@@ -197,35 +196,8 @@ contains
             either('. Check amplitude and period', '. Check depths, angles and their units', draft%tortuous)// &
             either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
                    abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
-         place = 0
-         worst = 0.5_wp
-         do i = 2, size(stations%md) - 1
-            if (min(angles(i), angles(i + 1)) <= merge(close_spike, spike, &
-               angles(i) > spike_rate*(stations%md(i) - stations%md(i - 1)) .and. &
-               angles(i + 1) > spike_rate*(stations%md(i + 1) - stations%md(i)))) cycle
-            dogleg = between(i - 1, i + 1)/min(angles(i), angles(i + 1))
-            if (dogleg >= worst) cycle
-            worst = dogleg
-            place = i
-         end do
-         if (place == 0) return
-         turns = abs(turn_between(stations%azimuth(place), stations%azimuth(place - 1))) > &
-                 abs(stations%inclination(place) - stations%inclination(place - 1))
-         call append_text(notes, 'group &trajectory: '//either('azimuth', 'inclination', turns)//' goes from '// &
-            degrees(place - 1)//' to '//degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
-            in_units(units, unit_length, stations%md(place), depth_digits)//'. Is that station mistyped?')
       end associate
    contains
-      !> Angle between the directions of two stations [rad].
-      function between(one, other) result(angle)
-         integer, intent(in) :: one, other
-         real(wp) :: angle
-         associate (stations => draft%stations)
-            angle = dogleg_between(tangent_of(stations%inclination(one), stations%azimuth(one)), &
-                                   tangent_of(stations%inclination(other), stations%azimuth(other)))
-         end associate
-      end function between
-
       !> Diameter of the hole at a depth [m].
       pure function diameter_at(md) result(diameter)
          real(wp), intent(in) :: md      !< [m]
@@ -236,14 +208,55 @@ contains
          end do
          diameter = draft%holes(k)%section%diameter
       end function diameter_at
+   end subroutine note_doglegs
 
+   !> The station that points most another way than both neighbours.
+   subroutine note_spikes(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: angles(size(draft%plan%md)), share, least
+      logical :: turns
+      integer :: i, place
+      associate (stations => draft%plan)
+         angles(1) = 0.0_wp
+         do i = 2, size(angles)
+            angles(i) = angle_between(stations, i - 1, i)
+         end do
+         place = 0
+         least = 0.5_wp
+         do i = 2, size(stations%md) - 1
+            if (min(angles(i), angles(i + 1)) <= merge(close_spike, spike, &
+               angles(i) > spike_rate*(stations%md(i) - stations%md(i - 1)) .and. &
+               angles(i + 1) > spike_rate*(stations%md(i + 1) - stations%md(i)))) cycle
+            share = angle_between(stations, i - 1, i + 1)/min(angles(i), angles(i + 1))
+            if (share >= least) cycle
+            least = share
+            place = i
+         end do
+         if (place == 0) return
+         turns = abs(turn_between(stations%azimuth(place), stations%azimuth(place - 1))) > &
+                 abs(stations%inclination(place) - stations%inclination(place - 1))
+         call append_text(notes, 'group &trajectory: '//either('azimuth', 'inclination', turns)//' goes from '// &
+            degrees(place - 1)//' to '//degrees(place)//' and back to '//degrees(place + 1)//' deg at '// &
+            in_units(draft%units, unit_length, stations%md(place), depth_digits)//'. Is that station mistyped?')
+      end associate
+   contains
       function degrees(station) result(text)
          integer, intent(in) :: station
          character(:), allocatable :: text
-         text = to_text(draft%stations%inclination(station)/degree, digits)
-         if (turns) text = to_text(draft%stations%azimuth(station)/degree, digits)
+         text = to_text(draft%plan%inclination(station)/degree, digits)
+         if (turns) text = to_text(draft%plan%azimuth(station)/degree, digits)
       end function degrees
-   end subroutine note_doglegs
+   end subroutine note_spikes
+
+   !> Angle between the directions of two stations [rad].
+   function angle_between(stations, one, other) result(angle)
+      type(station_list_type), intent(in) :: stations
+      integer, intent(in) :: one, other
+      real(wp) :: angle
+      angle = dogleg_between(tangent_of(stations%inclination(one), stations%azimuth(one)), &
+                             tangent_of(stations%inclination(other), stations%azimuth(other)))
+   end function angle_between
 
    !> The largest change of inclination between two stations, where it is slow or a drop: a slip, most likely.
    subroutine note_steps(draft, notes)
@@ -253,7 +266,7 @@ contains
       integer :: i, place
       place = 0
       worst = long_build
-      associate (stations => draft%stations, units => draft%units)
+      associate (stations => draft%plan, units => draft%units)
          do i = 2, size(stations%md)
             step = stations%inclination(i) - stations%inclination(i - 1)
             if (abs(step) <= worst .or. &
@@ -279,7 +292,7 @@ contains
       integer :: i, place
       place = 0
       worst = long_turn
-      associate (stations => draft%stations, units => draft%units)
+      associate (stations => draft%plan, units => draft%units)
          do i = 2, size(stations%md)
             turn = abs(turn_between(stations%azimuth(i), stations%azimuth(i - 1)))
             if (turn <= worst .or. minval(stations%inclination(i - 1:i)) < inclined) cycle
