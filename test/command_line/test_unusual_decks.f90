@@ -148,6 +148,7 @@ contains
 
    !> A bar, the wrong order, too long, yield in MPa.
    subroutine test_string()
+      type(run_type) :: run
       call mistake('od = 5, id = 4.276, mass = 20.87', 'od = 5', '''DP'' is a solid bar of 66.82 lbm/ft')
       call mistake('od = 5, id = 4.276, mass = 20.87', 'od = 5, mass = 20.87', &
                    '''DP'': it has no id. Stiffness and strength are those of a solid bar, which has 66.82 lbm/ft')
@@ -176,7 +177,11 @@ contains
       call usual("kind = 'collar'", "kind = 'LWD'")
       call mistake('yield = 135', 'yield = 135, joint_torsion = 20, makeup_torque = 30', &
                    '''DP'': makeup_torque is above joint_torsion, 20 kft.lbf: its joints would yield in make-up')
-      call mistake('yield = 135', 'yield = 135, joint_torsion = 52000, makeup_torque = 30000', 'makeup_torque = 30000 kft.lbf is')
+      call mistake('yield = 135', 'yield = 135, joint_torsion = 52, makeup_torque = 30000', 'makeup_torque = 30000 kft.lbf is')
+      call usual('yield = 135', 'yield = 135, joint_torsion = 52, makeup_torque = 30')
+      call mistake('yield = 135', 'yield = 135, joint_torsion = 52000', 'joint_torsion = 52000 kft.lbf is')
+      run = run_deck_text(replaced(deck(), 'yield = 135', 'yield = 135, joint_torsion = 52000'), '--check')
+      call assertEqual(0, index(run%output, 'makeup_torque'), message='follows from joint_torsion: '//run%output)
    end subroutine test_string
 
    !> Left out: fluid, friction.

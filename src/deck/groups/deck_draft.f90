@@ -48,6 +48,7 @@ module dg_deck_draft
       logical :: sound = .false.
       logical :: connected = .false.           !< its connection is named
       logical :: mass_given = .false.          !< by the deck or the catalogue
+      logical :: makeup_given = .false., torsion_given = .false.   !< so are makeup_torque and joint_torsion
       real(wp) :: joint_yield = 0.0_wp         !< of tool joints [Pa]; 0: not given
       integer :: line = 0
       integer :: line_length = 0, line_diameter = 0, line_density = 0 !< line_diameter: of what touches first

@@ -110,6 +110,8 @@ contains
          call visit_forces(part, reader)
          call visit_ratings(part, reader)
          call check_friction()
+         item%makeup_given = part%makeup_torque > 0.0_wp
+         item%torsion_given = part%joint_torsion > 0.0_wp
          part%joint_torsion = joint_torsion_of(group, part)
          if (.not. part%makeup_torque > 0.0_wp) part%makeup_torque = makeup_share*part%joint_torsion
          call draft_tools(group, part, faults)

@@ -13,9 +13,10 @@ module dg_unusual_component
    use dg_unit_kind, only: in_units, unit_density, unit_diameter, unit_factor, unit_length, unit_mass, unit_modulus, unit_moment, &
                            unit_stress
    use dg_units, only: unit_system_type
-   use dg_usual_range, only: note_range, usual_bend, usual_centralizers, usual_compression, usual_fatigue, usual_joint_fatigue, &
-                             usual_joint_id, usual_joint_length, usual_joint_spacing, usual_joint_torsion, usual_joint_yield, &
-                             usual_makeup, usual_restoring, usual_running_force, usual_tensile, usual_tension, usual_yield
+   use dg_usual_range, only: is_unusual, note_range, usual_bend, usual_centralizers, usual_compression, usual_fatigue, &
+                             usual_joint_fatigue, usual_joint_id, usual_joint_length, usual_joint_spacing, usual_joint_torsion, &
+                             usual_joint_yield, usual_makeup, usual_restoring, usual_running_force, usual_tensile, usual_tension, &
+                             usual_yield
    implicit none
    private
    public :: holds_any, note_component, note_joint, note_place, note_twice
@@ -70,8 +71,8 @@ contains
          if (part%fatigue%limit > 0.0_wp) call note_range(units, what, usual_fatigue, part%fatigue%limit, notes)
          if (part%fatigue%tensile > 0.0_wp) call note_range(units, what, usual_tensile, part%fatigue%tensile, notes)
          if (part%joint_fatigue%limit > 0.0_wp) call note_range(units, what, usual_joint_fatigue, part%joint_fatigue%limit, notes)
-         call note_range(units, what, usual_makeup, part%makeup_torque, notes)
-         call note_range(units, what, usual_joint_torsion, part%joint_torsion, notes)
+         if (item%makeup_given) call note_range(units, what, usual_makeup, part%makeup_torque, notes)
+         if (item%torsion_given) call note_range(units, what, usual_joint_torsion, part%joint_torsion, notes)
          call note_range(units, of_springs, usual_restoring, part%centralizer%restoring_force, notes)
          call note_range(units, of_springs, usual_running_force, part%centralizer%running_force, notes)
          if (part%centralizer%present .and. is_casing(part)) &
@@ -94,7 +95,8 @@ contains
             part%joint_od/widest_blades, part%joint_od, digits, 'od')
          if (question /= '') call append_text(notes, what//': od = '//in_units(units, unit_diameter, part%od, digits)// &
             ' is small for joint_od = '//in_units(units, unit_diameter, part%joint_od, digits)//question)
-         if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion) call append_text(notes, what// &
+         if (part%joint_torsion > 0.0_wp .and. part%makeup_torque > part%joint_torsion .and. &
+             .not. is_unusual(usual_makeup, part%makeup_torque)) call append_text(notes, what// &
             ': makeup_torque is above joint_torsion, '//in_units(units, unit_moment, part%joint_torsion, digits)// &
             ': its joints would yield in make-up')
          if (lacks_joints(part)) call append_text(notes, what//': without mass it weighs '// &
