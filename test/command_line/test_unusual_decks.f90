@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('string', test_string))
       call suite%addTest(TestMethod('fluid_and_friction', test_fluid_and_friction))
       call suite%addTest(TestMethod('loads', test_loads))
+      call suite%addTest(TestMethod('set_down', test_set_down))
       call suite%addTest(TestMethod('ways_of_loads', test_ways))
       call suite%addTest(TestMethod('conditions', test_conditions))
       call suite%addTest(TestMethod('measured_and_block', test_measured))
@@ -250,6 +251,20 @@ contains
       call mistake('wob = 20,', 'wob = 200,', 'wob = 200 klbf is unusual. Usual is at most 157 klbf. Is it in kN? Then write 44.96')
       call mistake('tob = 5 ', 'tob = 5, pump_pressure = 3 ', 'pump_pressure = 3 psi is unusual. Usual is at least 50.76 psi')
    end subroutine test_loads
+
+   !> A string that is set down by more than a fifth of its weight in air, and by less: casing on a heavy landing string.
+   subroutine test_set_down()
+      type(run_type) :: run
+      character(*), parameter :: pipe = 'od = 5, id = 4.276, mass = 20.87, joint_od = 6.625, yield = 135 /', &
+         set = " / &load_case name = 'set', operation = 'down', bit_depth = 15000, wob = 200 /"
+      call mistake(pipe, pipe//set(3:), "case 'set': wob = 200 klbf is unusual. Usual is at most 157 klbf. Is it in kN?")
+      call usual(pipe, 'od = 6.625, id = 4, mass = 85, joint_od = 8.25, yield = 135'//set)
+      call mistake(pipe, 'od = 6.625, id = 4, mass = 85, joint_od = 8.25, yield = 135 / &sweep operations = ''sliding'', '// &
+                   'bit_depth_from = 15000, wob = 200 /', 'group &sweep: wob = 200 klbf is unusual')
+      run = run_deck_text(replaced(deck(), pipe, 'od = 6.625, id = 4, mass = 85, joint_od = 8.25, yield = 135 / &sweep '// &
+                                   'operations = ''trip_in'', bit_depth_from = 15000, wob = 200 /'), '--check')
+      call assertEqual(0, index(run%output, 'is unusual'), message=run%output)
+   end subroutine test_set_down
 
    !> A bit that is pulled while it drills, and one that is turned in a trip.
    subroutine test_ways()

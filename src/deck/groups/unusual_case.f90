@@ -3,7 +3,7 @@ module dg_unusual_case
    use dg_kinds, only: wp
    use dg_checked_group, only: checked_group_type, real_of
    use dg_component, only: is_bit, opens
-   use dg_deck_draft, only: string_use_type
+   use dg_deck_draft, only: draft_type, string_use_type
    use dg_hole_section, only: hole_section_at
    use dg_likely_unit, only: mud_question, tonne, tonnes_question, unit_questions
    use dg_load_case, only: block_way, drills, load_case_type, moves_axially, operation_name, operation_rotary_drilling, &
@@ -20,7 +20,7 @@ module dg_unusual_case
                              usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
-   public :: note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas
+   public :: air_weight, note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas
 
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
@@ -33,6 +33,8 @@ module dg_unusual_case
    real(wp), parameter :: most_bit_friction = 4.0_wp, least_load = 0.18e6_wp, most_load = 1.25e6_wp
    !> Weight on bit over diameter that no bit has [N/m].
    real(wp), parameter :: heaviest_load = 2.0e6_wp
+   !> Largest usual weight that a string is set down with, over its weight in air [-].
+   real(wp), parameter :: most_set_down = 0.2_wp
    !> Least torque in another unit over the most usual one [-].
    real(wp), parameter :: least_tob = 0.03_wp
    !> Words in the kinds and names of tools that cut beside the bit.
@@ -46,13 +48,14 @@ module dg_unusual_case
 contains
 
    !> Adds a note for each matter of a load case.
-   subroutine note_case(units, what, load_case, has_tob, notes)
+   subroutine note_case(units, what, load_case, has_tob, weight, notes)
       type(unit_system_type), intent(in) :: units
       character(*), intent(in) :: what        !< the case, by name
       type(load_case_type), intent(in) :: load_case
       logical, intent(in) :: has_tob          !< the deck gives it, be it 0
+      real(wp), intent(in) :: weight          !< of the string in air [N]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      call note(usual_wob, load_case%wob)
+      if (drills(load_case%operation) .or. .not. is_set_down(load_case%wob, weight)) call note(usual_wob, load_case%wob)
       call note(usual_tob, load_case%tob)
       if (load_case%angular_speed > 0.0_wp) call note(usual_rpm, load_case%angular_speed)
       call note(usual_hours, load_case%hours)
@@ -264,14 +267,19 @@ contains
    end subroutine note_pump
 
    !> Adds notes on the loads of a study.
-   subroutine note_use(units, use, notes)
+   subroutine note_use(units, use, weight, notes)
       type(unit_system_type), intent(in) :: units
       type(string_use_type), intent(in) :: use
+      real(wp), intent(in) :: weight          !< of the string in air [N]
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: k
+      logical :: drilling
       character(:), allocatable :: what
       what = 'group &'//use%group
+      drilling = .true.
+      if (allocated(use%operations)) drilling = any(drills(use%operations))
       do k = 1, size(use%wob)
+         if (is_set_down(use%wob(k), weight) .and. .not. drilling) cycle
          call note_range(units, what, usual_wob, use%wob(k), notes)
       end do
       do k = 1, size(use%tob)
@@ -282,6 +290,33 @@ contains
          call note_ways(units, what, use%operations(k), load_of(use%wob, k), load_of(use%tob, k), notes)
       end do
    end subroutine note_use
+
+   !> True for a weight that a string without a bit at work is set down with, on a hanger or a packer.
+   elemental function is_set_down(wob, weight) result(is)
+      real(wp), intent(in) :: wob, weight      !< at the lower end, and of the string in air [N]
+      logical :: is
+      is = wob > 0.0_wp .and. wob <= most_set_down*weight
+   end function is_set_down
+
+   !> Weight of a string in air, from its bit up to surface [N].
+   pure function air_weight(draft, string, bit_depth) result(weight)
+      type(draft_type), intent(in) :: draft
+      character(*), intent(in) :: string
+      real(wp), intent(in) :: bit_depth        !< [m]
+      real(wp) :: weight, above, length
+      integer :: i
+      weight = 0.0_wp
+      above = bit_depth
+      do i = 1, size(draft%components)
+         if (draft%components(i)%string /= string) cycle
+         associate (part => draft%components(i)%component)
+            length = above
+            if (part%length > 0.0_wp) length = min(part%length, above)
+            weight = weight + draft%gravity*part%mass*length
+            above = above - length
+         end associate
+      end do
+   end function air_weight
 
    !> Adds notes on the standard deviations of studies.
    subroutine note_deviations(units, groups, notes)

@@ -14,7 +14,7 @@ module dg_unusual_input
    use dg_text, only: append_text, lower_case, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_label, unit_length
    use dg_units, only: unit_system_type
-   use dg_unusual_case, only: note_case, note_light, note_temperatures, note_use
+   use dg_unusual_case, only: air_weight, note_case, note_light, note_temperatures, note_use
    use dg_unusual_component, only: holds_any, note_component, note_joint, note_place, note_twice
    use dg_usual_range, only: is_unusual, note_range, usual_block, usual_casing_yield, usual_deep_wall, usual_density, &
                              usual_friction, usual_gravity, usual_hole, usual_hookload, usual_running_in, usual_surface, &
@@ -73,7 +73,7 @@ contains
             call note_range(draft%units, hole_text(draft%holes(i)), usual_hole, draft%holes(i)%section%diameter, notes)
       end do
       do i = 1, size(uses)
-         call note_use(draft%units, uses(i), notes)
+         call note_use(draft%units, uses(i), air_weight(draft, uses(i)%string, uses(i)%depth), notes)
       end do
       do i = 1, size(draft%components)
          call note_component(draft%units, draft%components(i), notes)
@@ -100,8 +100,10 @@ contains
                           'which the packer was set')
       call note_temperatures(draft%units, draft%cases%load_case, notes)
       do i = 1, size(draft%cases)
-         call note_case(draft%units, trim(draft%cases(i)%what)//' '//quoted(draft%cases(i)%load_case%name), &
-                        draft%cases(i)%load_case, draft%cases(i)%line_tob > 0, notes)
+         associate (case => draft%cases(i)%load_case)
+            call note_case(draft%units, trim(draft%cases(i)%what)//' '//quoted(case%name), case, draft%cases(i)%line_tob > 0, &
+                           air_weight(draft, case%string, case%bit_depth), notes)
+         end associate
       end do
    end subroutine note_unusual
 
