@@ -385,6 +385,11 @@ contains
       call follow('SI', 'density = 1300', 'density = 1300, '//fluids//'1.3', 'group &fluid in line 5: density = 1.3 '// &
                'kg/m3 '//still, &
                   'density = 1300, '//fluids//'1300')
+      call follow('metric', 'tob = 5 ', 'tob = 5, inside_density = 15.8 ', "'turn': inside_density = 15.8 sg is unusual. Usual "// &
+                  'is at most 2.7 sg. Is it in lbm/gal? Then write 1.893', 'tob = 5, inside_density = 1.22 ')
+      run = run_deck_text(replaced(well('metric'), 'tob = 5 ', 'tob = 5, inside_density = 15.8 '), '--check')
+      call assertEqual(index(run%output, newline//'note '), index(run%output, newline//'note ', back=.true.), &
+                       message='a single note: '//run%output)
       call unasked('1.2')
       call unasked('150, pump_pressure = 20')
       call unasked('14, pump_pressure = 20')

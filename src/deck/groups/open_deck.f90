@@ -30,7 +30,7 @@ module dg_open_deck
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: deck_system, unit_system, unit_system_type, si_units
-   use dg_unusual_case, only: note_deviations
+   use dg_unusual_case, only: note_deviations, usual_inside
    use dg_unusual_input, only: note_unusual
    use dg_unusual_rig, only: note_rig
    implicit none
@@ -90,6 +90,7 @@ contains
       type(model_type), intent(out) :: model
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
+      type(model_type) :: sound
       logical :: fitted
       job%inputs = deck%inputs
       if (faults%count == 0) call build_model(deck%draft, model, faults)
@@ -101,8 +102,9 @@ contains
       call note_unusual(deck%draft, deck%uses, fitted, notes)
       call note_deviations(deck%draft%units, deck%groups, notes)
       call note_oddities(deck%draft, job, deck%uses, notes)
-      call note_fluids(model, deck%draft%units, notes)
-      call note_rig(model, deck%uses, deck%draft%units, notes)
+      sound = usual_inside(model)
+      call note_fluids(sound, deck%draft%units, notes)
+      call note_rig(sound, deck%uses, deck%draft%units, notes)
       job%notes = notes
    end subroutine close_deck
 

@@ -16,11 +16,12 @@ module dg_unusual_case
    use dg_units, only: unit_system_type
    use dg_unusual_component, only: holds_any
    use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_annulus, usual_density, &
-                             usual_friction, usual_hookload, usual_hours, usual_measured, usual_pump, usual_rpm, usual_tob, &
-                             usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
+                             usual_friction, usual_hookload, usual_hours, usual_inside_density, usual_measured, usual_pump, &
+                             usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
    implicit none
    private
-   public :: air_weight, note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas
+   public :: air_weight, note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas, &
+             usual_inside
 
    !> Density of gases over their pressure: nitrogen at 0 degC, methane at 200 degC, air at surface [kg/m3/Pa]. Pressure of air
    !> [Pa].
@@ -83,7 +84,7 @@ contains
          end if
       end if
       if (load_case%inside_density%present) then
-         call note(usual_density, load_case%inside_density%value)
+         call note(usual_inside_density, load_case%inside_density%value)
          call note_light(units, what//': inside_density', load_case%inside_density%value, &
                          max(load_case%pump_pressure, load_case%annulus_pressure), notes)
       end if
@@ -146,6 +147,21 @@ contains
          is = ratio >= merge(thinnest_gas, thinnest_air, pressure > 0.0_wp) .and. ratio <= densest_gas
       end associate
    end function is_gas
+
+   !> The model with mud in place of the fluids inside that have a note already: what else is unusual does not follow from them.
+   pure function usual_inside(model) result(usual)
+      type(model_type), intent(in) :: model
+      type(model_type) :: usual
+      integer :: i
+      usual = model
+      if (.not. allocated(model%mud%fluids)) return
+      do i = 1, size(usual%cases)
+         associate (inside => usual%cases(i)%inside_density)
+            if (inside%present .and. is_unusual(usual_inside_density, inside%value)) &
+               inside%value = maxval(model%mud%fluids%density)
+         end associate
+      end do
+   end function usual_inside
 
    !> Adds notes on the loads of a bit, of the first load case that has them.
    subroutine note_bit_loads(model, units, notes)

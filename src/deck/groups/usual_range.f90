@@ -16,7 +16,7 @@ module dg_usual_range
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
              usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips, &
              usual_surface, usual_annulus, usual_casing_yield, usual_hole, usual_bore, usual_tension, usual_compression, &
-             usual_joint_yield, usual_joint_id, usual_fatigue, usual_joint_fatigue, usual_tensile
+             usual_joint_yield, usual_joint_id, usual_fatigue, usual_joint_fatigue, usual_tensile, usual_inside_density
 
    !> Usual range of a key.
    type :: usual_type
@@ -35,12 +35,12 @@ module dg_usual_range
                          usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32, &
                          usual_slips = 33, usual_surface = 34, usual_annulus = 35, usual_casing_yield = 36, usual_hole = 37, &
                          usual_bore = 38, usual_tension = 39, usual_compression = 40, usual_joint_yield = 41, usual_joint_id = 42, &
-                         usual_fatigue = 43, usual_joint_fatigue = 44, usual_tensile = 45
+                         usual_fatigue = 43, usual_joint_fatigue = 44, usual_tensile = 45, usual_inside_density = 46
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(45) = [ &
+   type(usual_type), parameter :: usual(46) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -86,7 +86,8 @@ module dg_usual_range
       usual_type('joint_id', unit_diameter, 0.015_wp, 0.6_wp, 'slim pipe 1 in; casing of 20 in'), &
       usual_type('fatigue_limit', unit_stress, 30.0e6_wp, 600.0e6_wp, 'pipe in brine 10 ksi; half the strength of hard steel'), &
       usual_type('joint_fatigue_limit', unit_stress, 15.0e6_wp, 600.0e6_wp, 'threads 20 to 100 MPa of the bending beside them'), &
-      usual_type('tensile_strength', unit_stress, 200.0e6_wp, 1600.0e6_wp, 'soft aluminium 250 MPa; rods and pipe to 1,300 MPa')]
+      usual_type('tensile_strength', unit_stress, 200.0e6_wp, 1600.0e6_wp, 'soft aluminium 250 MPa; rods and pipe to 1,300 MPa'), &
+      usual_type('inside_density', unit_density, 0.0_wp, heaviest_mud, 'as density')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare, low endurance is not.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
