@@ -15,6 +15,7 @@ contains
       suite = TestSuite('unusual_decks')
       call suite%addTest(TestMethod('nothing_unusual', test_nothing_unusual))
       call suite%addTest(TestMethod('survey', test_survey))
+      call suite%addTest(TestMethod('gap_in_survey', test_gap))
       call suite%addTest(TestMethod('radians', test_radians))
       call suite%addTest(TestMethod('azimuths', test_azimuths))
       call suite%addTest(TestMethod('string', test_string))
@@ -101,6 +102,38 @@ contains
                    'depths, angles '// &
                    'and their units'//newline)
    end subroutine test_survey
+
+   !> A survey that lacks its stations in a bend has a note, one that has them all has none. A gap in a straight part has none.
+   subroutine test_gap()
+      character(:), allocatable :: plan
+      plan = deck()
+      plan = plan(index(plan, '&trajectory'):index(plan, '&hole') - 1)
+      call mistake(plan, surveyed(31, 44), 'group &trajectory: no station between 3000 and 4500 ft, where the hole turns by '// &
+                   '30 deg: are stations missing?')
+      call usual(plan, surveyed(0, -1))
+      call usual(plan, surveyed(31, 39))
+      call usual(plan, surveyed(61, 140))
+   contains
+      !> A survey every 100 ft to 15000 ft of a hole that builds by 2 deg/100 ft from 3000 to 6000 ft, without some stations.
+      function surveyed(first, last) result(text)
+         integer, intent(in) :: first, last     !< that are left out
+         character(:), allocatable :: text
+         character(5) :: word
+         integer :: i, k
+         text = '&trajectory'
+         do k = 1, 3
+            text = text//newline//trim(merge('md = ', merge('inc =', 'azi =', k == 2), k == 1))
+            do i = 0, 150
+               if (i >= first .and. i <= last) cycle
+               if (k == 1) write (word, '(i0)') 100*i
+               if (k == 2) write (word, '(i0)') min(max(0, 2*(i - 30)), 60)
+               if (k == 3) write (word, '(i0)') 178
+               text = text//newline//word
+            end do
+         end do
+         text = text//' /'//newline
+      end function surveyed
+   end subroutine test_gap
 
    !> Radians whose inclination rises and falls, with azimuths that turn or cross north. A hole that is nearly vertical is usual.
    subroutine test_radians()

@@ -3,6 +3,7 @@ module dg_unusual_survey
    use dg_kinds, only: wp
    use dg_constants, only: degree, foot, pi
    use dg_deck_draft, only: draft_type
+   use dg_merge_sort, only: sorted_places
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of, turn_between
    use dg_survey_file, only: station_list_type
@@ -18,6 +19,10 @@ module dg_unusual_survey
    !> Inclination that changes slowly by much between two stations, or falls by more than in planned wells [rad, rad/m]. It is
    !> a mistyped angle, or a missing station.
    real(wp), parameter :: long_build = 30.0_wp*degree, slow_build = 0.6_wp*degree/30.0_wp, long_drop = 60.0_wp*degree
+   !> Least number of stations of a measured hole. An interval that lacks stations is longer than so many median ones, and turns
+   !> by more than an angle [rad].
+   integer, parameter :: least_surveyed = 20
+   real(wp), parameter :: long_gap = 10.0_wp, least_over_gap = 15.0_wp*degree
    !> Angle to both neighbours from which a station that points another way is a slip [rad].
    real(wp), parameter :: spike = 25.0_wp*degree
    !> The same between close stations, with both doglegs above a rate: 54 for 45. Motors and rotary steerables do not turn back
@@ -64,6 +69,7 @@ contains
       call note_level(draft, notes)
       call note_doglegs(draft, notes)
       call note_spikes(draft, notes)
+      if (size(notes) == before) call note_gap(draft, notes)
       if (size(notes) == before) call note_steps(draft, notes)
       if (size(notes) == before) call note_turns(draft, notes)
    end subroutine note_survey
@@ -257,6 +263,42 @@ contains
       angle = dogleg_between(tangent_of(stations%inclination(one), stations%azimuth(one)), &
                              tangent_of(stations%inclination(other), stations%azimuth(other)))
    end function angle_between
+
+   !> The interval without stations over which the hole turns most, in a survey whose other stations are close.
+   subroutine note_gap(draft, notes)
+      type(draft_type), intent(in) :: draft
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: median, turn, worst
+      integer :: i, n, place
+      associate (stations => draft%plan, units => draft%units)
+         n = size(stations%md)
+         if (n < least_surveyed) return
+         median = median_of(stations%md(2:) - stations%md(:n - 1))
+         worst = least_over_gap
+         place = 0
+         do i = 2, n
+            if (stations%md(i) - stations%md(i - 1) <= long_gap*median) cycle
+            turn = angle_between(stations, i - 1, i)
+            if (turn <= worst) cycle
+            worst = turn
+            place = i
+         end do
+         if (place == 0) return
+         call append_text(notes, 'group &trajectory: no station between '// &
+            to_text(stations%md(place - 1)/units%length, depth_digits)//' and '// &
+            in_units(units, unit_length, stations%md(place), depth_digits)//', where the hole turns by '// &
+            to_text(worst/degree, digits)//' deg: are stations missing?')
+      end associate
+   end subroutine note_gap
+
+   !> The middle one of some lengths [m].
+   pure function median_of(lengths) result(median)
+      real(wp), intent(in) :: lengths(:)
+      real(wp) :: median
+      integer :: order(size(lengths))
+      order = sorted_places(lengths)
+      median = lengths(order((size(lengths) + 1)/2))
+   end function median_of
 
    !> The largest change of inclination between two stations, where it is slow or a drop: a slip, most likely.
    subroutine note_steps(draft, notes)
