@@ -28,6 +28,7 @@ contains
       call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('pressures_and_widths', test_pressures))
       call suite%addTest(TestMethod('joints_and_fatigue', test_joints))
+      call suite%addTest(TestMethod('small_bows', test_bows))
       call suite%addTest(TestMethod('deviations', test_deviations))
    end function followed_units_suite
 
@@ -112,6 +113,14 @@ contains
                   'at least 3.937 in. Is it in m? Then write 16', '&strength slip_length = 16 / &rig')
    end subroutine test_ranges
 
+   !> Bow springs that are smaller than the whole hole, and than the casing alone.
+   subroutine test_bows()
+      character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', spacing = 12, restoring_force = 7, od = "
+      call follow('SI', '&rig', bows//'200 / &rig', "group &centralizer of 'DP': od = 200 mm of its bow springs is smaller "// &
+                  'than the hole, 215.9 mm and more where they stand', bows//'220 / &rig')
+      call silent('SI', '&rig', bows//'216 / &rig')
+   end subroutine test_bows
+
    !> Strength and bore of tool joints, strength of an own fatigue curve.
    subroutine test_joints()
       character(*), parameter :: own = "yield = 931, fatigue_curve = 'own', fatigue_limit = "
@@ -177,15 +186,15 @@ contains
                   'Then write 108.6. Is id the wall? Then write id = 118.4', 'id = 108.6, mass = 32')
       call follow('SI', 'joint_od = 168.3', 'joint_od = 6.625', 'joint_od = 6.625 is smaller than od = 127. Is it in inches? '// &
                   'Then write 168.3', 'joint_od = 168.3')
-      call follow('SI', '&rig', bow//'od = 8 / &rig', 'Is it in inches? Then write 203.2', bow//'od = 203.2 / &rig')
-      call follow('SI', '&rig', bow//'od = 200, rated_hole = 8.5 / &rig', 'Is it in inches? Then write 215.9', &
-                  bow//'od = 200, rated_hole = 215.9 / &rig')
+      call follow('SI', '&rig', bow//'od = 8.5 / &rig', 'Is it in inches? Then write 215.9', bow//'od = 215.9 / &rig')
+      call follow('SI', '&rig', bow//'od = 220, rated_hole = 8.5 / &rig', 'Is it in inches? Then write 215.9', &
+                  bow//'od = 220, rated_hole = 215.9 / &rig')
       call follow('SI', 'yield = 931', "yield = 724, fatigue_curve = 'S135'", "fatigue_curve = 'S135' is of stronger pipe than "// &
                   "yield = 724 MPa. Write 'E75', or 'own' with fatigue_limit", "yield = 724, fatigue_curve = 'E75'")
    end subroutine test_pressures
 
    subroutine test_stiffness_and_drag()
-      character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', od = 200, spacing = 12, "// &
+      character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', od = 220, spacing = 12, "// &
                "restoring_force = 7, "// &
          'running_force = '
       call follow('SI', 'friction = 0.3 ', 'friction = 0.3, wall_stiffness = 30 ', "'open': wall_stiffness = 30 kN/m2 is "// &
@@ -242,7 +251,7 @@ contains
       type(run_type) :: run
       character(*), parameter :: sound = "'DP', od = 5, id = 4.276, mass = 21.5, joint_od = 6.625, yield = 135 /", &
          casing = "'DP', kind = 'casing', od = 5, id = 4.276, mass = 18, yield = 135 / &centralizer component = 'DP', "// &
-                  "kind = 'bow', od = 8, restoring_force = 1, spacing = "
+                  "kind = 'bow', od = 8.5, restoring_force = 1, spacing = "
       call follow('field', sound, casing//'12 /', 'group &centralizer of ''DP'': spacing = 12 ft is unusual. Usual is at '// &
                   'least 13.12 ft. Is it in m? Then write 39.37', casing//'39.37 /')
       run = run_deck_text(replaced(replaced(well('SI'), 'mass = 32', 'mass = 21.5'), "'DP',", "'DP', kind = 'VIT',"), '--check')

@@ -143,7 +143,7 @@ contains
       call append_text(lines, "&component string='main' od=120 id=100 joint_od=150 joint_length=0.5 joint_spacing=12")
       call append_text(lines, "  friction_scale=0.8 friction_scale_axial=0.7 /")
       call append_text(lines, "&component string='b' od=110 mass=0 friction=0.15 friction_axial=0.05 /")
-      call append_text(lines, "&centralizer string='b' component='drillpipe' kind='bow' od=180 spacing=12 restoring_force=7")
+      call append_text(lines, "&centralizer string='b' component='drillpipe' kind='bow' od=220 spacing=12 restoring_force=7")
       call append_text(lines, "  running_force=0.5 friction_axial=0.2 /")
       call append_text(lines, "&boundary top_lateral='free' bit_lateral='Centred' /")
       call append_text(lines, "&load_case name='a' section='s' operation='backream' bit_depth=900 wob=-5 string='b'")
@@ -178,7 +178,7 @@ contains
       call assertFalse(model%strings(2)%components(1)%centralizer%present, message='of another string')
       associate (bow => model%strings(1)%components(2)%centralizer)
          call assertTrue(bow%present .and. bow%bow)
-         call assertEqual([0.18_wp, 0.18_wp, 12.0_wp, 6.0_wp], [bow%od, bow%rated_hole, bow%spacing, bow%first], rounding)
+         call assertEqual([0.22_wp, 0.22_wp, 12.0_wp, 6.0_wp], [bow%od, bow%rated_hole, bow%spacing, bow%first], rounding)
          call assertEqual([7.0e3_wp, 500.0_wp, 0.2_wp], [bow%restoring_force, bow%running_force, bow%friction_axial], rounding)
          call assertTrue(is_missing(bow%friction_rotary), message='that of the component')
       end associate

@@ -46,6 +46,8 @@ module dg_deck_notes
    !> [rad]. With stations every 9 to 30 m random wells have less in all but sharp bends, and drag differs by 1 to 17 %. With
    !> stations only where the plan changes it is 8 to 44 deg, and drag differs by 17 to 540 %.
    real(wp), parameter :: sparse = 3.0_wp*degree
+   !> Least od of bows over the hole that they fill, but for what a hand measures [-].
+   real(wp), parameter :: filling = 0.99_wp
    !> Most components with notes.
    integer, parameter :: most_notes = 200
    integer, parameter :: digits = 6, few_digits = 4, angle_digits = 3
@@ -87,6 +89,7 @@ contains
          call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
          if (.not. is_missing(deepest_bit(i))) &
             call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
+         if (draft%components(i)%component%centralizer%bow) call note_bows(draft, uses, draft%components(i), below(i), notes)
          if (size(notes) < before + most_notes) cycle
          call append_text(notes, 'more notes on components are left out')
          exit
@@ -296,6 +299,46 @@ contains
                           in_units(draft%units, unit_length, below, digits)//' long')
       end if
    end subroutine note_unused
+
+   !> Note bow springs that are smaller than the hole at every place where they stand in cases and studies.
+   subroutine note_bows(draft, uses, item, below, notes)
+      type(draft_type), intent(in) :: draft
+      type(string_use_type), intent(in) :: uses(:)
+      type(draft_component_type), intent(in) :: item
+      real(wp), intent(in) :: below             !< length of its string below it [m]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      real(wp) :: narrowest
+      integer :: i
+      narrowest = huge(narrowest)
+      do i = 1, size(draft%cases)
+         if (draft%cases(i)%load_case%string == item%string) call find_narrowest(draft%cases(i)%load_case%bit_depth)
+      end do
+      do i = 1, size(uses)
+         if (uses(i)%string == item%string) call find_narrowest(uses(i)%depth)
+      end do
+      associate (od => item%component%centralizer%od, units => draft%units)
+         if (narrowest >= huge(narrowest) .or. od >= filling*narrowest) return
+         call append_text(notes, 'group &centralizer of '//quoted(item%component%name)//': od = '// &
+            in_units(units, unit_diameter, od, digits)//' of its bow springs is smaller than the hole, '// &
+            in_units(units, unit_diameter, narrowest, digits)//' and more where they stand. They have no running_force there '// &
+            'and centre the string less. Give the od of free bows')
+      end associate
+   contains
+      !> The narrowest hole beside the component, with the bit at a depth.
+      subroutine find_narrowest(bit_depth)
+         real(wp), intent(in) :: bit_depth        !< [m]
+         real(wp) :: lower, upper
+         integer :: k
+         lower = bit_depth - below
+         upper = 0.0_wp
+         if (item%component%length > 0.0_wp) upper = max(lower - item%component%length, 0.0_wp)
+         do k = 1, size(draft%holes)
+            associate (hole => draft%holes(k)%section)
+               if (min(hole%md_bottom, lower) > max(hole%md_top, upper)) narrowest = min(narrowest, hole%diameter)
+            end associate
+         end do
+      end subroutine find_narrowest
+   end subroutine note_bows
 
    !> Note a tool that opens, but stays above its depth of opening in all cases.
    subroutine note_closed(draft, item, lower_end, notes)
