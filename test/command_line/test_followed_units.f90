@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('mud_weights', test_mud_weights))
       call suite%addTest(TestMethod('weight_on_bit', test_weight_on_bit))
       call suite%addTest(TestMethod('pressures_and_widths', test_pressures))
+      call suite%addTest(TestMethod('daN_or_lbf', test_restoring))
       call suite%addTest(TestMethod('joints_and_fatigue', test_joints))
       call suite%addTest(TestMethod('small_bows', test_bows))
       call suite%addTest(TestMethod('deviations', test_deviations))
@@ -120,6 +121,13 @@ contains
                   'than the hole, 215.9 mm and more where they stand', bows//'220 / &rig')
       call silent('SI', '&rig', bows//'216 / &rig')
    end subroutine test_bows
+
+   !> A force of a catalogue in lbf is as likely as one in daN.
+   subroutine test_restoring()
+      character(*), parameter :: bows = "&centralizer component = 'DP', kind = 'bow', spacing = 12, od = 8.6, restoring_force = "
+      call follow('metric', '&rig', bows//'1700 / &rig', 'restoring_force = 1700 kdaN is unusual. Usual is at most 5 kdaN. '// &
+                  'Is it in daN? Then write 1.7. Is it in lbf? Then write 0.7562', bows//'0.7562 / &rig')
+   end subroutine test_restoring
 
    !> Strength and bore of tool joints, strength of an own fatigue curve.
    subroutine test_joints()

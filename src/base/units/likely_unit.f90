@@ -31,6 +31,7 @@ module dg_likely_unit
       other_unit_type(quantity_force, 'lbf', pound_force, F, T, F), &
       other_unit_type(quantity_force, 'kN', 1.0e3_wp, F, T, T), &
       other_unit_type(quantity_force, 'klbf', 1.0e3_wp*pound_force, T, F, T), &
+      other_unit_type(quantity_force, 'lbf', pound_force, F, F, T), &
       other_unit_type(quantity_force, 't', 1.0e3_wp*gravity, T, T, F), &
       other_unit_type(quantity_force, 'kg', gravity, T, F, F), &
       other_unit_type(quantity_moment, 'N.m', 1.0_wp, T, F, T), &
