@@ -36,7 +36,6 @@ module dg_predictor
       real(wp) :: softness = 1.0_wp    !< stiffness of the walls at the start over their own [-]
       !> Contact forces are spread as against a soft wall. Against the wall itself they concentrate where the string touches,
       !> and only then are the places of the gaps right.
-      !> places of the gaps are right.
       logical :: spread = .false.
    end type start_type
 
