@@ -402,7 +402,8 @@ contains
    !> The weight on bit that a helically buckled string still brings, and the friction that is possible. Beams confirm both: the
    !> friction of their coils grows faster than that of the soft string.
    subroutine test_coiled_weight()
-      real(wp), parameter :: wob = 15.0_wp, apart = 0.03_wp
+      real(wp), parameter :: wob = 15.0_wp, apart = 0.03_wp, easy = 0.4_wp
+      character(*), parameter :: sooner = ', perhaps sooner, as pipe buckles then'
       type(run_type) :: run
       real(wp) :: most, factor
       run = run_deck_text(lateral(wob, 1.0_wp))
@@ -416,6 +417,14 @@ contains
       call assertTrue(index(run%output, newline//'c  yes ') > 0, message='less: '//run%output)
       call assertRelativelyEqual(most, value_after(unwrapped(run%output), 'String weight brings at most about '), apart, &
                                  message='beside a yes')
+      call assertEqual(0, index(unwrapped(run%output), sooner), message='it is buckled: '//run%output)
+      run = run_deck_text(lateral(1.0_wp, easy))
+      call assertTrue(index(unwrapped(run%output), sooner) > 0, message='buckles by friction: '//run%output)
+      factor = value_after(unwrapped(run%output), 'The answer becomes NO above about ')
+      run = run_deck_text(lateral(1.0_wp, 0.8_wp*factor*easy))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message='not much sooner: '//run%output)
+      run = run_deck_text(lateral(1.0_wp, 1.02_wp*factor*easy))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message='more friction: '//run%output)
    contains
       !> Drill pipe of 2 7/8 in that slides in a lateral.
       function lateral(weight, scale) result(text)

@@ -10,7 +10,7 @@ module dg_find_verdict
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
-   use dg_friction_reserve, only: find_friction_reserve, find_possible_friction, find_shifted
+   use dg_friction_reserve, only: buckles_by_friction, find_friction_reserve, find_possible_friction, find_shifted
    use dg_fluid_pressure, only: is_hung
    use dg_job, only: model_mcge
    use dg_limit_reach, only: find_limit_reach
@@ -72,6 +72,8 @@ contains
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
+               if (verdict%friction_reserve%present) &
+                  verdict%reserve_buckles = buckles_by_friction(model, result, verdict%friction_reserve%value)
             else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue]) .and. .not. lacks_weight(load_case, verdict)) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if

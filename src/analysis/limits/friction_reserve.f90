@@ -21,7 +21,7 @@ module dg_friction_reserve
    use dg_verdict, only: limit_lock_up, limit_string_weight
    implicit none
    private
-   public :: find_friction_reserve, find_possible_friction, find_shifted
+   public :: find_friction_reserve, find_possible_friction, find_shifted, buckles_by_friction
 
    !> Smallest and largest factor of the search, and its accuracy [-].
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
@@ -53,6 +53,25 @@ contains
       integer, intent(out) :: limit                      !< limit that is passed beyond the factor; 0: none
       call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve, limit)
    end subroutine find_friction_reserve
+
+   !> True for beams that are not helically buckled, and that the soft string sees buckled with all friction times a factor. The
+   !> friction of their coils is not known then: in four such wells the answer turned at 0.85 to 0.96 of the factor.
+   pure function buckles_by_friction(model, result, factor) result(buckles)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: result       !< converged
+      real(wp), intent(in) :: factor                     !< [-]
+      logical :: buckles
+      type(soft_totals_type) :: totals
+      real(wp) :: axial(1), torque(1)
+      associate (load_case => model%cases(result%case_index))
+         buckles = result%model == model_mcge .and. block_way(load_case%operation) < 0 .and. .not. rotates(load_case%operation) &
+                   .and. .not. result%coiled
+      end associate
+      if (.not. buckles) return
+      call soft_string_at(model, result%case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &
+                          other=other_loads_type(friction_scale=factor, coiled=.true.))
+      buckles = max(totals%coil, totals%bowed) > 0.0_wp
+   end function buckles_by_friction
 
    !> Find the part of the given friction, < 1, with which a result that passes a limit does not pass it. Absent if friction
    !> does not decide.

@@ -55,6 +55,7 @@ module dg_verdict
       type(optional_real) :: friction_reserve       !< yes: factor by which all friction may grow until the answer is no [-]
       integer :: reserve_limit = 0                  !< limit that is passed then
       logical :: weight_judged = .false.            !< string weight is one of the limits
+      logical :: reserve_buckles = .false.          !< beams buckle only with that friction: perhaps less is enough
       logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< friction of the answer

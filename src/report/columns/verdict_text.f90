@@ -143,6 +143,7 @@ contains
          text = text//'above about '//times_text(verdict, verdict%friction_reserve%value)
       end if
       if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
+      if (verdict%reserve_buckles) text = text//', perhaps sooner, as pipe buckles then'
    end function reserve_text
 
    !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
