@@ -23,6 +23,7 @@ from vtkmodules.vtkIOHDF import vtkHDFReader
 SAME = 1.0e-9      # CSV files have ten digits
 # Positions are differences of kilometres; clock angles pass through text of ten digits: 1e-9 of them is no more than this [m].
 NEAR = 1.0e-6
+DIGIT = 1.0e-6     # last digit of a depth in CSV files [m]
 MOST_PLAIN = 8192   # numbers of a dataset that is stored as it is (most_plain in src/report/files/hdf5_file.f90)
 ROOT = ("deck", "deck_path", "title", "program", "version", "compiler", "compiler_options", "time", "unit_system")
 
@@ -141,8 +142,9 @@ def check_view(path, hole_path, rows):
     expect(numpy.allclose(points(string) - axis, field(string, "offset_m"), rtol=0.0, atol=NEAR), f"{path.name}: offset_m")
     # every ring of the tube is round its row of the axis
     # at a depth with two rows, round one of them
-    row_of = {round(depth, 6): i for i, depth in enumerate(column(rows, "md_m"))}
-    rings = numpy.array([row_of[round(depth, 6)] for depth in field(hole, "md_m")])
+    depths = field(hole, "md_m")
+    rings = numpy.searchsorted(column(rows, "md_m"), depths + DIGIT, side="right") - 1
+    expect(numpy.abs(column(rows, "md_m")[rings] - depths).max() < DIGIT, f"{path.name}: a ring at a depth without a row")
     uppers = rings - numpy.array([rows[i]["side"] == "below" for i in rings])
     off = numpy.linalg.norm(points(hole) - axis[rings], axis=1)
     wrong = [numpy.abs(off - column(rows, "hole_mm")[of]/2000.0) for of in (rings, uppers)]
