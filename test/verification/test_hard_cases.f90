@@ -11,6 +11,7 @@ module dg_test_hard_cases
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
+   use dg_stiff_drag, only: find_stiff_drag
    use dg_test_wells, only: hold_ends, new_well, note, pipe, solve, string_weight
    implicit none
    private
@@ -271,7 +272,8 @@ contains
    end subroutine test_more_than_pipe_bears
 
    !> A string that is pulled along a level hole whose survey goes left and right by 3 deg every 9 m. The soft string follows each
-   !> bend and would be stretched by more than 1 %. Pipe in a hole that is much wider cuts the bends short.
+   !> bend and would be stretched by more than 1 %. Pipe in a hole that is much wider cuts the bends short. In a vertical hole
+   !> neither has friction, and its share is no number to divide by.
    subroutine test_noisy_survey()
       integer, parameter :: stations = 231, most_iterations = 60
       real(wp), parameter :: spacing = 9.0_wp, noise = 3.0_wp, pull = 50.0e3_wp, steel = 206.0e9_wp
@@ -279,7 +281,12 @@ contains
       type(model_type) :: model
       type(case_result_type) :: result, soft, finer
       type(error_type), allocatable :: error
+      real(wp) :: drag, share
       integer :: n
+      call new_well(model, [0.0_wp, 450.0_wp], [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], 0.2_wp, 0.4_wp, pipe(w, od, id))
+      model%cases(1)%operation = operation_trip_out
+      call find_stiff_drag(model, 1, drag, share)
+      call assertEqual(1.0_wp, share, message='no friction, no share')
       call new_well(model, [(spacing*n, n=0, stations - 1)], spread(90.0_wp, 1, stations), &
                     [(noise*mod(n, 2), n=0, stations - 1)], 0.2_wp, 0.4_wp, pipe(w, od, id))
       model%cases(1)%operation = operation_trip_out

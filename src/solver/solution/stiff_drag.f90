@@ -78,7 +78,7 @@ contains
       type(gap_table_type) :: gaps
       type(soft_totals_type) :: totals
       real(wp), allocatable :: sideways(:), state(:, :), pressed(:), axial(:), free(:), torque(:), soft(:)
-      real(wp) :: compressed, strained, pressing
+      real(wp) :: compressed, strained, pressing, elsewhere, least
       logical, allocatable :: stiff(:)
       logical :: pulled
       integer :: shortened(scale_count)
@@ -101,8 +101,9 @@ contains
       axial = axial - free
       soft = axial(:mesh%elements) - axial(2:)
       drag = sum(mesh%friction_along*pressed - soft, mask=stiff)
-      if (pulled .and. any(soft > 0.0_wp .and. .not. stiff)) &
-         part = sum(mesh%friction_along*pressed, mask=.not. stiff)/sum(soft, mask=.not. stiff)
-      if (abs(drag) < model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)) drag = 0.0_wp
+      elsewhere = sum(soft, mask=.not. stiff)
+      least = model%numerics%tuning%nearly*force_scale(model, model%cases(case_index), mesh)
+      if (pulled .and. elsewhere > least) part = sum(mesh%friction_along*pressed, mask=.not. stiff)/elsewhere
+      if (abs(drag) < least) drag = 0.0_wp
    end subroutine find_drag
 end module dg_stiff_drag
