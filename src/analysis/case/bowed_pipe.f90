@@ -1,5 +1,5 @@
-!> What smeared tool joints leave out: buckled pipe bows out to the wall between its joints. There it rubs, and its helix takes
-!> up more length.
+!> Pipe between tool joints, which smeared joints keep off the wall. Joints one by one let compressed pipe bow out to the wall.
+!> Its friction is larger then, and buckling shortens it more.
 module dg_bowed_pipe
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
@@ -22,7 +22,7 @@ module dg_bowed_pipe
       real(wp) :: weight = 0.0_wp       !< of the string [N]
       real(wp) :: all_torque = 0.0_wp   !< at surface, with smeared joints [N.m]
       real(wp) :: length = 0.0_wp       !< that buckling takes up [m]
-      real(wp) :: bowed = 0.0_wp        !< length of buckled pipe that bows out between its joints [m]
+      real(wp) :: bowed = 0.0_wp        !< length of pipe that bows out between its joints [m]
       logical :: locks_anyway = .false. !< the string locks up with smeared joints, too
       logical :: locks = .false.        !< the string locks up with joints one by one
    end type left_out_type
@@ -56,15 +56,6 @@ contains
       bows = totals%bowed > noticeable_bow
    end function bows_between_joints
 
-   !> True if smeared joints leave out some of a change of length that the deck asks for.
-   pure function takes_length(model, case_index, less) result(takes)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      type(left_out_type), intent(in) :: less
-      logical :: takes
-      takes = less%length > noticeable_length .and. asks_for_length(model, model%cases(case_index))
-   end function takes_length
-
    !> Add a message where joints one by one would change the length, the hook load or the torque of a compressed string. The
    !> soft string tells by how much, as it knows both (coil_clearance). Above the weight of the string its change is no number
    !> to use.
@@ -80,7 +71,7 @@ contains
       if (less%locks_anyway) return
       cure = ". Set tool_joints = 'discrete' in &solver"
       if (tried) cure = '. With joints one by one no equilibrium was found'
-      if (takes_length(model, case_index, less)) &
+      if (less%length > noticeable_length .and. asks_for_length(model, model%cases(case_index))) &
          call add_message(result, 'Smeared tool joints hold buckled pipe off the wall: its buckling shortens it by roughly '// &
                           in_units(model%units, unit_length, less%length, shown)//' more'//cure)
       if (less%locks .or. less%hookload > less%weight) then

@@ -151,7 +151,7 @@ contains
          else if (bare%status == result_locked_up) then
             verdict%limit_without_load = limit_lock_up
          end if
-         if (wob > 0.0_wp) verdict%most_wob = given(weight_that_arrives(model, result))
+         if (wob > 0.0_wp .and. .not. verdict%most_wob%present) verdict%most_wob = given(weight_that_arrives(model, result))
          if (verdict%also > 0) return       ! weight is not the only shortage
          call find_reach(model, i, verdict%reach, scale)
          part = matching_friction(model, i, wob, -model%rig%max_push)/scale

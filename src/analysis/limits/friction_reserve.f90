@@ -15,7 +15,7 @@ module dg_friction_reserve
    use dg_model, only: model_type
    use dg_packer, only: end_compression
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
-   use dg_string_weight, only: weight_share
+   use dg_string_weight, only: too_much, weight_share
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, utilisation_type
    use dg_verdict, only: limit_lock_up, limit_string_weight
@@ -27,8 +27,6 @@ module dg_friction_reserve
    real(wp), parameter :: least = 0.1_wp, most = 10.0_wp, narrowness = 1.0e-4_wp
    !> Friction of the soft string below this part of its weight is not scaled [-].
    real(wp), parameter :: no_friction = 1.0e-6_wp
-   !> Share of the limit of a string that locks up [-].
-   real(wp), parameter :: locked = 2.0_wp
 
    !> Loads of the soft string for the case, and ratios of the result to them.
    type :: soft_type
@@ -201,7 +199,7 @@ contains
       logical :: runaway
       call shift_result(model, result, soft, factor, other, runaway)
       if (runaway) then
-         margin = 1.0_wp - locked
+         margin = 1.0_wp - too_much
          limit = limit_lock_up
          return
       end if
@@ -220,7 +218,7 @@ contains
       ! Models without the friction of helical buckling in their hook load are judged by the soft string with it.
       call soft_string_at(model, result%case_index, result%profile%md, axial, torque, totals=totals, &
                           other=other_loads_type(friction_scale=factor, coiled=.true.))
-      share = locked
+      share = too_much
       if (.not. totals%runaway) then
          hookload = axial(1) - surface_push(model, result%case_index)
          ! this holds for a string that floats too

@@ -15,7 +15,7 @@ module dg_limit_reach
    use dg_soft_string, only: set_profile, set_totals, subdivided
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_string_piece, only: breakpoints
-   use dg_string_weight, only: passed_weight
+   use dg_string_weight, only: passed_weight, too_much
    use dg_trajectory, only: top_md
    use dg_utilisation, only: find_utilisation, limit_count, utilisation_type
    implicit none
@@ -24,8 +24,6 @@ module dg_limit_reach
 
    !> Accuracy of the depth over the depth of the bit [-].
    real(wp), parameter :: depth_tolerance = 1.0e-4_wp
-   !> Use of each limit where string weight is not enough [-].
-   real(wp), parameter :: too_much = 2.0_wp
 
 contains
 

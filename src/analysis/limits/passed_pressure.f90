@@ -109,11 +109,9 @@ contains
       pure function is_empty() result(is)
          logical :: is
          integer :: i
-         is = .false.
-         do i = 1, size(result%profile%md)
-            is = density_at(model%mud, side_inside, result%profile%md(i), model%cases(result%case_index)%bit_depth) < empty
-            if (is) return
-         end do
+         associate (md => result%profile%md, bit => model%cases(result%case_index)%bit_depth)
+            is = any([(density_at(model%mud, side_inside, md(i), bit) < empty, i=1, size(md))])
+         end associate
       end function is_empty
 
       !> Uses of all limits with a pump pressure [Pa], and with another mud.

@@ -13,9 +13,9 @@ module dg_string_weight
    use dg_weight_on_bit, only: locks_up
    implicit none
    private
-   public :: judge_weight, passed_weight, weight_share
+   public :: judge_weight, passed_weight, weight_share, too_much
 
-   !> Share of the limit of a floating string that must be pushed [-].
+   !> Share of a limit that stands for a string which cannot come down, where there is no number [-].
    real(wp), parameter :: too_much = 2.0_wp
 
 contains

@@ -27,7 +27,7 @@ contains
       if (verdict%max_push > 0.0_wp) text = text//', '//trim(sums(2))//' possible'
    end function push_text
 
-   !> What brings the string down, with the verb that follows.
+   !> Subject and verb of a sentence: 'string weight brings', or 'string weight and push bring' for a rig that can push.
    pure function weight_text(verdict, one, many) result(text)
       type(verdict_type), intent(in) :: verdict
       character(*), intent(in) :: one, many      !< verb of string weight alone, and with a push

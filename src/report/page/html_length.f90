@@ -71,7 +71,7 @@ contains
          do i = 1, size(systems)
             systems(i)%text = length_text(system_of(i), length)
          end do
-         cell = '<td class="text"'//said(length_text(job%units, length), systems)//'>'//length_text(job%units, length)//'</td>'
+         cell = said_cell(length_text(job%units, length), systems)
       end function length_cell
 
       pure function force_cell(force) result(cell)
@@ -84,9 +84,16 @@ contains
          do i = 1, size(systems)
             systems(i)%text = packer_text(system_of(i), force%value)
          end do
-         cell = '<td class="text"'//said(packer_text(job%units, force%value), systems)//'>'// &
-                packer_text(job%units, force%value)//'</td>'
+         cell = said_cell(packer_text(job%units, force%value), systems)
       end function force_cell
+
+      !> A cell with its text in the units of the run, and in those that a click brings.
+      pure function said_cell(here, systems) result(cell)
+         character(*), intent(in) :: here
+         type(text_type), intent(in) :: systems(:)
+         character(:), allocatable :: cell
+         cell = '<td class="text"'//said(here, systems)//'>'//here//'</td>'
+      end function said_cell
    end subroutine append_lengths
 
    !> A change of length with its direction.

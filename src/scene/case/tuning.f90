@@ -133,8 +133,8 @@ module dg_tuning
       !> Stiffness against its sideways motion, in units of damping [-]: half of the damping that a stable equilibrium may
       !> need.
       real(wp) :: hold_stiffness = 0.01_wp
-      !> The same where a contact slips, over the one above [-]. With 1 a string that creeps needs two to three times as many
-      !> iterations.
+      !> Stiffness where a contact slips, over `hold_stiffness` [-]. With 1 a string that creeps needs two to three times as
+      !> many iterations.
       real(wp) :: hold_slipping = 0.01_wp
       !> Largest share of a contact's friction that acts sideways [-]. It reduces friction along the hole by at most 0.13 %.
       !> With 2 % some strings do not converge that converge by themselves.

@@ -204,8 +204,8 @@ contains
          'what was measured')
    end subroutine append_warnings
 
-   !> Warning of hook loads that are all measured on the same side of those found, pulled and lowered alike; '' if there is none.
-   !> Friction changes both ways by opposite amounts.
+   !> Warning that all measured hook loads are above the fit, or all below; '' if not. More friction raises the hook loads of
+   !> strings that are pulled, and lowers those of strings that go down. So friction is not the reason.
    function one_sided_text(units, model, calibration, result) result(text)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
