@@ -358,7 +358,7 @@ def check_src():
             for one in re.findall(r"\d+", numbers):
                 if one not in conventions:
                     faults.append(f"{path.relative_to(ROOT)}: src/README.md has no convention {one}")
-    added = re.findall(r"^\| [^|]* \| ([^|]*) \| `(\w+)` \|$", text[text.index("## How to add"):], re.M)
+    added = re.findall(r"^\| [^|]* \| ([^|]*) \| `([\w%]+)` \|$", text[text.index("## How to add"):], re.M)
     for files, example in added:
         told = {name if name.startswith("app/") else f"src/{name}" for name in re.findall(r"`((?:\w+/)+\w+\.f90)`", files)}
         there = {str(path.relative_to(ROOT)) for folder in ("src", "app") for path in (ROOT / folder).rglob("*.f90")
