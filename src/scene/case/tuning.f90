@@ -98,7 +98,7 @@ module dg_tuning
       !> Number of times that gaps may move near an equilibrium to the extremum of their element, or begin to follow it.
       integer :: most_moves = 2
       !> Number of further moves of contacts that are then still far from where the string is deepest. Without them the torque
-      !> of a string in an enlarged bend is 6 % wrong (`fpm test verification -- -f lone_contacts.place`).
+      !> of a string in an enlarged bend is 6 % wrong (`fpm test verification --flag -O3 -- -f lone_contacts.place`).
       integer :: more_moves = 2
       !> Least excess of the string's depth elsewhere in the element of such a contact [m]. At 1 mm more gaps move in vain.
       real(wp) :: astray = 3.0e-3_wp
