@@ -1,7 +1,7 @@
 !> Result of any model for one load case. SI units.
 module dg_case_result
    use dg_kinds, only: wp
-   use dg_missing, only: missing, missing_count
+   use dg_missing, only: missing, missing_count, optional_real
    use dg_profile, only: profile_type
    implicit none
    private
@@ -94,6 +94,14 @@ module dg_case_result
       real(wp) :: friction_scale = 1.0_wp        !< of all friction, with which the soft string has that hook load [-]
    end type without_load_type
 
+   !> Values at which string weight is just enough, by beams, all else equal. Absent where they were not looked for or not found.
+   type :: weight_limits_type
+      type(optional_real) :: friction            !< factor on all friction [-]
+      type(optional_real) :: wob                 !< [N]
+      type(optional_real) :: friction_scale      !< on the friction of the soft string, which has the beams' hook load there [-]
+      integer :: iterations = 0                  !< of all solutions for them
+   end type weight_limits_type
+
    type :: case_result_type
       integer :: case_index = 0                !< in model%cases
       integer :: model = 0                     !< number of the model (dg_job)
@@ -125,6 +133,7 @@ module dg_case_result
       real(wp) :: lock_up_load = missing
       real(wp) :: weight_on_bit = missing          !< that a given hook load brings [N]
       type(without_load_type) :: without_load  !< of a string that goes down and locks up or must be pushed
+      type(weight_limits_type) :: weight_limits  !< of a buckled string that goes down
       !> Friction that smeared tool joints leave out, a rough number by the soft string; huge: the string may lock up by it [N].
       real(wp) :: left_out_friction = 0.0_wp
       logical :: joints_apart = .false.        !< tool joints were solved one by one, though the model smears them

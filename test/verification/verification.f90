@@ -13,6 +13,7 @@ contains
       use dg_test_soft_wells, only: soft_wells_suite
       use dg_test_tangent, only: tangent_suite
       use dg_test_fidelity, only: fidelity_suite
+      use dg_test_weight_limits, only: weight_limits_suite
       use dg_test_fit_coverage, only: fit_coverage_suite
       use dg_test_bends, only: bends_suite
       use dg_test_straight_holes, only: straight_holes_suite
@@ -57,6 +58,7 @@ contains
       call suite%addTest(soft_wells_suite())
       call suite%addTest(tangent_suite())
       call suite%addTest(fidelity_suite())
+      call suite%addTest(weight_limits_suite())
       call suite%addTest(fit_coverage_suite())
       call suite%addTest(bends_suite())
       call suite%addTest(straight_holes_suite())

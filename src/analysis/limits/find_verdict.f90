@@ -47,6 +47,7 @@ contains
       type(verdict_type), intent(out) :: verdict
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       associate (load_case => model%cases(result%case_index))
+         verdict%wob_by_beams = result%weight_limits%wob%present
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up
@@ -72,7 +73,8 @@ contains
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
                call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
-               if (verdict%friction_reserve%present) &
+               call take_limit_of_beams(result%weight_limits%friction, verdict)
+               if (verdict%friction_reserve%present .and. .not. result%weight_limits%friction%present) &
                   verdict%reserve_buckles = buckles_by_friction(model, result, verdict%friction_reserve%value)
             else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue]) .and. .not. lacks_weight(load_case, verdict)) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
@@ -103,6 +105,18 @@ contains
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
       end associate
    end subroutine find_verdict
+
+   !> Take the friction with which string weight is just enough by beams as that of a yes, where it is found. Another limit that
+   !> is passed with less friction stays.
+   pure subroutine take_limit_of_beams(friction, verdict)
+      type(optional_real), intent(in) :: friction      !< over that of the case [-]
+      type(verdict_type), intent(inout) :: verdict     !< with its friction reserve by the soft string
+      if (.not. friction%present) return
+      if (verdict%friction_reserve%present .and. all(verdict%reserve_limit /= [limit_string_weight, limit_lock_up]) .and. &
+          verdict%friction_reserve%value < friction%value) return
+      verdict%friction_reserve = given(max(friction%value, 1.0_wp))
+      verdict%reserve_limit = limit_string_weight
+   end subroutine take_limit_of_beams
 
    !> True for beams that turn in helical buckling. Their torque grows with weight on bit and friction much faster than that of
    !> the soft string. Loads of the soft string times a ratio would allow up to three times the possible friction.
@@ -155,6 +169,7 @@ contains
          if (verdict%also > 0) return       ! weight is not the only shortage
          call find_reach(model, i, verdict%reach, scale)
          part = matching_friction(model, i, wob, -model%rig%max_push)/scale
+         if (result%weight_limits%friction%present) part = result%weight_limits%friction%value
          verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
       end associate
    end subroutine find_ways_down

@@ -52,8 +52,8 @@ contains
       call find_factor(model, result, design, rig_limit, [1.0_wp, most], reserve, limit)
    end subroutine find_friction_reserve
 
-   !> True for beams that are not helically buckled, and that the soft string sees buckled with all friction times a factor. The
-   !> friction of their coils is not known then: in four such wells the answer turned at 0.85 to 0.96 of the factor.
+   !> True for beams that the soft string sees buckled with all friction times a factor. The friction of their coils is not known
+   !> then: in four such wells the answer turned at 0.85 to 0.96 of the factor.
    pure function buckles_by_friction(model, result, factor) result(buckles)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
@@ -62,8 +62,7 @@ contains
       type(soft_totals_type) :: totals
       real(wp) :: axial(1), torque(1)
       associate (load_case => model%cases(result%case_index))
-         buckles = result%model == model_mcge .and. block_way(load_case%operation) < 0 .and. .not. rotates(load_case%operation) &
-                   .and. .not. result%coiled
+         buckles = result%model == model_mcge .and. block_way(load_case%operation) < 0 .and. .not. rotates(load_case%operation)
       end associate
       if (.not. buckles) return
       call soft_string_at(model, result%case_index, [top_md(model%trajectory)], axial, torque, totals=totals, &

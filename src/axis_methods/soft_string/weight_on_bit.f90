@@ -33,11 +33,13 @@ contains
 
    !> Largest weight on bit by string weight and `max_push` of the rig [N]. Friction includes helical buckling, and the factor of
    !> beams over the soft string. For a string that locks up it is at most the load by beams. Where friction and not weight
-   !> limits it, it is less than that of the soft string in the ratio of both loads.
+   !> limits it, it is less than that of the soft string in the ratio of both loads. If beams have found it, it is theirs.
    pure function weight_that_arrives(model, result) result(most)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       real(wp) :: most, pushed, without
+      most = result%weight_limits%wob%value
+      if (result%weight_limits%wob%present) return
       most = most_weight_on_bit(model, result%case_index, coiled=.true., pushed=.false., &
                                 friction_scale=friction_by_beams(model, result))
       if (result%status == result_converged .and. result%without_load%status == result_converged) then
@@ -54,11 +56,14 @@ contains
    end function weight_that_arrives
 
    !> Factor on all friction of the soft string, helical buckling included, with which it has the hook load of beams [-]. It is
-   !> that of the case itself where a string slides down, else of the case without weight on bit, 1 if neither is known.
+   !> that of the limit that beams have found. Else it is that of the case itself where a string slides down, else of the case
+   !> without weight on bit. It is 1 if none is known.
    pure function friction_by_beams(model, result) result(scale)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       real(wp) :: scale
+      scale = result%weight_limits%friction_scale%value
+      if (result%weight_limits%friction_scale%present) return
       scale = result%without_load%friction_scale
       associate (load_case => model%cases(result%case_index))
          if (result%status /= result_converged .or. result%model /= model_mcge .or. block_way(load_case%operation) >= 0 .or. &

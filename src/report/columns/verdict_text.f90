@@ -152,7 +152,7 @@ contains
       real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
       integer :: digits
-      digits = merge(close_factor, shown_factor, abs(factor - 1.0_wp) < little_reserve - 1.0_wp)
+      digits = merge(close_factor, shown_factor, factor >= 1.0_wp .and. factor < little_reserve)
       text = to_text(rounded_down(factor, digits), digits)//' times '// &
              either('all friction factors', 'the calibrated friction', verdict%friction == friction_given)
    end function times_text
@@ -195,7 +195,7 @@ contains
          if (verdict%reach%value > 0.0_wp) then
             text = text//'. Deepest bit depth possible: about '// &
                    in_units(units, unit_length, at_most(units, unit_length, verdict%reach%value, shown), shown)// &
-                   ' by the soft string'
+                   either(' with this WOB', '', load_case%wob > 0.0_wp)
          else if (load_case%operation /= operation_static) then
             text = text//'. No shallower bit depth is possible either'
          end if
@@ -204,7 +204,7 @@ contains
       if (verdict%pump_pressure%present) text = text//'. The answer becomes yes with a pump_pressure of at '// &
          pump_text(units, verdict)
       if (verdict%turning_hookload%present) &
-         text = text//'. Rotate the string, if that is allowed: its weight is enough then, hook load about '// &
+         text = text//'. Rotate the string and move it slowly, if that is allowed: its weight is enough then, hook load about '// &
                 force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
                 either(' without bit torque', '', load_case%wob > 0.0_wp)//', by the soft string. '// &
@@ -297,7 +297,7 @@ contains
          text = text//' ('//trim(sums(2))//'), '//takers_text(load_case, verdict)//' '//trim(sums(1))//' of it, '
       else if (verdict%allowed%present) then
          text = text//either(', WOB ', ', ', by_wob)//sums(1)(:index(sums(1), ' ') - 1)//' of '// &
-                trim(sums(2))//either(' by the soft string, ', ', ', by_wob)
+                trim(sums(2))//either(' by the soft string, ', ', ', by_wob .and. .not. verdict%wob_by_beams)
       else
          text = text//either(', WOB ', ', ', by_wob)
       end if

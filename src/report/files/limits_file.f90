@@ -111,8 +111,8 @@ contains
                'make-up torque - torque, least along the string; empty without make-up torque', whole%makeup_margin)
       call add(row, 'makeup_margin_md', quantity_length, 'measured depth of this value', whole%makeup_margin_md)
       call add(row, 'wob_lockup', quantity_force, &
-               'the same with friction of helical buckling and max_push of &rig; where mcge slides, all friction times the '// &
-               'factor that gives its hook load; beams may lock up at less WOB', &
+               'the same with friction of helical buckling and max_push of &rig: by beams where a buckled string slides near '// &
+               'it, else with all friction times the factor that gives the hook load of mcge', &
                whole%wob_lockup)
    end subroutine add_margins
 

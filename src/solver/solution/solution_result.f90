@@ -25,6 +25,8 @@ module dg_solution_result
    type :: wanted_type
       logical :: moments = .true.    !< on elements short enough for them; needs the profile
       logical :: profile = .true.
+      logical :: friction_limit = .false.  !< friction with which string weight is just enough, and weight on bit
+      logical :: wob_limit = .false.       !< weight on bit alone
    end type wanted_type
 
    !> Compression over the helical load above which a string counts as helically buckled [-].

@@ -47,6 +47,7 @@ module dg_static_analysis
    use dg_tuning, only: attempt_type, mesh_try_type
    use dg_unit_kind, only: in_units, unit_length
    use dg_walls, only: lay_out_gaps, softness
+   use dg_weight_limits, only: find_weight_limits
    use dg_whirling, only: find_sideways
    use dg_workspace, only: new_start_room, new_workspace
    implicit none
@@ -75,13 +76,14 @@ contains
 
    !> Solve one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result with
    !> its reason. An `error` prevents any result. If the first mesh finds no equilibrium, those of tuning%mesh follow.
-   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
+   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop, wob_limit)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< true: no profile, and moments only where totals need them
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
+      logical, intent(in), optional :: wob_limit     !< true: find the weight that comes to the bit, also without profile
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
       type(model_type) :: known                   ! with the friction of a stiff assembly, and joints as on its elements
@@ -95,6 +97,8 @@ contains
       if (present(stop)) stopped = stop
       if (present(totals_only)) wanted%profile = .not. totals_only
       wanted%moments = model%numerics%moments .and. wanted%profile
+      wanted%friction_limit = wanted%profile
+      if (present(wob_limit)) wanted%wob_limit = wob_limit
       allocate (history(0))
       known = model
       known%numerics%joints_by_need = .false.
@@ -230,6 +234,8 @@ contains
          numerics%max_iterations = most
          if (outcome == outcome_converged) &
             call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
+         if ((wanted%friction_limit .or. wanted%wob_limit) .and. outcome == outcome_converged) &
+            call find_weight_limits(model, case_index, wanted%friction_limit, numerics, solution, result)
          if (.not. wanted%profile) result%profile = profile_type()
          result%stability_margin = margin
          result%attempts = last - mesh_try%first + 1
