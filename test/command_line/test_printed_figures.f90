@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('packer', test_packer))
       call suite%addTest(TestMethod('directions_on_the_page', test_directions))
       call suite%addTest(TestMethod('locked_up_on_the_page', test_locked))
+      call suite%addTest(TestMethod('models_in_short', test_short))
    end function printed_figures_suite
 
    !> A string on a slant. `loads` are those of its load case.
@@ -350,6 +351,24 @@ contains
          if (reference == '') text = replaced(text, ", length_reference = ''", '')
       end function tubing
    end subroutine test_directions
+
+   !> The page in short compares models in a case that must be pushed by one of them, too, and names the other's answer.
+   subroutine test_short()
+      type(run_type) :: run
+      character(:), allocatable :: page
+      run = run_deck_text("&job models = 'mcge', 'soft', hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 500, 900, 3500, inc = 0, 0, 90, 90, azi = 4*0 /'//newline// &
+         '&hole diameter = 215.9, friction = 0.3 /'//newline//'&fluid density = 1200 /'//newline// &
+         "&component name = 'pipe', od = 127, id = 108.6, mass = 31.9, joint_od = 161.9 /"//newline// &
+         '&rig max_torque = 10.5 /'//newline// &
+         "&load_case name = 'rob', operation = 'rotate_off_bottom', bit_depth = 2340 /"//newline// &
+         "&load_case name = 'rih', operation = 'trip_in', bit_depth = 2340 /"//newline)
+      page = content(results_path//'/report.html')
+      page = page(index(page, '<h2>In short</h2>'):)
+      page = page(:index(page, '</ul>'))
+      call assertTrue(index(page, ' % of the greatest; the worst is rih. Model soft answers otherwise: ''rob'' NO.</li>') > 0, &
+                      message=page//run%output)
+   end subroutine test_short
 
    !> A case that locks up is named beside those that are found to buckle.
    subroutine test_locked()

@@ -16,6 +16,7 @@ module dg_html_short
    use dg_text, only: either, text_type, to_text
    use dg_unit_kind, only: unit_force
    use dg_units, only: unit_system_type
+   use dg_verdict_table, only: unlike_text
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -50,7 +51,7 @@ contains
          call append_buckled(lines, model, results(rows), wholes(rows), &
                              pack(results%case_index, results%model == shown .and. results%status == result_locked_up))
          call append_errors(lines, job%units, model, results(rows))
-         call append_models(lines, job, model, results, rows)
+         call append_models(lines, job, model, results, wholes, rows)
          if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
       end if
       if (allocated(outcome%sentences)) then
@@ -143,13 +144,15 @@ contains
       end subroutine write_errors
    end subroutine append_errors
 
-   !> Append the difference of hook loads of other models from these.
-   subroutine append_models(lines, job, model, results, rows)
+   !> Append the difference of hook loads of other models from these, and the cases that they answer otherwise.
+   subroutine append_models(lines, job, model, results, wholes, rows)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
+      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       integer, intent(in) :: rows(:)           !< of the model that is shown
+      character(:), allocatable :: otherwise
       real(wp) :: apart, worst, scale
       integer :: i, k, m, where_worst
       scale = maxval(abs(results(rows)%hookload))
@@ -162,7 +165,6 @@ contains
             do k = 1, size(results)
                if (results(k)%model /= job%models(m) .or. results(k)%case_index /= results(rows(i))%case_index .or. &
                    results(k)%status /= result_converged) cycle
-               if (min(results(k)%hookload, results(rows(i))%hookload) < 0.0_wp) cycle     ! the string must be pushed
                apart = abs(results(k)%hookload - results(rows(i))%hookload)
                if (apart > worst) then
                   worst = apart
@@ -170,9 +172,13 @@ contains
                end if
             end do
          end do
-         if (where_worst > 0) call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
-            said_number(job%units, unit_force, worst, fewer)//' of these, '//to_text(per_cent*worst/scale, fewer)// &
-            ' % of the greatest; the worst is '//html_safe(model%cases(where_worst)%name)//'.</li>')
+         if (where_worst == 0) cycle
+         otherwise = unlike_text(job, model, results, wholes, job%models(m))
+         call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
+                       said_number(job%units, unit_force, worst, fewer)//' of these, '// &
+                       to_text(per_cent*worst/scale, fewer)//' % of the greatest; the worst is '// &
+                       html_safe(model%cases(where_worst)%name)//'.'// &
+                       either('', ' '//html_safe(otherwise), otherwise == '')//'</li>')
       end do
    end subroutine append_models
 
