@@ -1,10 +1,17 @@
 !> Curves along the string on the page: peaks that stay, values between points, curves that are written by others.
 module dg_test_page_curves
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_along_string, only: along_string_type, new_along_string
+   use dg_case_result, only: case_result_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
+   use dg_page_curves, only: curve_series, profile_curves, share_type
    use dg_page_relations, only: part_for_others, rows_for_others, write_by_first, write_by_others, written_type
    use dg_page_thinning, only: finest, kept_values, line_at, read_at, thin_curve, thinned_type
+   use dg_series, only: series_list_type
+   use dg_test_report_sample, only: sample_results
+   use dg_text, only: text_type
+   use dg_units, only: si_units
    implicit none
    private
    public :: page_curves_suite
@@ -21,6 +28,7 @@ contains
       call suite%addTest(TestMethod('by_parts', test_parts))
       call suite%addTest(TestMethod('by_two', test_two))
       call suite%addTest(TestMethod('by_first', test_first))
+      call suite%addTest(TestMethod('side_force_on_joint', test_joint))
    end function page_curves_suite
 
    pure function depths() result(md)
@@ -66,6 +74,33 @@ contains
       call assertEqual([0.0_wp, 0.5_wp, 1.0_wp, 5.0_wp], values(:4), 1.0e-12_wp)
       call assertTrue(all(is_missing(values(5:))))
    end subroutine test_between
+
+   !> Side force on a joint is that on the length of this string's joints: half the length at double the load gives the same curve.
+   subroutine test_joint()
+      type(case_result_type), allocatable :: results(:)
+      type(along_string_type) :: along
+      type(series_list_type) :: list
+      type(written_type) :: first
+      type(text_type), allocatable :: texts(:), again(:)
+      type(text_type) :: rows
+      real(wp), allocatable :: within(:)
+      allocate (results, source=sample_results())
+      along = new_along_string(2)
+      along%pipe_joint = 10.0_wp
+      results(1)%profile%md = [0.0_wp, 2.0e4_wp]
+      results(1)%profile%side_force = [100.0_wp, 300.0_wp]
+      list = curve_series(results(1)%profile, along)
+      associate (joint => list%count)
+         allocate (texts(joint), again(joint), within(joint))
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, texts, within, rows)
+         along%pipe_joint = 5.0_wp
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, within, rows)
+         call assertTrue(again(joint)%text /= texts(joint)%text, message='half the length, half the force')
+         results(1)%profile%side_force = [200.0_wp, 600.0_wp]
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, within, rows)
+         call assertEqual(texts(joint)%text, again(joint)%text)
+      end associate
+   end subroutine test_joint
 
    !> A stress is written by its moment: its peaks, then points, factor and addend of each component. The moment is close enough for
    !> it. One that does not go with the moment stays alone.

@@ -2,7 +2,7 @@
 module dg_test_pictures
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
-   use dg_along_string, only: new_along_string
+   use dg_along_string, only: along_string_type, new_along_string
    use dg_assembly_picture, only: assembly_chart
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_chart, only: add_panel, chart_type, fit_range, new_chart
@@ -191,12 +191,15 @@ contains
 
    !> The scripts draw what the case has and name units.
    subroutine test_case_scripts()
+      type(along_string_type) :: along
       type(text_type), allocatable :: lines(:)
       type(case_result_type), allocatable :: results(:)
       type(model_type) :: model
       model = model_with_string()
       allocate (results, source=sample_results())
-      call chart_script(forces_chart(sample_job(), model, results(:1), [new_along_string(2)], ' rigid'), lines)
+      along = new_along_string(2)
+      along%pipe_joint = 9.5_wp
+      call chart_script(forces_chart(sample_job(), model, results(:1), [along], ' rigid'), lines)
       call assertTrue(has_text(lines, 'up at 2075 m; no solution: rigid'))
       call assertTrue(has_line(lines, "set output 'forces_i_up.svg'.unfinished"))
       call assertTrue(has_text(lines, "set xlabel 'effective axial force [kN]'"))

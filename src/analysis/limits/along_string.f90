@@ -11,7 +11,7 @@ module dg_along_string
    use dg_component, only: bending_stiffness, component_type, contact_diameter, has_joints, &
                            joint_bore, tube_inertia, worn_od
    use dg_design_factors, only: design_factors_type
-   use dg_drillstring, only: component_at, component_tops
+   use dg_drillstring, only: component_at, component_tops, pipe_joint
    use dg_fluid, only: side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
    use dg_hole_section, only: hole_section_at
@@ -64,6 +64,7 @@ module dg_along_string
       real(wp), allocatable :: od(:)                !< of the body [m]
       real(wp), allocatable :: hole_diameter(:)     !< of the hole [m]
       real(wp), allocatable :: standoff(:)          !< of the body: least annular distance over that of a centred body [-]
+      real(wp) :: pipe_joint = 0.0_wp               !< length of a joint of pipe, for side forces [m]
    end type along_string_type
 
    !> Half the distance between two places in the bend above a row and in the bend below it [m].
@@ -91,6 +92,7 @@ contains
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))
+      along%pipe_joint = pipe_joint(model%strings(string), tops)
       call new_fluid_column(model, model%cases(result%case_index), side_outside, outside)
       call new_fluid_column(model, model%cases(result%case_index), side_inside, inside)
       associate (profile => result%profile, components => model%strings(string)%components)

@@ -8,7 +8,7 @@ module dg_whole_string
    use dg_case_result, only: case_result_type
    use dg_casing_wear, only: find_casing_wear, groove_type, worst_groove
    use dg_component, only: axial_stiffness, bending_stiffness, contact_diameter, room_of, torsional_stiffness, worn_od
-   use dg_drillstring, only: component_at, component_tops, pipe_joint
+   use dg_drillstring, only: component_at, component_tops
    use dg_fatigue, only: fatigue_type, find_fatigue
    use dg_job, only: model_mcge
    use dg_length_change, only: asks_for_length, find_length_change, length_change_type
@@ -131,9 +131,7 @@ contains
          whole%von_mises = along%von_mises(i)
          if (whole%bending_error%present .and. whole%von_mises > 0.0_wp) whole%von_mises_error = &
             given(whole%bending_error%value*whole%bending*along%per_moment(i)/whole%von_mises)
-         call largest_mean(profile%md, profile%side_force, &
-                           pipe_joint(model%strings(string_index(model%strings, model%cases(result%case_index)%string)), &
-                                      profile%md(size(profile%md)) - profile%md(1)), whole%side_force, i)
+         call largest_mean(profile%md, profile%side_force, along%pipe_joint, whole%side_force, i)
          whole%side_force_md = profile%md(i)
       end associate
       whole%packer_force = optional_real(model%boundary%packer_bore > 0.0_wp, model%cases(result%case_index)%wob)

@@ -29,8 +29,7 @@ module dg_page_curves
    end type share_type
 
    character(*), parameter :: joint_force = 'side_force_on_joint'
-   !> Length of string for the additional curve of side force, a joint of pipe, and number of its places.
-   real(wp), parameter :: joint = 9.5_wp
+   !> Places of the additional curve of side force.
    integer, parameter :: joint_places = 1000
    !> A curve with fewer points has its own depths. It may be that of an earlier profile, too.
    integer, parameter :: fewest_shared = 64
@@ -55,7 +54,9 @@ contains
          list%count = list%count + 1
          list%items(list%count) = all%items(i)
       end do
-      call add(list, joint_force, quantity_force, 'contact force on 9.5 m of string, the length of a joint', profile%side_force)
+      call add(list, joint_force, quantity_force, &
+               'contact force on a joint of pipe (joint_spacing of the longest component with joints, else 9.5 m)', &
+               profile%side_force)
    end function curve_series
 
    !> A text for each of `curve_series`; '' where a column has no value or is left out. `rows`: depths that curves share; '' where
@@ -91,7 +92,7 @@ contains
                curves(k)%values = real(series%states, wp)
                curves(k)%scale = scale_type(levels=maxval(series%states) + 2)
             else if (curves(k)%name == joint_force) then
-               call write_joints(profile, series%numbers, units, share%within, texts(k)%text)
+               call write_joints(profile, along%pipe_joint, units, share%within, texts(k)%text)
             else if (.not. all(is_missing(series%numbers))) then
                numbers = series%numbers
                if (is_inverse(curves(k)%name)) call invert(along%envelope_margin, numbers)
@@ -181,9 +182,9 @@ contains
    end function stands_alone
 
    !> Contact force on a joint, at equal steps of depth.
-   pure subroutine write_joints(profile, side_force, units, within, text)
+   pure subroutine write_joints(profile, joint, units, within, text)
       type(profile_type), intent(in) :: profile
-      real(wp), intent(in) :: side_force(:)         !< per length [N/m]
+      real(wp), intent(in) :: joint                 !< its length [m]
       type(unit_system_type), intent(in) :: units
       real(wp), intent(in) :: within                !< of its range [-]
       character(:), allocatable, intent(out) :: text
@@ -193,7 +194,7 @@ contains
       integer :: i, n
       n = size(profile%md)
       places = profile%md(1) + (profile%md(n) - profile%md(1))*[(real(i, wp)/joint_places, i=0, joint_places)]
-      values = force_on_length(profile%md, side_force, joint, places)/units%force
+      values = force_on_length(profile%md, profile%side_force, joint, places)/units%force
       places = places/units%length
       curve%name = joint_force
       curve%values = values

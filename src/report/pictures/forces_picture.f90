@@ -9,12 +9,11 @@ module dg_forces_picture
    use dg_quantity, only: quantity_angle, quantity_force, quantity_length, quantity_moment
    use dg_curve_look, only: colour_black, colour_grey, colour_of, limit_dash, line_style, mark_style
    use dg_depth_curve, only: kept_points, least_around, lone_angles
-   use dg_drillstring, only: pipe_joint
    use dg_job, only: job_type, model_name
    use dg_line_load, only: force_on_length
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type, side_above, state_free
    use dg_text, only: either, to_text
@@ -60,8 +59,7 @@ contains
             end do
          end if
          call fit_range(chart)
-         call add_side_force(chart, results, pipe_joint(model%strings(string_index(model%strings, load_case%string)), &
-                                                        load_case%bit_depth - results(1)%profile%md(1)))
+         call add_side_force(chart, results, alongs(1)%pipe_joint)
          call add_clock(chart, results)
       end associate
    contains

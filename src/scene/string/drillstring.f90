@@ -61,14 +61,13 @@ contains
 
    !> Length of a joint of pipe [m]: of the component with joints that makes most of the string. Without joints it is that of
    !> range 2.
-   pure function pipe_joint(string, length) result(joint)
+   pure function pipe_joint(string, tops) result(joint)
       type(drillstring_type), intent(in) :: string
-      real(wp), intent(in) :: length         !< of the string in the hole [m]
+      real(wp), intent(in) :: tops(:)        !< from component_tops
       real(wp) :: joint
       real(wp), parameter :: usual = 9.5_wp
-      real(wp) :: tops(size(string%components)), lengths(size(string%components))
+      real(wp) :: lengths(size(tops))
       integer :: longest
-      tops = component_tops(string, length)
       lengths(1) = tops(1)
       lengths(2:) = tops(2:) - tops(:size(tops) - 1)
       longest = maxloc(lengths, mask=has_joints(string%components), dim=1)
