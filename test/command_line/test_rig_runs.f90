@@ -236,6 +236,9 @@ contains
       call assertTrue(index(run%output, 'Cannot be done at 1000 m: rotary drilling, friction .1/.35 (string weight)') > 0, &
                       message=run%output)
       call assertEqual(0, index(run%output, 'Cannot be done at 1000 m: up'), message=run%output)
+      run = run_deck_text(replaced(text, '0.1, 0.3, frictions_open = 0.35, 0.2', '0.135, 0.3, frictions_open = 0.3475, 0.2'))
+      call assertTrue(index(run%output, ' .135/.3475 ') > 0 .and. index(run%output, 'friction .135/.3475 (') > 0, &
+                      message='factors of the deck: '//run%output)
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1'), 'they go in pairs')
       call refuse(replaced(text, 'frictions_cased = 0.1, 0.3', 'frictions_cased = 0.1, 3'), 'frictions_cased(2) = 3 is out of')
       call assertEqual(0, index(run%diagnostics, 'go in pairs'), message='one message a fault')

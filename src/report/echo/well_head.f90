@@ -19,7 +19,7 @@ module dg_well_head
    private
    public :: deepest_bit, find_clearances, well_head
 
-   integer, parameter :: few = 3, digits = 5
+   integer, parameter :: few = 3, digits = 5, friction_digits = 4
    !> Hole sections whose friction factors are listed one by one.
    integer, parameter :: most_listed = 4
    !> Relative difference below which two weights are the same [-].
@@ -183,8 +183,9 @@ contains
          end associate
       end do
       if (own == 0) return
-      line = line//'. '//to_text(own)//' of '//to_text(size(model%cases))//' load cases have their own, '//to_text(low, few)
-      if (high > low) line = line//' to '//to_text(high, few)
+      line = line//'. '//to_text(own)//' of '//to_text(size(model%cases))//' load cases have their own, '// &
+             to_text(low, friction_digits)
+      if (high > low) line = line//' to '//to_text(high, friction_digits)
    end function friction_line
 
    !> Friction factors of hole sections, a blank before each.
@@ -195,18 +196,19 @@ contains
       text = ''
       if (size(holes) <= most_listed) then
          do i = 1, size(holes)
-            text = text//' '//to_text(holes(i)%friction_axial, few)
+            text = text//' '//to_text(holes(i)%friction_axial, friction_digits)
             if (abs(holes(i)%friction_axial - holes(i)%friction_rotary) > 0.0_wp) &
-               text = text//' axial and '//to_text(holes(i)%friction_rotary, few)//' rotary'
+               text = text//' axial and '//to_text(holes(i)%friction_rotary, friction_digits)//' rotary'
             if (.not. is_missing(holes(i)%friction_running_in)) &
-               text = text//', running in '//to_text(holes(i)%friction_running_in, few)//','
+               text = text//', running in '//to_text(holes(i)%friction_running_in, friction_digits)//','
             if (holes(i)%name /= '') text = text//' in '//holes(i)%name
             if (i < size(holes)) text = text//','
          end do
       else
-         text = ' '//to_text(minval(holes%friction_axial), few)//' to '//to_text(maxval(holes%friction_axial), few)//' axial, '// &
-            to_text(minval(holes%friction_rotary), few)//' to '//to_text(maxval(holes%friction_rotary), few)//' rotary in '// &
-            to_text(size(holes))//' hole sections'
+         text = ' '//to_text(minval(holes%friction_axial), friction_digits)//' to '// &
+                to_text(maxval(holes%friction_axial), friction_digits)//' axial, '// &
+                to_text(minval(holes%friction_rotary), friction_digits)//' to '// &
+                to_text(maxval(holes%friction_rotary), friction_digits)//' rotary in '//to_text(size(holes))//' hole sections'
       end if
    end function sections_text
 

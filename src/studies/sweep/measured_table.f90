@@ -142,11 +142,11 @@ contains
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: number
       character(:), allocatable :: text
-      integer, parameter :: digits = 4, few_digits = 2
+      integer, parameter :: digits = 4
       text = '&hole'
       if (sweep%frictions(number)%present) text = to_text(sweep%frictions(number)%value, digits)
-      if (allocated(sweep%frictions_cased)) text = without_zero(to_text(sweep%frictions_cased(number), few_digits))//'/'// &
-         without_zero(to_text(sweep%frictions(number)%value, few_digits))
+      if (allocated(sweep%frictions_cased)) &
+         text = without_zero(to_text(sweep%frictions_cased(number), digits))//'/'//without_zero(text)
    contains
       pure function without_zero(long) result(short)
          character(*), intent(in) :: long

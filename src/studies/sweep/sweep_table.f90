@@ -90,7 +90,7 @@ contains
          call add_cell(table, 'Point', number_width, i)
          call add_cell(table, 'Model', model_width, model_name(sweep%models(point%model)))
          call add_cell(table, 'Operation', label_width, operation_label(sweep%operations(point%operation)))
-         call add_right(table, 'Friction', depth_width, factor_text(sweep, point%friction))
+         call add_right(table, 'Friction', max(depth_width, factor_width(sweep)), factor_text(sweep, point%friction))
          call add_cell(table, 'Depth, '//trim(units%length_label), depth_width, sweep%depths(point%depth), units%length, 1)
          call end_row(table, '')
       end do
