@@ -315,7 +315,7 @@ def views_of_actions(page):
 def faults_of_addresses(told, place):
     """An answer's link opens its load case at the depth of its limit, here the surface; an address opens a sweep at a depth."""
     query = address(title_of_sweep(*SWEEPS[0]), 1250, "field")
-    wanted = [["At 0 m measured depth", "At 2400 m bit depth"], ["push_A"], ["At 0 ft measured depth", "At 4101.05 ft bit depth"], "#" + query]
+    wanted = [["At 0 m measured depth", "At 2400 m measured depth of the bit"], ["push_A"], ["At 0 ft measured depth", "At 4101.05 ft measured depth of the bit"], "#" + query]
     faults = [] if told == wanted else [f"links lead to {told}"]
     return faults + ([] if place is not None and abs(place) < 5 else [f"an address opens its chart {place} px below the top"])
 

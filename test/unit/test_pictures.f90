@@ -278,13 +278,16 @@ contains
          call assertEqual(11.0_wp, curves(3)%points(1, 1), 1.0e-9_wp, message='after two of the other factor')
          call assertTrue(is_missing(curves(3)%points(1, 2)), message='locked up')
          call assertEqual(0, size(curves(2)%points), message='can be done')
-         call assertEqual([0.0_wp, 2000.0_wp/units%length], curves(4)%points(:, 1), 1.0e-9_wp, message='at an empty hook')
-         call assertEqual(200.0_wp, curves(9)%points(1, 1), 1.0e-9_wp, message='measured')
-         call assertEqual(9, size(curves))
+         call assertEqual([chart%panels(1)%x%ends(1), 2000.0_wp/units%length], curves(5)%points(:, 1), 1.0_wp, &
+                          message='at the edge')
+         call assertTrue(curves(5)%at_edge .and. size(curves(4)%points) == 0, message='no hook load')
+         call assertEqual(200.0_wp, curves(10)%points(1, 1), 1.0e-9_wp, message='measured')
+         call assertEqual(10, size(curves))
          ! operations, one of them measured, then frictions, then what cannot be done
          call assertEqual([1, 4], curves(1)%keys, message='entries of the legend')
          call assertEqual([1, 5, 6], curves(4)%keys, message='cannot be done')
-         call assertEqual(1, size(curves(9)%keys), message='measured')
+         call assertEqual([1, 5, 7], curves(5)%keys, message='locked up')
+         call assertEqual(1, size(curves(10)%keys), message='measured')
       end associate
       call assertEqual(2, size(chart%panels(2)%curves), message='no torque going up')
       call assertEqual(13.0_wp, chart%panels(2)%curves(1)%points(1, 1), 1.0e-9_wp)
@@ -313,7 +316,19 @@ contains
       chart = sweep_chart(units, sweep, 1, model, points)
       call chart_script(chart, lines)
       call assertTrue(has_text(lines, 'limit of the string, up'))
-      call assertEqual(56.0_wp, chart%panels(1)%curves(5)%points(1, 1), 1.0e-9_wp)
+      associate (curves => chart%panels(1)%curves)
+         call assertEqual(56.0_wp, curves(size(curves))%points(1, 1), 1.0e-9_wp)
+         call assertTrue(curves(size(curves))%sets_axis, message='near the others')
+      end associate
+      ! neither a far limit nor much push sets the axis, which the limit of the rig ends
+      points%overpull_margin = 5000.0_wp*units%force
+      points(3)%hookload = -600.0_wp*units%force
+      points(3)%limit = 1
+      chart = sweep_chart(units, sweep, 1, model, points)
+      call chart_script(chart, lines)
+      call assertTrue(has_text(lines, ': above 5050 klbf'), message='named')
+      call assertTrue(all(abs(chart%panels(1)%x%ends) < 500.0_wp), message='the axis')
+      call assertTrue(is_missing(chart%panels(1)%curves(3)%points(1, 1)), message='much push')
       ! sheaves that rub: the indicator shows less or more than the load as blocks move
       model%rig%lines = 8
       model%rig%sheave_efficiency = 0.98_wp

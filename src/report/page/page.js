@@ -119,6 +119,7 @@ function block(S, address) {
       return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1
    }
    function text_at(line, q) {                                  // its value at the depth that is pointed at
+      if (line.edge) return ''
       const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.depth)
       return text_of(v, q) + (line.low?.[i] === undefined ? '' : ` (${text_of(line.low[i], q)} to ${text_of(line.high[i], q)})`)
    }
@@ -133,7 +134,7 @@ function block(S, address) {
    }
    function range_of(panel, lines) {                            // of what is seen; along the string 0 is among it
       if (panel.high !== undefined) return [panel.low, panel.high]
-      const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])
+      const all = lines.filter(l => !l.loose).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])
       const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]
       const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)
       const most = known.reduce((a, b) => Math.max(a, b), least), air = Math.max((most - least) * .05, Math.abs(most) * .01) || 1
@@ -141,8 +142,7 @@ function block(S, address) {
    }
    function draw_axis(svg, left, right, first_of_row) {         // depths, or names of rows
       const length = factor('length'), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H / 47)
-      const name = (S.charts ? 'MD ' : '') + `[${unit('length')}]`
-      if (first_of_row && !S.rows) make(svg, 'text', {x: left - 4, y: 12, 'text-anchor': 'end'}, name)
+      if (first_of_row && !S.rows) make(svg, 'text', {x: left - 4, y: 12, 'text-anchor': 'end'}, `MD [${unit('length')}]`)
       for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) {
          const y = y_of(at), most = Math.floor((left - 6) / 6.4)
          const short = name.length > most ? name.slice(0, most - 1) + '\u2026' : name
@@ -188,7 +188,7 @@ function block(S, address) {
       make(words, 'h:b', {}, panel.label + ' ')
       if (unit(q)) words.append(`[${unit(q)}]`)
       const curves = inside(0), marks = inside(6)                // marks on the frame are whole
-      for (const line of lines) draw_line(curves, marks, line, x_of)
+      for (const line of lines) draw_line(curves, marks, line, line.edge ? () => left : x_of)
       make(svg, 'line', {x1: left, x2: right, y1: 0, y2: 0, class: 'cross'})
       make(svg, 'rect', {x: left, width: right - left, class: 'band'})
       return svg

@@ -154,7 +154,10 @@ contains
          if (i > 1) text = text//','
          text = text//to_text(curve%keys(i) - 1)
       end do
-      text = text//']'//look_text(curve%look)//',"points":'
+      text = text//']'//look_text(curve%look)
+      if (.not. curve%sets_axis) text = text//',"loose":true'
+      if (curve%at_edge) text = text//',"edge":true'
+      text = text//',"points":'
       associate (x => curve%points(1, :), y => curve%points(2, :))
          select case (look_part(curve%look, 'with'))
          case ('lines', 'linespoints')

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'vhp4PNtvZZqX3n/wIiUSESFHUIclG7R8E4C2fQ9skoc='
+   character(*), parameter :: script_hash = 'BsVWH7oU56l9gZTcZoVnKvaZLVntpHJDnQNqIexrQ2w='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -133,6 +133,7 @@ module dg_page_script
       'return [...d.keys()].filter(i => isFinite(v[i]) && far(i) <= near).sort((a, b) => far(a) - far(b))[0] ?? -1', &
       '}', &
       'function text_at(line, q) {', &
+      'if (line.edge) return ''''', &
       'const i = line.marks ? row_beside(line) : -1, v = line.marks ? line.curve.v[i] : value_in(line.curve, state.de'// &
       'pth)', &
       'return text_of(v, q) + (line.low?.[i] === undefined ? '''' : ` (${text_of(line.low[i], q)} to ${text_of(line.h'// &
@@ -150,7 +151,7 @@ module dg_page_script
       '}', &
       'function range_of(panel, lines) {', &
       'if (panel.high !== undefined) return [panel.low, panel.high]', &
-      'const all = lines.filter(l => !l.limit).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
+      'const all = lines.filter(l => !l.loose).flatMap(l => [...l.seen.v, ...(l.low ?? []), ...(l.high ?? [])])', &
       'const known = [...(S.charts ? [0] : []), ...all.filter(v => isFinite(v))]', &
       'const least = known.reduce((a, b) => Math.min(a, b), panel.low ?? known[0] ?? 0)', &
       'const most = known.reduce((a, b) => Math.max(a, b), least), air = Math.max((most - least) * .05, Math.abs(most'// &
@@ -160,8 +161,8 @@ module dg_page_script
       'function draw_axis(svg, left, right, first_of_row) {', &
       'const length = factor(''length''), depths = S.rows ? [] : ticks(state.top * length, state.bottom * length, H /'// &
       ' 47)', &
-      'const name = (S.charts ? ''MD '' : '''') + `[${unit(''length'')}]`', &
-      'if (first_of_row && !S.rows) make(svg, ''text'', {x: left - 4, y: 12, ''text-anchor'': ''end''}, name)', &
+      'if (first_of_row && !S.rows) make(svg, ''text'', {x: left - 4, y: 12, ''text-anchor'': ''end''}, `MD [${unit('''// &
+      'length'')}]`)', &
       'for (const [at, name] of S.rows?.map((name, i) => [i + 1, name]) ?? depths.map(t => [t / length, String(t)])) '// &
       '{', &
       'const y = y_of(at), most = Math.floor((left - 6) / 6.4)', &
@@ -212,7 +213,7 @@ module dg_page_script
       'make(words, ''h:b'', {}, panel.label + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
       'const curves = inside(0), marks = inside(6)', &
-      'for (const line of lines) draw_line(curves, marks, line, x_of)', &
+      'for (const line of lines) draw_line(curves, marks, line, line.edge ? () => left : x_of)', &
       'make(svg, ''line'', {x1: left, x2: right, y1: 0, y2: 0, class: ''cross''})', &
       'make(svg, ''rect'', {x: left, width: right - left, class: ''band''})', &
       'return svg', &

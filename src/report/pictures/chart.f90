@@ -21,6 +21,8 @@ module dg_chart
       real(wp), allocatable :: points(:, :)
       character(:), allocatable :: look         !< gnuplot's `with`
       logical :: along_depth = .false.          !< points that cannot be seen are left out
+      logical :: sets_axis = .true.             !< it lies on the horizontal axis as a whole
+      logical :: at_edge = .false.              !< marks at the lower end of that axis, which have no value
       character(7) :: band = ''                 !< colour of the band that a curve of too many turns becomes; '': none
       integer, allocatable :: keys(:)           !< entries of the legend that it belongs to
       character(:), allocatable :: name         !< where it is pointed at; '': the texts of its entries

@@ -32,8 +32,8 @@ contains
       type(sweep_type), intent(in) :: sweep
       type(hole_section_type), intent(in) :: holes(:)
       chart = new_chart(name, title, units, 640, [0.80_wp, 0.93_wp])
-      call set_depth(chart, 'bit depth', [minval([sweep%depths, sweep%measured%bit_depth]), maxval(sweep%depths)], holes, &
-                     place(1, sweep), .true.)
+      call set_depth(chart, 'measured depth of the bit', &
+                     [minval([sweep%depths, sweep%measured%bit_depth]), maxval(sweep%depths)], holes, place(1, sweep), .true.)
    end subroutine begin_broomstick
 
    pure function place(number, sweep)

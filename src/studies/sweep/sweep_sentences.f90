@@ -16,7 +16,7 @@ module dg_sweep_sentences
    use dg_verdict, only: answer_no, answer_yes, limit_title
    implicit none
    private
-   public :: append_passed, append_warned, sweep_sentences
+   public :: append_passed, append_warned, friction_text, sweep_sentences
 
    !> Limits that a sentence tells.
    integer, parameter :: most_passed = 6
@@ -150,6 +150,7 @@ contains
       text = in_units(units, unit_length, sweep%depths(number), depth_digits)
    end function depth_text
 
+   !> A friction factor in words, for messages and the legend.
    pure function friction_text(sweep, number) result(text)
       type(sweep_type), intent(in) :: sweep
       integer, intent(in) :: number       !< of a friction factor
