@@ -135,6 +135,6 @@ contains
       end do
       number = count(results%joints_apart)
       if (number > 0) line = line//'; tool joints one by one in '//to_text(number)//either(' case', ' cases', number == 1)// &
-                             ', as buckled pipe bows out between them'
+                             ', as compressed pipe bows out between them'
    end function mesh_line
 end module dg_result_table

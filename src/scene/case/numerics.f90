@@ -49,7 +49,7 @@ module dg_numerics
       !> Round-off of the residual is near 1e-14.
       real(wp) :: tolerance = 1.0e-9_wp
       logical :: discrete_joints = .false.     !< tool joints touch one by one, not smeared along their component
-      logical :: joints_by_need = .true.       !< beams: one by one where buckled pipe bows out between; soft string: it does
+      logical :: joints_by_need = .true.       !< beams: one by one where compressed pipe bows out between; soft string: it does
       logical :: moments = .false.             !< moments are found on elements short enough for them
       logical :: halve_moments = .false.       !< these elements are halved until moments do not change, which proves them
       logical :: friction_range = .true.       !< sliding strings in helical buckling are also solved from a second start
