@@ -79,7 +79,7 @@ MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 24
 DEPTHS = (300, 850, 1250, 1500, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
 FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
 DASH = "\u2013"
-IMPOSSIBLE = ", cannot be done"
+IMPOSSIBLE, LOCKED = ", cannot be done", ", locked up, or push off the axis"
 SPREAD, SPREAD_DEPTHS = "Uncertainty spread, model soft", (600, 1000, 1500, 2000, 2400)
 CALIBRATION, LOADS = f"Calibration {HOSTILE}, model soft", "Hook load of all cases"
 SWEEPS = (("beams", "mcge"), ("locked", "soft"))
@@ -204,7 +204,7 @@ def lines_of_sweep(path):
         load, torque = (float(row[k]) if solved else None for k in ("weight_indicator_kN", "torque_kNm"))
         lines.setdefault(name, []).append((float(row["bit_depth_m"]), load, torque))
         if row["can_be_done"] == "no":
-            marks.append((name + IMPOSSIBLE, float(row["bit_depth_m"])))
+            marks.append((name + (IMPOSSIBLE if solved else LOCKED), float(row["bit_depth_m"])))
     return lines, marks
 
 
@@ -230,8 +230,8 @@ def faults_of_sweep(folder, name, model, shown_at, count):
             wanted[line] = [(line_at([(p[0], p[k]) for p in points], depth), extents[k - 1]) for k in (1, 2)]
             if not line.startswith("rotating"):
                 wanted[line][1] = (None, 0.0)
-        # a mark has the values of its line, and one row with it
-        wanted |= {line: wanted.pop(line.removesuffix(IMPOSSIBLE)) for line, d in marks if d == depth}
+        # a mark has the values of its line, and one row with it; at the edge it has none
+        wanted |= {line: wanted.pop(line.removesuffix(IMPOSSIBLE).removesuffix(LOCKED)) for line, d in marks if d == depth}
         if name == "beams":
             wanted |= {f"{line}, measured": [(v, 0.0), (None, 0.0)] for (line, d), v in MEASURED.items() if d == depth}
             wanted |= {f"{line}, measured": [(v, 0.0), (t, 0.0)] for line, v, t in (("up", 700, None), ("down", 380, None), ("rotating", 540, 6)) if depth == 2000}

@@ -307,7 +307,7 @@ contains
       call assertEqual(limit_string_weight, verdict%limit)
       allocate (character(0) :: text)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'Nearest of the limits checked: string weight along the hole (340 kN), WOB takes 204 kN '// &
+      call assertTrue(index(text, 'Nearest of the limits checked: string weight along the hole (340.5 kN), WOB takes 204.3 kN '// &
                             'of it, 60 % used, ') == 1, message=text)
       call assertTrue(index(text, ' left as hook load') > 0, message=text)
       call assertTrue(any(verdict%not_checked), message='the rig has no limit')

@@ -16,6 +16,8 @@ module dg_load_text
 
    !> Digits of a load, and of the smallest of three that add up.
    integer, parameter :: shown = 3
+   !> Fewest digits of the allowed load of three that add up: it is the same beside a small load and a large one.
+   integer, parameter :: fewest_digits = 4
    !> Most digits of the largest of three that add up: a small one beside it has fewer than `shown`.
    integer, parameter :: most_digits = 5
    !> Excess of a shown difference that is round-off [steps].
@@ -41,21 +43,26 @@ contains
       texts(3) = load_text(units, limit, abs(allowed - load))
       if (any(numbers(:2) > huge(1)) .or. .not. maxval(numbers) > 0.0_wp) return
       place = floor(log10(maxval(numbers))) + 1 - most_digits
-      if (minval(numbers) > 0.0_wp) place = max(place, floor(log10(minval(numbers))) + 1 - shown)
-      steps = anint([load, allowed]/unit*10.0_wp**(-place))
-      if (steps(2) - steps(1) > (allowed - load)/unit*10.0_wp**(-place) + round_off) then
-         ! a limit that the deck gives stays as it is, a load as the tables have it where it can
-         if (steps(2) > allowed/unit*10.0_wp**(-place) + round_off) then
-            steps(2) = steps(2) - 1.0_wp
-         else
-            steps(1) = steps(1) + 1.0_wp
-         end if
+      if (minval(numbers) > 0.0_wp) then
+         place = max(place, min(floor(log10(minval(numbers))) + 1 - shown, floor(log10(numbers(2))) + 1 - fewest_digits))
       end if
+      ! the allowed load is rounded down, whatever the load; the load is as the tables have it where it can
+      steps = [anint(load/unit*10.0_wp**(-place)), floor_of(allowed/unit*10.0_wp**(-place))]
+      if (steps(2) - steps(1) > (allowed - load)/unit*10.0_wp**(-place) + round_off) steps(1) = steps(1) + 1.0_wp
       numbers = [steps, abs(steps(2) - steps(1))]
       do i = 1, size(texts)
          texts(i) = to_text(numbers(i)*10.0_wp**place, digits_of(numbers(i)))//' '//label_of(units, limit)
       end do
    end function sum_texts
+
+   !> The greatest whole number that is not above a number, but for round-off.
+   elemental function floor_of(number) result(whole)
+      real(wp), intent(in) :: number
+      real(wp) :: whole
+      whole = aint(number)
+      if (number - whole > 1.0_wp - round_off) whole = whole + 1.0_wp
+      if (number - whole < -round_off) whole = whole - 1.0_wp
+   end function floor_of
 
    !> Digits of a whole number.
    elemental function digits_of(number) result(digits)
