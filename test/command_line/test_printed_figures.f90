@@ -463,10 +463,15 @@ contains
    subroutine test_below_pipe()
       character(*), parameter :: words = ' of it below the drill pipe'
       type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
       character(:), allocatable :: text, washing
       text = well('soft', '0.2', "operation = 'up'")
       run = run_deck_text(text)
       call assertTrue(index(run%output, weight_below(100.0_wp, 0.1651_wp, 0.0714_wp)//words) > 0, message=run%output)
+      ! along the hole: hook load without friction and WOB
+      rows = lines_of(results_path//'/summary.csv')
+      call assertEqual(number(rows(2)%text, 8) + number(rows(2)%text, 13), value_after(run%output, ' in mud, '), 0.1_wp, &
+                       message=run%output)
       washing = replaced(text, "&component name = 'dc'", "&component kind = 'washpipe', length = 50, od = 165.1, id = 71.4 /"// &
                          newline//"&component name = 'dc'")
       run = run_deck_text(washing)

@@ -1,4 +1,4 @@
-!> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air and in mud.
+!> The well and its strings in a few lines: depth, largest inclination and dogleg, weight in air, in mud and along the hole.
 module dg_well_head
    use dg_kinds, only: wp
    use dg_component, only: buoyed_weight, centralizer_diameter, contact_diameter, is_bit, is_drill_pipe
@@ -33,7 +33,7 @@ contains
       type(model_type), intent(in) :: model
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       type(text_type), allocatable :: lines(:)
-      real(wp) :: deepest, air, mud, collars
+      real(wp) :: deepest, air, mud, along, collars
       character(:), allocatable :: line
       logical :: several
       integer :: i
@@ -49,10 +49,12 @@ contains
       do i = 1, size(model%strings)
          deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
-         call weigh(model, model%strings(i), deepest, air, mud, collars)
+         call weigh(model, model%strings(i), deepest, air, mud, along, collars)
          line = 'String'//name_of(i, ' ')//', bit at '//in_units(units, unit_length, deepest, digits)//': '// &
             in_units(units, unit_force, air, few)//' in air'
          if (abs(air - mud) > round_off*air) line = line//', '//in_units(units, unit_force, mud, few)//' in mud'
+         if (abs(mud - along) > round_off*air) line = line//', '//in_units(units, unit_force, along, digits - 1)// &
+            ' of it along the hole'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
             in_units(units, unit_force, collars, few)//' of it below the drill pipe'
          call append_text(lines, line)
@@ -212,18 +214,19 @@ contains
       end if
    end function sections_text
 
-   !> Weights of a string in the hole [N], without string above the first station. They are in air, in its fluids, and in its
-   !> fluids of all below the lowest drill pipe.
-   pure subroutine weigh(model, string, bit, air, mud, collars)
+   !> Weights of a string in the hole [N], without string above the first station. They are in air, in its fluids, in its fluids
+   !> along the hole, and in its fluids of all below the lowest drill pipe.
+   pure subroutine weigh(model, string, bit, air, mud, along, collars)
       type(model_type), intent(in) :: model
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth of the bit [m]
-      real(wp), intent(out) :: air, mud, collars
+      real(wp), intent(out) :: air, mud, along, collars
       type(stretch_type), allocatable :: stretches(:)
       real(wp) :: length, middle, weight
       integer :: i, pipe                    ! the lowest drill pipe
       air = 0.0_wp
       mud = 0.0_wp
+      along = 0.0_wp
       collars = 0.0_wp
       allocate (stretches, source=stretches_of(model, string, bit))
       pipe = findloc(is_drill_pipe(string%components), .true., dim=1)
@@ -236,6 +239,8 @@ contains
                                           density_at(model%mud, side_inside, middle, bit), model%gravity)
             air = air + length*part%mass*model%gravity
             mud = mud + weight
+            along = along + weight/length*(true_vertical_depth(model%trajectory, stretches(i)%lower) - &
+                                           true_vertical_depth(model%trajectory, stretches(i)%upper))
             if (stretches(i)%component < pipe) collars = collars + weight
          end associate
       end do
