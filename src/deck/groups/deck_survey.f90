@@ -114,7 +114,7 @@ contains
       end subroutine read_named
    end subroutine read_table
 
-   !> Rows skipped, columns chosen and positions compared, of a file that was read.
+   !> Columns read, rows skipped, columns chosen and positions compared, of a file that was read.
    subroutine note_file(stations, units, notes, warnings)
       type(station_list_type), intent(in) :: stations
       type(unit_system_type), intent(in) :: units
@@ -122,6 +122,8 @@ contains
       character(:), allocatable :: positions
       logical :: doubtful
       call position_words(stations, units, positions, doubtful)
+      if (stations%has_azimuth) call append_text(notes, 'survey '//stations%file//': '//to_text(size(stations%md))// &
+                                                 ' stations,'//stations%headings)
       if (stations%skipped /= '') call append_text(notes, 'survey '//stations%file//': '//stations%skipped)
       if (stations%columns /= '') call append_text(notes, 'survey '//stations%file//': '//stations%columns)
       if (positions == '') return

@@ -1,15 +1,16 @@
 !> Which columns of a survey table are measured depth, inclination and azimuth, by their headings or as the deck names them.
 module dg_survey_columns
+   use dg_constants, only: degree, foot, survey_foot
    use dg_deck_number, only: is_number
    use dg_kinds, only: wp
    use dg_readable, only: squeezed
    use dg_survey_heading, only: column_azi, column_inc, column_md, column_name, heading_type, loose_rank, no_column, read_heading
    use dg_table_unit, only: read_unit
-   use dg_text, only: nearest_name, quoted
+   use dg_text, only: nearest_name, quoted, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: layout_type, no_extent, column_names_type, choose_columns, set_unit, missing_columns
+   public :: layout_type, no_extent, column_names_type, choose_columns, set_unit, missing_columns, taken_columns
 
    !> Headings that the deck names for md, inc, azi; '': none.
    type :: column_names_type
@@ -241,4 +242,38 @@ contains
       words = words//'. '//seen_headings(layout%headings)//known//'. Or name the column in &trajectory by '//keys// &
               ', with its heading as it stands in the file'
    end function missing_columns
+
+   !> Columns that are read, with their units: md from column 'Measured Depth' [ft], inc from 'Inclination' [deg].
+   pure function taken_columns(layout) result(words)
+      type(layout_type), intent(in) :: layout    !< with md, inc, azi
+      character(:), allocatable :: words
+      integer :: column
+      words = ''
+      do column = column_md, column_azi
+         if (column > column_md) words = words//','
+         words = words//' '//trim(column_name(column))//' from '
+         if (column == column_md) words = words//'column '
+         words = words//quoted(layout%headings(layout%place(column))%text)//' ['// &
+                 unit_name(layout%factor(column), column /= column_md)//']'
+      end do
+   end function taken_columns
+
+   !> Name of a unit of depths or angles.
+   pure function unit_name(value, angle) result(name)
+      real(wp), intent(in) :: value              !< [m or rad]
+      logical, intent(in) :: angle
+      character(:), allocatable :: name
+      real(wp), parameter :: round_off = 1.0e-9_wp
+      if (angle) then
+         name = 'deg'
+         if (abs(value - degree) > round_off) name = to_text(value/degree, 6)//' deg'
+      else if (abs(value - foot) <= round_off) then
+         name = 'ft'
+      else if (abs(value - survey_foot) <= round_off) then
+         name = 'US ft'
+      else
+         name = 'm'
+         if (abs(value - 1.0_wp) > round_off) name = to_text(value, 7)//' m'
+      end if
+   end function unit_name
 end module dg_survey_columns

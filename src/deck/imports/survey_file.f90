@@ -5,7 +5,7 @@ module dg_survey_file
    use dg_error, only: add_fault, add_unreadable, error_list_type, error_type
    use dg_file_kind, only: foreign_kind, is_xml
    use dg_file_lines, only: read_lines
-   use dg_survey_columns, only: column_names_type, layout_type, missing_columns
+   use dg_survey_columns, only: column_names_type, layout_type, missing_columns, taken_columns
    use dg_survey_heading, only: column_azi
    use dg_survey_layout, only: find_layout
    use dg_survey_rows, only: kind_names, read_rows, without_azimuth
@@ -69,7 +69,11 @@ contains
       if (sound) then
          call read_rows(lines, layout, stations, n, marks, skipped, sound, faults)
          stations%has_azimuth = layout%place(column_azi) > 0
-         if (.not. stations%has_azimuth) stations%headings = missing_columns(layout, .true.)
+         if (stations%has_azimuth) then
+            stations%headings = taken_columns(layout)
+         else
+            stations%headings = missing_columns(layout, .true.)
+         end if
       end if
       if (sound .and. doubtful_line(marks, layout%separator == ',') > 0) then
          sound = .false.

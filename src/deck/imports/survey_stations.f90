@@ -23,7 +23,7 @@ module dg_survey_stations
       integer, allocatable :: lines(:)           !< of each station in its file
       character(:), allocatable :: skipped       !< rows of the file that are no stations, in words; '': all are
       character(:), allocatable :: columns       !< which of several columns was taken, in words; '': none had a rival
-      character(:), allocatable :: headings      !< headings seen, names known and the key, where azi is absent; else ''
+      character(:), allocatable :: headings      !< columns read, in words; without azi: headings seen, names known, the key
    end type station_list_type
 
    !> Differences below which two stations are the same [m], [rad].
