@@ -127,6 +127,9 @@ contains
              index(lower_case(catalogue%entries(i)%kind), sought) == 0) cycle
          if (size(lines) == 0) then
             call append_text(lines, path)
+            if (grade == 0) call append_text(lines, 'A grade behind the name of pipe gives its yield: '// &
+                                             "'CSG 5-1/2 23.00 P110'. Joint torsion is known for names with joint "// &
+                                             'diameters, as 6-5/8x2-3/4.')
             call append_text(lines, left_aligned('name', name_width)//left_aligned('kind', kind_width)//heading//heading// &
                              '  source')
             call append_text(lines, repeat(' ', name_width + kind_width)//heads(si_units())//heads(field_units()))

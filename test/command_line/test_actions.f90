@@ -85,6 +85,8 @@ contains
       type(run_type) :: run
       call clear_scratch()
       run = run_program("--list-catalogue 'csg 9-5/8'")
+      call assertTrue(index(run%output, "A grade behind the name of pipe gives its yield: 'CSG 5-1/2 23.00 P110'") > 0, &
+                      message=run%output)
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'CSG 9-5/8 47.00                       casing') > 0, message=run%output)
       call assertTrue(index(run%output, '   244.5   220.5   69.94    269.9') > 0, message=run%output)
