@@ -204,8 +204,12 @@ def lines_of_sweep(path):
         load, torque = (float(row[k]) if solved else None for k in ("weight_indicator_kN", "torque_kNm"))
         lines.setdefault(name, []).append((float(row["bit_depth_m"]), load, torque))
         if row["can_be_done"] == "no":
-            marks.append((name + (IMPOSSIBLE if solved else LOCKED), float(row["bit_depth_m"])))
-    return lines, marks
+            marks.append((name, float(row["bit_depth_m"])))
+    # a load farther below zero than the greatest is above is not drawn
+    most = max([p[1] for points in lines.values() for p in points if p[1] is not None])
+    lines = {name: [(d, None if v is None or v < -most else v, t) for d, v, t in points] for name, points in lines.items()}
+    drawn = {(name, p[0]) for name, points in lines.items() for p in points if p[1] is not None}
+    return lines, [(name + (IMPOSSIBLE if (name, d) in drawn else LOCKED), d) for name, d in marks]
 
 
 def title_of_sweep(name, model):
