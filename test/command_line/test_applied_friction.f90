@@ -21,6 +21,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('applied_friction')
       call suite%addTest(TestMethod('used_by_all', test_used))
+      call suite%addTest(TestMethod('errors_of_factors_as_printed', test_rounded))
       call suite%addTest(TestMethod('parts', test_parts))
       call suite%addTest(TestMethod('handed_on', test_handed_on))
       call suite%addTest(TestMethod('nothing_to_apply', test_nothing))
@@ -84,6 +85,19 @@ contains
       end function contents
    end subroutine test_used
 
+   !> What a calibration tells of a case is what the case has with the factors as they are printed and applied.
+   subroutine test_rounded()
+      type(run_type) :: run
+      type(text_type), allocatable :: data(:), cases(:)
+      run = run_deck_text(replaced(deck(applied), to_text(0.5_wp*along + 0.11_wp*across), &
+                                   to_text(0.5_wp*along + 0.111234_wp*across)))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      allocate (data, source=lines_of(results_path//'/calibration_data.csv'))
+      allocate (cases, source=lines_of(results_path//'/summary.csv'))
+      if (anyExceptions()) return
+      call assertEqual(field(cases(2)%text, 8), field(data(2)%text, 8), message=data(2)%text)
+   end subroutine test_rounded
+
    !> An uncertainty goes on from a calibration: hook loads known to s = 2 kN tell friction with the covariance s^2 inverse(J'J),
    !> J = [0.4 0.1; 0.4 0.6] times the weight across the hole. Another deck that repeats what is printed gives the same.
    subroutine test_handed_on()
@@ -99,7 +113,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       ends = [0.2_wp, 0.3_wp] + 1.959963984540054_wp*deviations
       call assertTrue(index(run%output, newline//'Upper end of its 95 % interval, each section alone (together less): '// &
-                            to_text(ends(1), 3)//' in upper, '//to_text(ends(2), 3)//' in lower'//newline) > 0, message=run%output)
+                            to_text(ends(1), 4)//' in upper, '//to_text(ends(2), 4)//' in lower'//newline) > 0, message=run%output)
       allocate (found, source=lines_of(results_path//'/uncertainty_u.csv'))
       if (anyExceptions()) return
       i = index(run%output, 'friction_deviations = ')

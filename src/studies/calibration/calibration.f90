@@ -289,8 +289,8 @@ contains
             if (calibration%by_hole .and. calibration%unknowns(u)%hole /= calibration%holes(j)) cycle
             associate (hole => holes(calibration%holes(j)))
                if (calibration%parameter /= calibrate_friction_rotary) &
-                  call set_axial_friction(hole, applied_factor(factors(u)), load_cases(calibration%cases)%operation)
-               if (calibration%parameter /= calibrate_friction_axial) hole%friction_rotary = applied_factor(factors(u))
+                  call set_axial_friction(hole, factors(u), load_cases(calibration%cases)%operation)
+               if (calibration%parameter /= calibrate_friction_axial) hole%friction_rotary = factors(u)
             end associate
          end do
       end do
@@ -314,7 +314,7 @@ contains
       end do
    end subroutine apply_offset
 
-   !> A factor as it is applied.
+   !> A factor as it is printed and applied.
    elemental function applied_factor(factor) result(applied)
       real(wp), intent(in) :: factor
       real(wp) :: applied

@@ -1,7 +1,7 @@
 !> Rows of calibration.csv: one a factor; calibration_data.csv: one row a measured number, calculated before and after.
 module dg_calibration_file
    use dg_kinds, only: wp
-   use dg_calibration, only: applied_factor, calibration_type, hookload_datum, parameter_name, predicts, torque_datum
+   use dg_calibration, only: calibration_type, hookload_datum, parameter_name, predicts, torque_datum
    use dg_calibration_result, only: calibration_result_type, verdict_name, verdict_of
    use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_none, quantity_percent, quantity_text, &
                         row_type
@@ -85,7 +85,7 @@ contains
             found%factor = estimate
             found%factor%deviation = result%statistics%deviation(unknown)
             if (calibration%apply .and. result%fit%status == fit_done .and. .not. result%fit%unfelt(unknown)) &
-               found%applied = applied_factor(estimate%value)
+               found%applied = estimate%value
          end if
       end associate
       found%verdict = verdict_name(verdict_of(result, unknown))

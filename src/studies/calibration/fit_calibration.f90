@@ -2,15 +2,15 @@
 module dg_fit_calibration
    use, intrinsic :: iso_fortran_env, only: int64
    use dg_kinds, only: wp
-   use dg_calibration, only: ahead_of, calibration_type, factors_of_deck, hookload_datum, predicts, solutions_a_step, &
-      torque_datum, variance_kinds
+   use dg_calibration, only: ahead_of, applied_factor, calibration_type, factors_of_deck, hookload_datum, predicts, &
+      solutions_a_step, torque_datum, variance_kinds
    use dg_calibration_result, only: calibration_result_type, judge_fit
    use dg_clock, only: seconds_between
    use dg_depth_drift, only: with_drift
    use dg_fit_by_kinds, only: fit_by_kinds
    use dg_fit_statistics, only: as_normal
    use dg_job, only: job_type, model_name
-   use dg_least_squares, only: fit_done, fit_without_values, unknowns_type
+   use dg_least_squares, only: fit_done, fit_type, fit_without_values, unknowns_type
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
    use dg_prediction, only: predict
@@ -72,6 +72,7 @@ contains
       kinds = variance_kinds(calibration)
       call fit_by_kinds(function, unknowns_type(result%start, .not. calibration%unknowns%is_offset, lower, upper, scale), &
                         measured, kinds, deviation, result%fit, result%halvings)
+      if (result%fit%status == fit_done) call round_factors(calibration, function, result%fit)
       of_kind = calibration%data%kind       ! a section would be copied to be passed
       of_case = calibration%cases(calibration%data%case)
       depth = model%cases(of_case)%bit_depth
@@ -94,6 +95,20 @@ contains
       call system_clock(finish)
       result%seconds = seconds_between(start, finish)
    end subroutine fit_calibration
+
+   !> Round the factors of a fit to those that are printed and applied, and find the values of these.
+   subroutine round_factors(calibration, function, fit)
+      type(calibration_type), intent(in) :: calibration
+      type(string_function_type), intent(inout) :: function
+      type(fit_type), intent(inout) :: fit
+      real(wp) :: point(size(fit%unknowns), 1), values(size(fit%values), 1)
+      logical :: solved(size(fit%values), 1)
+      point(:, 1) = merge(fit%unknowns, applied_factor(fit%unknowns), calibration%unknowns%is_offset .or. fit%unfelt)
+      call function%evaluate(point, values, solved)
+      if (.not. all(solved)) return
+      fit%unknowns = point(:, 1)
+      fit%values = values(:, 1)
+   end subroutine round_factors
 
    !> Predict the load cases that the calibration names for it, by its results.
    subroutine look_ahead(model, calibration, threads, scale, result)
