@@ -106,7 +106,7 @@ contains
       call assertEqual(contract, found(1)%text(:len(contract)))
       call assertEqual('i_up,Inclined section,mcge,trip_out,2075.000000,65.00000000,0.000000000,733.4000000,745.0000000,'// &
                        '1.557046980,,,-17.29000000,0.000000000,170.0000000,converged,7,208,0.2500000000,,,100,90,18,12,3,'// &
-                       '0.1000000000E-8,0.2000000000E-8,,,unknown,,,,,,,', found(2)%text)
+                       '0.1000000000E-8,0.2000000000E-8,,,unknown,,,,,,,,0', found(2)%text)
       call assertTrue(index(found(5)%text, ',170.0000000,,,,524.3000000,,,,,not_converged,200,208,') > 0, message=found(5)%text)
       call assertTrue(index(found(5)%text, ',not_converged,200,') > 0)
    end subroutine test_summary

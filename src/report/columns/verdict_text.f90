@@ -31,6 +31,8 @@ module dg_verdict_text
    real(wp), parameter :: close_to_limit = 0.95_wp
    !> Friction reserve below which the text has no factor [-]. Reserves are found to 0.001, rounded down.
    real(wp), parameter :: no_reserve = 1.001_wp
+   !> Factor of friction below 1 from which on it has more digits [-].
+   real(wp), parameter :: nearly_one = 0.99_wp
 
 contains
 
@@ -152,7 +154,7 @@ contains
       real(wp), intent(in) :: factor       !< > 0 [-]
       character(:), allocatable :: text
       integer :: digits
-      digits = merge(close_factor, shown_factor, factor >= 1.0_wp .and. factor < little_reserve)
+      digits = merge(close_factor, shown_factor, factor > nearly_one .and. factor < little_reserve)
       text = to_text(rounded_down(factor, digits), digits)//' times '// &
              either('all friction factors', 'the calibrated friction', verdict%friction == friction_given)
    end function times_text

@@ -75,8 +75,6 @@ contains
                'converged, not_converged or locked_up; only a converged case has valid numbers', result_status_name(result%status))
       call add(row, 'iterations', quantity_none, &
                'Newton iterations of all attempts and meshes; 0 for other models', result%iterations)
-      call add(row, 'limit_iterations', quantity_none, 'Newton iterations to the friction and the wob at which the weight of '// &
-               'a buckled string is just enough', result%weight_limits%iterations)
       call add(row, 'elements', quantity_none, 'beam elements; for other models steps of integration', result%elements)
       call add(row, 'seconds', quantity_time, 'wall time of the solution of this case', result%seconds)
       call add(row, 'measured_torque', quantity_moment, 'measured torque, as in the deck', load_case%measured_torque)
@@ -115,6 +113,8 @@ contains
       call add_filled(row, 'uncertain', quantity_text, &
                       'what may turn a yes into a no: contact_force (its error), tool_joints (friction that smeared joints '// &
                       'leave out); else empty', uncertain_codes(verdict))
+      call add(row, 'limit_iterations', quantity_none, 'Newton iterations to the friction and the wob at which the weight of '// &
+               'a buckled string is just enough', result%weight_limits%iterations)
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)

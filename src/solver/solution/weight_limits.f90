@@ -31,8 +31,8 @@ module dg_weight_limits
    integer, parameter :: enough_iterations = 200
    !> Part of the way to a limit that a string takes under growing loads: it may not follow a longer step [-].
    real(wp), parameter :: part_way = 0.5_wp
-   !> Distance of y(x) from the limit by the secant, over the limit, at which that is taken [-].
-   real(wp), parameter :: close_enough = 0.03_wp
+   !> A limit is taken if it is this near y(x) and this near the x that was solved, over the limit [-].
+   real(wp), parameter :: close_enough = 0.03_wp, near_enough = 0.2_wp
    !> Friction or load, over that of the case, above which a limit is left to the soft string [-].
    real(wp), parameter :: far = 2.0_wp
    !> Least and greatest change of x - y by x [-].
@@ -105,7 +105,7 @@ contains
          x = next_value(before, now)
          limit = given(x)
          result%weight_limits%friction_scale = given(now%scale)
-         if (abs(now%y - x) <= close_enough*x) return
+         if (abs(now%y - x) <= close_enough*x .and. abs(now%x - x) <= near_enough*x) return
       end do
    end subroutine follow
 
