@@ -14,6 +14,7 @@ contains
       use funit, only: TestSuite
       use dg_test_actions, only: actions_suite
       use dg_test_bad_decks, only: bad_decks_suite
+      use dg_test_bent_runs, only: bent_runs_suite
       use dg_test_bounds, only: bounds_suite
       use dg_test_can_be_done, only: can_be_done_suite
       use dg_test_output_folder, only: output_folder_suite
@@ -83,6 +84,7 @@ contains
       call suite%addTest(again_runs_suite())
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
+      call suite%addTest(bent_runs_suite())
       call suite%addTest(path_runs_suite())
       call suite%addTest(survey_runs_suite())
       call suite%addTest(applied_friction_suite())

@@ -39,6 +39,7 @@ module dg_casing_wear
       real(wp) :: side_force = 0.0_wp      !< mean over a joint of pipe [N/m]
       real(wp) :: volume = 0.0_wp          !< worn off per length [m2]
       real(wp) :: depth = 0.0_wp           !< [m]
+      real(wp) :: used = 0.0_wp            !< volume over that of a groove through the wall [-]
       real(wp) :: wall_left = 1.0_wp       !< wall left over the new wall [-]
       real(wp) :: burst = missing          !< strength left [Pa]
       real(wp) :: collapse = missing       !< strength left without tension [Pa]
@@ -145,6 +146,7 @@ contains
       groove%present = .true.
       wall = 0.5_wp*(hole%casing_od - hole%diameter)
       groove%depth = groove_depth(groove%volume, 0.5_wp*hole%diameter, radius, wall)
+      groove%used = groove%volume/crescent_area(wall, 0.5_wp*hole%diameter, radius)
       groove%wall_left = 1.0_wp - groove%depth/wall
       groove%burst = missing
       groove%collapse = missing
@@ -157,11 +159,11 @@ contains
       if (groove%depth < wall) groove%collapse = collapse_strength(casing, 0.0_wp)
    end subroutine set_strength
 
-   !> The groove that leaves the least part of its wall, not present if there are no grooves.
+   !> The groove that is nearest to going through its wall or furthest beyond, not present if there are no grooves.
    pure function worst_groove(grooves) result(worst)
       type(groove_type), intent(in) :: grooves(:)
       type(groove_type) :: worst
-      if (size(grooves) > 0) worst = grooves(minloc(grooves%wall_left, dim=1))
+      if (size(grooves) > 0) worst = grooves(maxloc(grooves%used, dim=1))
    end function worst_groove
 
    !> Area between the bore and a joint in a groove: the joint's circle less its part within the bore [m2].

@@ -7,6 +7,7 @@ module dg_find_verdict
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_casing_wear, only: groove_type
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
@@ -23,9 +24,10 @@ module dg_find_verdict
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
    use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_von_mises, utilisation_type
-   use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limit_wob_yield, is_most, note_left_out, &
-                         note_uncertain, set_name, verdict_type
+   use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, &
+                         limit_casing_wear, limit_fatigue, limit_joint_fatigue, limit_lock_up, limit_string_weight, &
+                         limit_wob_yield, limit_worn_casing, limits_by_hours, is_most, note_left_out, note_uncertain, set_name, &
+                         verdict_type
    use dg_weight_on_bit, only: find_reach, friction_by_beams, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -69,6 +71,7 @@ contains
             if (result%model /= model_mcge) call judge_compressed(load_case, whole, verdict)
             call judge_fatigue(whole%fatigue, limit_fatigue, load_case%hours, verdict)
             call judge_fatigue(whole%joint_fatigue, limit_joint_fatigue, load_case%hours, verdict)
+            call judge_casing(whole%groove, load_case%hours, verdict)
             if (cannot_scale(model, result)) then
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
@@ -76,7 +79,7 @@ contains
                call take_limit_of_beams(result%weight_limits%friction, verdict)
                if (verdict%friction_reserve%present .and. .not. result%weight_limits%friction%present) &
                   verdict%reserve_buckles = buckles_by_friction(model, result, verdict%friction_reserve%value)
-            else if (all(verdict%limit /= [limit_fatigue, limit_joint_fatigue]) .and. .not. lacks_weight(load_case, verdict)) then
+            else if (all(verdict%limit /= limits_by_hours) .and. .not. lacks_weight(load_case, verdict)) then
                call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
             end if
             if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
@@ -331,8 +334,8 @@ contains
       verdict%md%present = .false.
    end subroutine judge_compressed
 
-   !> Judge the hours of rotation until fatigue of pipe or connections. They decide if the case uses more of them than of other
-   !> limits, and no other limit is passed. Fatigue counts as checked if the bending has endless life, or the damage is known.
+   !> Judge the hours of rotation until fatigue of pipe or connections. Fatigue counts as checked if the bending has endless life,
+   !> or the damage is known.
    pure subroutine judge_fatigue(fatigue, limit, hours, verdict)
       type(fatigue_type), intent(in) :: fatigue
       integer, intent(in) :: limit                  !< of body or connections
@@ -340,16 +343,36 @@ contains
       type(verdict_type), intent(inout) :: verdict
       if (.not. fatigue%present) return
       verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
-      if (is_missing(fatigue%damage)) return
-      if (fatigue%damage > 1.0_wp) verdict%passed(limit) = fatigue%damage
-      if (.not. is_most(fatigue%damage, verdict)) return
-      if (verdict%answer == answer_no .and. all(verdict%limit /= [limit_fatigue, limit_joint_fatigue])) return
-      if (fatigue%damage > 1.0_wp) verdict%answer = answer_no
-      verdict%limit = limit
-      verdict%used = given(fatigue%damage)
-      verdict%md = given(fatigue%md)
-      verdict%part = fatigue%part
-      verdict%load = given(hours*hour)
-      verdict%allowed = given(hours*hour/fatigue%damage)
+      if (.not. is_missing(fatigue%damage)) call judge_hours(fatigue%damage, fatigue%md, fatigue%part, limit, hours, verdict)
    end subroutine judge_fatigue
+
+   !> Judge the hours of rotation until casing is worn through. The strength of the rest of the wall is not checked.
+   pure subroutine judge_casing(groove, hours, verdict)
+      type(groove_type), intent(in) :: groove
+      real(wp), intent(in) :: hours                 !< of the case [h]
+      type(verdict_type), intent(inout) :: verdict
+      if (.not. groove%present) return
+      verdict%not_checked(limit_worn_casing) = groove%used < 1.0_wp
+      call judge_hours(groove%used, groove%md, 0, limit_casing_wear, hours, verdict)
+   end subroutine judge_casing
+
+   !> Judge the hours of rotation. They decide if the case uses more of them than of other limits, and no other limit is passed.
+   pure subroutine judge_hours(used, md, part, limit, hours, verdict)
+      real(wp), intent(in) :: used                  !< part of the hours until failure [-]
+      real(wp), intent(in) :: md                    !< [m]
+      integer, intent(in) :: part                   !< number of the component, 0: none
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: hours                 !< of the case [h]
+      type(verdict_type), intent(inout) :: verdict
+      if (used > 1.0_wp) verdict%passed(limit) = used
+      if (.not. is_most(used, verdict)) return
+      if (verdict%answer == answer_no .and. all(verdict%limit /= limits_by_hours)) return
+      if (used > 1.0_wp) verdict%answer = answer_no
+      verdict%limit = limit
+      verdict%used = given(used)
+      verdict%md = given(md)
+      verdict%part = part
+      verdict%load = given(hours*hour)
+      verdict%allowed = given(hours*hour/used)
+   end subroutine judge_hours
 end module dg_find_verdict

@@ -9,7 +9,7 @@ module dg_load_text
    use dg_utilisation, only: limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, limit_makeup, &
                              limit_top_drive, limit_torsion, limit_von_mises
-   use dg_verdict, only: limit_fatigue, limit_joint_fatigue
+   use dg_verdict, only: limit_casing_wear, limit_fatigue, limit_joint_fatigue
    implicit none
    private
    public :: force_text, load_text, number_text, sum_texts, sum_width
@@ -125,7 +125,7 @@ contains
       case (limit_torsion, limit_joint_torsion, limit_makeup, limit_top_drive); quantity = unit_moment
       case (limit_joint_dogleg); quantity = unit_curvature
       case (limit_von_mises, limit_joint_tension, limit_joint_compression); quantity = unit_stress
-      case (limit_fatigue, limit_joint_fatigue); quantity = unit_none
+      case (limit_fatigue, limit_joint_fatigue, limit_casing_wear); quantity = unit_none
       case (limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse); quantity = unit_pressure
       case default; quantity = unit_force
       end select

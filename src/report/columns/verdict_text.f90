@@ -13,8 +13,9 @@ module dg_verdict_text
    use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, is_near_by_friction, is_without_check, limit_fatigue, limit_joint_fatigue, &
-                         limit_lock_up, limit_string_weight, little_reserve, limit_title, limit_wob_yield, verdict_type
+                         friction_upper_end_alone, is_near_by_friction, is_without_check, limit_casing_wear, limit_fatigue, &
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limits_by_hours, little_reserve, limit_title, &
+                         limit_wob_yield, verdict_type
    implicit none
    private
    public :: task_text, reserve_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
@@ -262,7 +263,7 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       text = ''
-      if (.not. verdict%most_pull%present .or. any(verdict%limit == [limit_fatigue, limit_joint_fatigue])) return
+      if (.not. verdict%most_pull%present .or. any(verdict%limit == limits_by_hours)) return
       if (.not. verdict%most_pull%value > 0.0_wp) return
       text = either('. By the limits checked, o', '. O', any(verdict%not_checked))//'verpull up to about '// &
              force_text(units, at_most(units, unit_force, verdict%most_pull%value, shown))// &
@@ -360,7 +361,7 @@ contains
       case (limit_von_mises); title = 'von Mises stress'
       case (limit_tension); title = 'tension of the pipe'
       case (limit_string_weight); title = 'string weight along the hole'
-      case (limit_fatigue, limit_joint_fatigue); title = trim(limit_title(limit))//' by hours of rotation'
+      case (limit_fatigue, limit_joint_fatigue, limit_casing_wear); title = trim(limit_title(limit))//' by hours of rotation'
       case default; title = trim(limit_title(limit))
       end select
    end function shown_title

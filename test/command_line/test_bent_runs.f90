@@ -1,0 +1,71 @@
+!> Runs of strings with a bent housing, and of strings that wear casing: answers, what they leave out, and doglegs.
+module dg_test_bent_runs
+   use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
+   use dg_program_run, only: results_path, run_deck_text, run_type, unwrapped
+   use dg_result_rows, only: field, lines_of
+   use dg_text, only: text_type
+   implicit none
+   private
+   public :: bent_runs_suite
+
+   character(*), parameter :: newline = achar(10)
+   !> Columns of summary.csv.
+   integer, parameter :: col_answer = 31, col_not_checked = 36
+
+contains
+
+   function bent_runs_suite() result(suite)
+      type(TestSuite) :: suite
+      suite = TestSuite('bent_runs')
+      call suite%addTest(TestMethod('casing_worn_through', test_worn))
+   end function bent_runs_suite
+
+   !> A deck without pictures, and more groups.
+   function deck(models, inclination, more) result(text)
+      character(*), intent(in) :: models, inclination, more
+      character(:), allocatable :: text
+      text = "&job models = '"//models//"', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         '&trajectory md = 0, 600, inc = '//inclination//', '//inclination//', azi = 30, 30 /'//newline// &
+         '&fluid density = 1200 /'//newline//more//newline
+   end function deck
+
+   !> Pipe that turns for some hours in casing with a wear factor.
+   function worn(hours) result(text)
+      character(*), intent(in) :: hours
+      character(:), allocatable :: text
+      text = deck('soft', '60', "&hole name = 'casing', diameter = 220.5, friction = 0.2, cased = .true., casing_od = 244.5, "// &
+         'casing_yield = 552, wear_factor = 100 /'//newline// &
+         "&component name = 'pipe', kind = 'drillpipe', od = 127, id = 108.6, mass = 31.9, joint_od = 165.1, "// &
+         'yield = 931 /'//newline// &
+         "&load_case name = 'turn', operation = 'rotate', bit_depth = 600, rpm = 120, hours = "//hours//' /')
+   end function worn
+
+   !> The row of a load case in a file.
+   function row_of(file, name) result(row)
+      character(*), intent(in) :: file, name
+      character(:), allocatable :: row
+      type(text_type), allocatable :: lines(:)
+      integer :: i
+      row = ''
+      allocate (lines, source=lines_of(results_path//'/'//file))
+      do i = 1, size(lines)
+         if (index(lines(i)%text, name//',') == 1) row = lines(i)%text
+      end do
+   end function row_of
+
+   !> Casing that is worn through is a NO. What is left of worn casing is not checked.
+   subroutine test_worn()
+      type(run_type) :: run
+      run = run_deck_text(worn('200'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      if (anyExceptions()) return
+      call assertEqual('yes', field(row_of('summary.csv', 'turn'), col_answer), message='little wear')
+      call assertTrue(index(field(row_of('summary.csv', 'turn'), col_not_checked), 'strength_of_the_worn_casing') > 0)
+      call assertTrue(index(unwrapped(run%output), 'strength of the worn casing') > 0, message=run%output)
+      run = run_deck_text(worn('2900'))
+      call assertEqual('no', field(row_of('summary.csv', 'turn'), col_answer), message='worn through')
+      call assertTrue(index(row_of('summary.csv', 'turn'), ',casing_wear,') > 0)
+      call assertEqual(0, index(unwrapped(run%output), 'strength of the worn casing'), message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'Casing wear by hours of rotation at ') > 0, message=run%output)
+   end subroutine test_worn
+end module dg_test_bent_runs
