@@ -1,7 +1,7 @@
 !> Runs of strings with a bent housing, and of strings that wear casing: answers, what they leave out, and doglegs.
 module dg_test_bent_runs
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: results_path, run_deck_text, run_type, unwrapped
+   use dg_program_run, only: replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
    use dg_text, only: text_type
    implicit none
@@ -18,6 +18,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('bent_runs')
       call suite%addTest(TestMethod('casing_worn_through', test_worn))
+      call suite%addTest(TestMethod('bend_that_turns', test_turning))
    end function bent_runs_suite
 
    !> A deck without pictures, and more groups.
@@ -39,6 +40,21 @@ contains
          'yield = 931 /'//newline// &
          "&load_case name = 'turn', operation = 'rotate', bit_depth = 600, rpm = 120, hours = "//hours//' /')
    end function worn
+
+   !> A motor with a bend, sliding and rotating.
+   function bent(more) result(text)
+      character(*), intent(in) :: more
+      character(:), allocatable :: text
+      text = deck('mcge', '40', '&hole diameter = 215.9, friction = 0.25, wall_stiffness = 1e7 /'//newline// &
+         "&component name = 'bit', kind = 'bit', length = 0.3, od = 165, id = 50, joint_od = 215.9 /"//newline// &
+         "&component name = 'sleeve', kind = 'stabilizer', length = 0.4, od = 171.4, id = 80, joint_od = 212.7 /"//newline// &
+         "&component name = 'PDM', kind = 'motor', length = 6.6, od = 171.4, id = 95, yield = 180, bend = 1.5, "// &
+         'bend_position = 0.5 /'//newline// &
+         "&component name = 'stab', kind = 'stabilizer', length = 0.6, od = 171.4, id = 75, joint_od = 209.5 /"//newline// &
+         "&component name = 'hw', kind = 'hwdp', od = 127, id = 76.2, mass = 73.4, joint_od = 165.1 /"//newline// &
+         "&load_case name = 'slide', operation = 'sliding', bit_depth = 600, wob = 60, tob = 3 /"//newline// &
+         "&load_case name = 'turn', operation = 'rotary', bit_depth = 600, wob = 60, tob = 3 /"//newline//more)
+   end function bent
 
    !> The row of a load case in a file.
    function row_of(file, name) result(row)
@@ -68,4 +84,20 @@ contains
       call assertEqual(0, index(unwrapped(run%output), 'strength of the worn casing'), message=run%output)
       call assertTrue(index(unwrapped(run%output), 'Casing wear by hours of rotation at ') > 0, message=run%output)
    end subroutine test_worn
+
+   !> A bend is left out where the string turns: a warning that names the case with the bend, and a limit that is not checked.
+   subroutine test_turning()
+      type(run_type) :: run
+      run = run_deck_text(bent(''))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      if (anyExceptions()) return
+      call assertTrue(index(unwrapped(run%output), "turn: The string turns and is solved with a straight housing: bending "// &
+                            "moments and stresses at 'PDM' are those without its bend. Its bend is in 'slide'.") > 0, &
+                      message=run%output)
+      call assertTrue(index(unwrapped(run%output), 'bend of PDM') > 0, message=run%output)
+      call assertTrue(index(field(row_of('summary.csv', 'turn'), col_not_checked), 'bend') > 0)
+      call assertEqual(0, index(field(row_of('summary.csv', 'slide'), col_not_checked), 'bend'))
+      run = run_deck_text(replaced(bent(''), 'sliding', 'up'))
+      call assertTrue(index(unwrapped(run%output), "Add a case operation = 'sliding' at this depth") > 0, message=run%output)
+   end subroutine test_turning
 end module dg_test_bent_runs

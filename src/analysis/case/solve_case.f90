@@ -2,18 +2,20 @@
 module dg_solve_case
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
+   use dg_component, only: has_bend
    use dg_error, only: error_type, raise, status_failure
    use dg_fluid_pressure, only: surface_push
    use dg_job, only: model_mcge, model_mixed, model_rigid, model_soft
+   use dg_load_case, only: operation_sliding_drilling, operation_static
    use dg_mixed_string, only: solve_mixed_string
-   use dg_model, only: model_type
+   use dg_model, only: is_straightened, model_type, string_index
    use dg_rig, only: indicated_load
    use dg_rigid_string, only: solve_rigid_string
    use dg_soft_string, only: solve_soft_string
    use dg_solve_by_beams, only: solve_by_beams
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_reason, stop_type
-   use dg_text, only: to_text
+   use dg_text, only: either, quoted, to_text
    use dg_unit_kind, only: in_units, unit_force
    implicit none
    private
@@ -66,7 +68,11 @@ contains
          result%message = 'ended by '//stop_reason(stopped)//' before it was solved'
          !$omp end critical (interruption_text)
       end if
-      if (has_numbers(result%status)) call note_push(model, case_index, result)
+      if (has_numbers(result%status)) then
+         call note_push(model, case_index, result)
+         if (any(number == [model_mcge, model_mixed]) .and. is_straightened(model, model%cases(case_index))) &
+            call note_bend(model, case_index, result)
+      end if
       if (model%rig%given .and. has_numbers(result%status)) result%weight_indicator = &
          indicated_load(model%rig, model%cases(case_index)%operation, result%hookload)
       result%case_index = case_index
@@ -84,6 +90,26 @@ contains
          in_units(model%units, unit_force, push, shown)//'. Hook load counts this. If the BOP or a stripper '// &
          'carries it, add it to the hook load')
    end subroutine note_push
+
+   !> Add a message on a bent housing that is solved straight. It names a case that has the bend, if there is one at this depth.
+   subroutine note_bend(model, case_index, result)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(case_result_type), intent(inout) :: result
+      integer, parameter :: with_bend(2) = [operation_sliding_drilling, operation_static]
+      integer :: i, bent
+      associate (cases => model%cases, this => model%cases(case_index))
+         associate (parts => model%strings(string_index(model%strings, this%string))%components)
+            bent = findloc(has_bend(parts), .true., dim=1)
+            i = findloc([(any(cases(i)%operation == with_bend) .and. cases(i)%string == this%string .and. &
+                          .not. abs(cases(i)%bit_depth - this%bit_depth) > 0.0_wp, i=1, size(cases))], .true., dim=1)
+            call add_message(result, 'The string turns and is solved with a straight housing: bending moments and stresses at '// &
+                             quoted(parts(bent)%name)//' are those without its bend. '// &
+                             either('Its bend is in '//quoted(cases(max(i, 1))%name), &
+                                    "Add a case operation = 'sliding' at this depth, which has the bend", i > 0))
+         end associate
+      end associate
+   end subroutine note_bend
 
    !> Make a result without numbers, marked as not converged.
    subroutine empty(result)

@@ -7,11 +7,11 @@ module dg_unrated_limits
    use dg_drillstring, only: component_tops, topmost
    use dg_load_case, only: rotates
    use dg_missing, only: optional_real
-   use dg_model, only: hold_fixed, hold_free, model_type, string_index
+   use dg_model, only: hold_fixed, hold_free, is_straightened, model_type, string_index
    use dg_trajectory, only: top_md
    use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_joint_tension, limit_joint_torsion, &
                              limit_makeup, limit_rig, limit_slips, limit_top_drive, limit_torsion, part_limits
-   use dg_verdict, only: limit_fatigue, limit_joint_fatigue, limit_packer_force, limit_seal_travel
+   use dg_verdict, only: limit_bend, limit_fatigue, limit_joint_fatigue, limit_packer_force, limit_seal_travel
    implicit none
    private
    public :: note_unrated
@@ -44,6 +44,7 @@ contains
          unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp) .or. &
                                 model%cases(case_index)%wob < 0.0_wp      ! slips are not set under a pull
       end associate
+      unrated(limit_bend) = is_straightened(model, model%cases(case_index))
       unrated(limit_rig) = .not. rig_limit%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns

@@ -11,7 +11,8 @@ module dg_verdict
              is_most, is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
              answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
-             limit_packer_force, limit_casing_wear, limit_worn_casing, limits_by_hours, limit_title, limit_code
+             limit_packer_force, limit_casing_wear, limit_worn_casing, limit_bend, limits_by_hours, &
+             limit_title, limit_code
    public :: friction_given, friction_calibrated, friction_upper_end, friction_upper_end_alone
 
    integer, parameter :: answer_unknown = 0, answer_no = 1, answer_yes = 2
@@ -28,13 +29,16 @@ module dg_verdict
    !> - travel of the seals in a packer and force on it: never checked, as the deck has no key for them
    !> - casing wear: the volume that the hours of the case wear off over that of a groove through the wall
    !> - strength of the worn casing: never checked, as the deck has no pressures that the casing must bear
+   !> - bend: stress and fatigue by a bent housing of a string that turns, never checked, as it is solved straight
    integer, parameter :: limit_string_weight = limit_count + 1, limit_lock_up = limit_count + 2, limit_fatigue = limit_count + 3, &
                          limit_joint_fatigue = limit_count + 4, limit_wob_yield = limit_count + 5, &
                          limit_seal_travel = limit_count + 6, limit_packer_force = limit_count + 7, &
-                         limit_casing_wear = limit_count + 8, limit_worn_casing = limit_count + 9
-   integer, parameter :: every_limit_count = limit_count + 9
+                         limit_casing_wear = limit_count + 8, limit_worn_casing = limit_count + 9, &
+                         limit_bend = limit_count + 10
+   integer, parameter :: every_limit_count = limit_count + 10
    character(*), parameter :: further_name(limit_count + 1:every_limit_count) = [character(27) :: 'string weight', 'lock-up', &
-      'fatigue', 'joint fatigue', 'yield under WOB', 'seal travel', 'packer force', 'casing wear', 'strength of the worn casing']
+      'fatigue', 'joint fatigue', 'yield under WOB', 'seal travel', 'packer force', 'casing wear', 'strength of the worn casing', &
+      'bend']
    !> Limits of the hours of rotation.
    integer, parameter :: limits_by_hours(3) = [limit_fatigue, limit_joint_fatigue, limit_casing_wear]
 

@@ -1,14 +1,14 @@
 !> Texts on what a verdict leaves open: limits without a rating in the deck, and what may turn a yes.
 module dg_unchecked_text
    use dg_kinds, only: wp
-   use dg_component, only: component_type
+   use dg_component, only: component_type, has_bend
    use dg_fatigue_curve, only: fatigue_none
    use dg_model, only: model_type
    use dg_readable, only: first_names
    use dg_text, only: append_text, either, text_type
    use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_burst, limit_collapse, &
                              limit_joint_tension, limit_joint_torsion, limit_makeup, limit_tension, limit_torsion, limit_von_mises
-   use dg_verdict, only: every_limit_count, limit_code, limit_fatigue, limit_title, verdict_type
+   use dg_verdict, only: every_limit_count, limit_bend, limit_code, limit_fatigue, limit_title, verdict_type
    implicit none
    private
    public :: unchecked_text, unchecked_codes, uncertain_codes, components_without_yield
@@ -51,7 +51,7 @@ contains
       names = unrated_names([(model%strings(i)%components, i=1, size(model%strings))], limit_tension)
    end function components_without_yield
 
-   !> ' of NAME, NAME' with the components that lack a rating; '' where all that need one lack it.
+   !> ' of NAME, NAME' with the components that a limit is not checked for; '' where it is checked for none.
    pure function of_unrated(components, limit) result(text)
       type(component_type), intent(in) :: components(:)
       integer, intent(in) :: limit
@@ -60,19 +60,21 @@ contains
       if (text /= '') text = ' of '//text
    end function of_unrated
 
-   !> Names of the components that lack a rating; '' where all that need one lack it.
+   !> Names of the components that lack a rating, or are bent; '' where all that need a rating lack it.
    pure function unrated_names(components, limit) result(text)
       type(component_type), intent(in) :: components(:)
       integer, intent(in) :: limit
       character(:), allocatable :: text
       integer, parameter :: most_names = 3
       type(text_type), allocatable :: names(:)
+      logical :: unchecked(size(components))
       integer :: i
       text = ''
-      if (.not. any(has_rating(components, limit))) return
+      unchecked = has_bend(components)
+      if (limit /= limit_bend) unchecked = lacks_rating(components, limit) .and. any(has_rating(components, limit))
       allocate (names(0))
       do i = 1, size(components)
-         if (.not. lacks_rating(components(i), limit)) cycle
+         if (.not. unchecked(i)) cycle
          if (is_listed(components(i)%name)) cycle      ! of another string
          call append_text(names, components(i)%name)
       end do

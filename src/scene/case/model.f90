@@ -1,11 +1,12 @@
 !> All data of a computation, in SI units, built once from a deck. A solution only changes copies.
 module dg_model
    use dg_kinds, only: wp
+   use dg_component, only: has_bend
    use dg_constants, only: standard_gravity
    use dg_drillstring, only: drillstring_type
    use dg_fluid, only: mud_type
    use dg_hole_section, only: hole_section_type
-   use dg_load_case, only: load_case_type
+   use dg_load_case, only: load_case_type, rotates
    use dg_missing, only: optional_real
    use dg_numerics, only: numerics_type
    use dg_rig, only: rig_type
@@ -14,7 +15,7 @@ module dg_model
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: model_type, boundary_type, string_index, copy_without_cases
+   public :: model_type, boundary_type, string_index, is_straightened, copy_without_cases
    public :: hold_free, hold_landed, hold_fixed, packer_hold_name
 
    !> Motion of the lower end in a packer: up and down; up alone; none.
@@ -61,6 +62,15 @@ contains
       end do
       index = 0
    end function string_index
+
+   !> True if a string has a bent housing and turns, so that it is solved without its bend.
+   pure function is_straightened(model, load_case) result(is)
+      type(model_type), intent(in) :: model
+      type(load_case_type), intent(in) :: load_case
+      logical :: is
+      is = rotates(load_case%operation) .and. .not. load_case%bend_stands .and. &
+           any(has_bend(model%strings(string_index(model%strings, load_case%string))%components))
+   end function is_straightened
 
    !> Copy a model without its load cases, with room for one.
    subroutine copy_without_cases(model, copy)
