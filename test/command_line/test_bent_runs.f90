@@ -19,6 +19,7 @@ contains
       suite = TestSuite('bent_runs')
       call suite%addTest(TestMethod('casing_worn_through', test_worn))
       call suite%addTest(TestMethod('bend_that_turns', test_turning))
+      call suite%addTest(TestMethod('side_force_of_a_bend_that_turns', test_side_force))
    end function bent_runs_suite
 
    !> A deck without pictures, and more groups.
@@ -69,6 +70,18 @@ contains
       end do
    end function row_of
 
+   !> Number of a column of a file, 0 where it has none of that name.
+   function column_of(file, name) result(number)
+      character(*), intent(in) :: file, name
+      integer :: number
+      type(text_type), allocatable :: lines(:)
+      allocate (lines, source=lines_of(results_path//'/'//file))
+      do number = 1, 1000
+         if (index(field(lines(1)%text, number), name) == 1) return
+      end do
+      number = 0
+   end function column_of
+
    !> Casing that is worn through is a NO. What is left of worn casing is not checked.
    subroutine test_worn()
       type(run_type) :: run
@@ -100,4 +113,17 @@ contains
       run = run_deck_text(replaced(bent(''), 'sliding', 'up'))
       call assertTrue(index(unwrapped(run%output), "Add a case operation = 'sliding' at this depth") > 0, message=run%output)
    end subroutine test_turning
+
+   !> limits.csv has no side force of a straight housing.
+   subroutine test_side_force()
+      type(run_type) :: run
+      integer :: column
+      run = run_deck_text(bent(''))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      column = column_of('limits.csv', 'bit_side_force')
+      if (anyExceptions()) return
+      call assertTrue(column > 0)
+      call assertEqual('', field(row_of('limits.csv', 'turn'), column))
+      call assertTrue(field(row_of('limits.csv', 'slide'), column) /= '')
+   end subroutine test_side_force
 end module dg_test_bent_runs

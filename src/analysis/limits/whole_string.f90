@@ -15,7 +15,7 @@ module dg_whole_string
    use dg_line_load, only: largest_mean
    use dg_load_case, only: block_way
    use dg_missing, only: given, is_missing, optional_real
-   use dg_model, only: model_type, string_index
+   use dg_model, only: is_straightened, model_type, string_index
    use dg_pipe_stress, only: tension_capacity
    use dg_profile, only: piece_depths
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
@@ -140,17 +140,16 @@ contains
       whole%groove = worst_groove(grooves)
       call find_fatigue(model, result, along, parts)
       do i = size(parts), 1, -1     ! the worst one last
-         if (parts(i)%joint) then
-            whole%joint_fatigue = parts(i)
-         else
-            whole%fatigue = parts(i)
-         end if
+         if (parts(i)%joint) whole%joint_fatigue = parts(i)
+         if (.not. parts(i)%joint) whole%fatigue = parts(i)
       end do
       call copy_number(result%stability_margin, whole%stability_margin)
-      call copy_number(result%bit_side_force, whole%bit_side_force)
-      call copy_number(result%bit_side_clock, whole%bit_side_clock)
-      call copy_number(result%bit_tilt, whole%bit_tilt)
-      call copy_number(result%bit_tilt_clock, whole%bit_tilt_clock)
+      if (.not. is_straightened(model, model%cases(result%case_index))) then     ! one that turns has a mean over its tool faces
+         call copy_number(result%bit_side_force, whole%bit_side_force)
+         call copy_number(result%bit_side_clock, whole%bit_side_clock)
+         call copy_number(result%bit_tilt, whole%bit_tilt)
+         call copy_number(result%bit_tilt_clock, whole%bit_tilt_clock)
+      end if
       call copy_number(result%sag_correction, whole%sag_correction)
       call copy_number(result%sensor_md, whole%sensor_md)
       call add_margins(model, result, rig_limit, whole)

@@ -129,7 +129,8 @@ contains
                'part by which compression may grow until the shape changes, 1 if more; 0: a buckled shape that can shift '// &
                'along the hole; empty: too little compression', whole%stability_margin)
       call add(row, 'bit_side_force', quantity_force, &
-               'side force of the bit on the formation; mcge, or mixed with elements at the bit; for a centred bit', &
+               'side force of the bit on the formation; mcge, or mixed with elements at the bit; for a centred bit; empty for '// &
+               'a bent housing that turns, see &steering', &
                whole%bit_side_force)
       call add(row, 'bit_side_clock', quantity_angle, 'direction of bit_side_force, as clock in the profiles', whole%bit_side_clock)
       call add(row, 'bit_tilt', quantity_angle, 'angle between bit and hole axis; models as for bit_side_force', whole%bit_tilt)

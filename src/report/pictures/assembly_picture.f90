@@ -12,7 +12,7 @@ module dg_assembly_picture
    use dg_hole_section, only: hole_section_at, hole_section_type
    use dg_job, only: job_type, model_name
    use dg_missing, only: is_missing
-   use dg_model, only: model_type, string_index
+   use dg_model, only: is_straightened, model_type, string_index
    use dg_path_picture, only: case_title
    use dg_profile, only: profile_type
    use dg_text, only: either, to_text
@@ -56,9 +56,12 @@ contains
       type(chart_type) :: chart
       type(view_type) :: view
       real(wp), allocatable :: md(:), moment(:)
+      character(:), allocatable :: text
       associate (load_case => model%cases(result%case_index), units => job%units, profile => result%profile)
+         text = '; without its bend, as it turns'
+         if (.not. is_straightened(model, load_case)) text = bit_text(units, result)
          chart = new_chart('assembly_'//load_case%name, case_title(units, load_case)//', model '// &
-                           trim(model_name(result%model))//bit_text(units, result), units, 700, [places(4, 1) + 0.02_wp, 0.94_wp])
+                           trim(model_name(result%model))//text, units, 700, [places(4, 1) + 0.02_wp, 0.94_wp])
          view%holes = model%holes
          view%profile = profile
          view%bit = load_case%bit_depth
