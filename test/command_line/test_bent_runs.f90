@@ -20,6 +20,7 @@ contains
       call suite%addTest(TestMethod('casing_worn_through', test_worn))
       call suite%addTest(TestMethod('bend_that_turns', test_turning))
       call suite%addTest(TestMethod('side_force_of_a_bend_that_turns', test_side_force))
+      call suite%addTest(TestMethod('doglegs_by_name', test_doglegs))
    end function bent_runs_suite
 
    !> A deck without pictures, and more groups.
@@ -114,16 +115,37 @@ contains
       call assertTrue(index(unwrapped(run%output), "Add a case operation = 'sliding' at this depth") > 0, message=run%output)
    end subroutine test_turning
 
-   !> limits.csv has no side force of a straight housing.
+   !> limits.csv has no side force of a straight housing, and the table says what its own is.
    subroutine test_side_force()
       type(run_type) :: run
       integer :: column
-      run = run_deck_text(bent(''))
+      run = run_deck_text(bent('&steering length = 60 /'))
       call assertEqual(0, run%status, message=run%diagnostics)
       column = column_of('limits.csv', 'bit_side_force')
       if (anyExceptions()) return
       call assertTrue(column > 0)
       call assertEqual('', field(row_of('limits.csv', 'turn'), column))
       call assertTrue(field(row_of('limits.csv', 'slide'), column) /= '')
+      call assertTrue(index(run%output, 'All of turn: means over the tool faces of its bent housing, which turns') > 0, &
+                      message=run%output)
+      call assertEqual(0, index(run%output, 'All of slide'))
    end subroutine test_side_force
+
+   !> Each dogleg is named by how it was found. A measured one has the range that side_cutting can give.
+   subroutine test_doglegs()
+      character(*), parameter :: group = "&steering cases = 'slide', toolfaces = 0, length = 60, "
+      type(run_type) :: run
+      run = run_deck_text(bent(group//'side_cutting = 0.0144 /'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, ' by three-point geometry, ') > 0, message=run%output)
+      call assertTrue(index(run%output, ' deg/30 m with side_cutting = 0.0144') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'zero bit side force'))
+      run = run_deck_text(bent(group//'measured_dogleg = 12 /'))
+      call assertTrue(index(run%output, ' deg/30 m with zero bit side force') > 0, message=run%output)
+      call assertTrue(index(run%output, '. side_cutting can give ') > 0, message=run%output)
+      run = run_deck_text(bent(group//'measured_dogleg = 50 /'))
+      call assertTrue(index(run%diagnostics, 'no side_cutting above 0 gives the measured dogleg of 50 deg/30 m. '// &
+                            'Without side cutting it is ') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'Check unit (per 30 m or 100 ft) and sign') > 0, message=run%diagnostics)
+   end subroutine test_doglegs
 end module dg_test_bent_runs

@@ -27,6 +27,8 @@ module dg_equilibrium_curvature
    use dg_three_points, only: three_point_dogleg
    use dg_trajectory, only: arc_at, azimuth_of, high_side, inclination_of, interpolation_minimum_curvature, new_trajectory, &
                             point_on_arc
+   use dg_unit_kind, only: in_units, unit_curvature
+   use dg_units, only: unit_system_type
    use dg_vector, only: cross
    implicit none
    private
@@ -35,6 +37,8 @@ module dg_equilibrium_curvature
    !> Change of curvature for differences, the last step, and the longest one [1/m].
    real(wp), parameter :: apart = 0.5_wp*degree/30.0_wp, settled = 0.01_wp*degree/30.0_wp, longest = 10.0_wp*degree/30.0_wp
    integer, parameter :: most_steps = 12, most_trials = 4
+   !> Digits of a dogleg in a message.
+   integer, parameter :: shown = 3
    !> Number of tool faces for a bend that turns.
    integer, parameter :: toolfaces_round = 8
    !> Inclination below which the hole has no usable high side [rad].
@@ -75,9 +79,8 @@ contains
       real(wp), intent(in), optional :: enlargement     !< of the hole above the bit, in diameter; absent: none [m]
       real(wp), intent(in), optional :: measured        !< dogleg towards the toolface; absent or missing: not measured [1/m]
       type(probe_type) :: probe
-      real(wp) :: k(2), f(2), push(2), tilt(2), slope(2, 2), step(2)
+      real(wp) :: k(2), f(2), push(2), tilt(2)
       logical :: sound
-      integer :: iteration
       call new_probe(model, case_index, toolface, length, side_cutting, probe, result)
       if (present(enlargement)) call enlarge_hole(probe, enlargement)
       if (.not. is_missing(result%toolface)) result%three_points = three_point_dogleg(probe%model%strings( &
@@ -92,25 +95,18 @@ contains
       if (sound) then
          result%side_force = push
          result%tilt = tilt
-         do iteration = 1, most_steps
-            call differentiate(probe, k, f, slope, sound)
-            if (.not. sound) exit
-            step = solution_of(slope, -f)
-            if (norm2(step) > longest) step = step*(longest/norm2(step))
-            result%found = norm2(step) <= settled
-            if (result%found) exit
-            call shorten_step(probe, k, f, step, sound)
-            if (.not. sound) exit
-         end do
+         call settle(probe, k, f, result%found, sound)
       end if
-      if (present(measured)) call fit_side_cutting(probe, measured, toolface, result%side_cutting)
+      if (present(measured)) then
+         if (sound .and. .not. is_missing(measured)) call fit_side_cutting(probe, measured, toolface, result)
+      end if
       result%solutions = probe%solutions
       if (result%found) then
-         result%curvature = k + step
+         result%curvature = k
          if (probe%rough) result%message = rough_message
          if (present(measured)) then
             if (.not. is_missing(measured) .and. is_missing(result%side_cutting)) &
-               result%message = 'no side_cutting above 0 gives the measured dogleg'
+               result%message = unreached_text(model%units, measured, result%reach)
          end if
       else if (sound) then
          result%message = 'no curvature found in which the bit wants to go nowhere else'
@@ -118,6 +114,28 @@ contains
          result%message = probe%message
       end if
    end subroutine find_equilibrium_curvature
+
+   !> Newton's method from a curvature k with its f to the one where f is zero.
+   subroutine settle(probe, k, f, found, sound)
+      type(probe_type), intent(inout) :: probe
+      real(wp), intent(inout) :: k(2), f(2)
+      logical, intent(out) :: found
+      logical, intent(out) :: sound                     !< all strings on the way have an equilibrium
+      real(wp) :: slope(2, 2), step(2)
+      integer :: iteration
+      found = .false.
+      do iteration = 1, most_steps
+         call differentiate(probe, k, f, slope, sound)
+         if (.not. sound) return
+         step = solution_of(slope, -f)
+         if (norm2(step) > longest) step = step*(longest/norm2(step))
+         found = norm2(step) <= settled
+         if (found) exit
+         call shorten_step(probe, k, f, step, sound)
+         if (.not. sound) return
+      end do
+      if (found) k = k + step
+   end subroutine settle
 
    !> The part of the string, and the hole at its bit.
    subroutine new_probe(model, case_index, toolface, length, side_cutting, probe, result)
@@ -178,21 +196,47 @@ contains
    end subroutine enlarge_hole
 
    !> Side cutting s [-] with a(k) + s F(k)/W = 0 towards the tool face in a hole of the measured dogleg; missing if there is
-   !> none above 0.
-   subroutine fit_side_cutting(probe, measured, toolface, side_cutting)
+   !> none above 0. Also the doglegs without side cutting and without side force.
+   subroutine fit_side_cutting(probe, measured, toolface, result)
       type(probe_type), intent(inout) :: probe
-      real(wp), intent(in) :: measured          !< [1/m]; missing: not known
+      real(wp), intent(in) :: measured          !< [1/m]
       real(wp), intent(in) :: toolface          !< [rad]
-      real(wp), intent(inout) :: side_cutting
-      real(wp) :: f(2), push(2), tilt(2)
-      logical :: sound
-      if (is_missing(measured) .or. .not. probe%wob > 0.0_wp) return
+      type(steering_result_type), intent(inout) :: result
+      type(optional_real), parameter :: ends(2) = [optional_real(.true., 0.0_wp), optional_real()]
+      type(optional_real) :: side_cutting
+      real(wp) :: k(2), f(2), push(2), tilt(2)
+      logical :: sound, found
+      integer :: i
+      if (.not. probe%wob > 0.0_wp) return
+      side_cutting = probe%side_cutting
+      do i = 1, size(ends)
+         probe%side_cutting = ends(i)
+         k = result%hole
+         call evaluate(probe, k, f, sound)
+         if (sound) call settle(probe, k, f, found, sound)
+         if (sound .and. found) result%reach(i) = dot_product(k, direction(toolface))
+      end do
+      probe%side_cutting = side_cutting
       call evaluate(probe, measured*direction(toolface), f, sound, push, tilt)
       if (.not. sound) return
       push(1) = dot_product(push, direction(toolface))
       tilt(1) = dot_product(tilt, direction(toolface))
-      if (push(1)*tilt(1) < 0.0_wp) side_cutting = -tilt(1)*probe%wob/push(1)
+      if (push(1)*tilt(1) < 0.0_wp) result%side_cutting = -tilt(1)*probe%wob/push(1)
    end subroutine fit_side_cutting
+
+   !> Message on a measured dogleg that no side cutting gives.
+   pure function unreached_text(units, measured, reach) result(text)
+      type(unit_system_type), intent(in) :: units
+      real(wp), intent(in) :: measured          !< [1/m]
+      real(wp), intent(in) :: reach(2)          !< doglegs without side cutting and without side force, may be missing [1/m]
+      character(:), allocatable :: text
+      text = 'no side_cutting above 0 gives the measured dogleg of '//in_units(units, unit_curvature, measured, shown)
+      if (.not. is_missing(reach(1))) text = text//'. Without side cutting it is '// &
+         in_units(units, unit_curvature, reach(1), shown)
+      if (.not. is_missing(reach(2))) text = text//'. Without bit side force it is '// &
+         in_units(units, unit_curvature, reach(2), shown)
+      text = text//'. Check unit (per 30 m or 100 ft) and sign (> 0 is towards the toolface)'
+   end function unreached_text
 
    !> Function that is zero at the equilibrium curvature, for a string in a hole of curvature k; with its parts where they are asked
    !> for.

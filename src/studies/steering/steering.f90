@@ -27,6 +27,8 @@ module dg_steering
       real(wp) :: tilt(2) = missing           !< to which the bit points there, against the hole axis [rad]
       real(wp) :: curvature(2) = missing      !< at which the hole goes on [1/m]
       real(wp) :: three_points = missing      !< curvature of a stiff assembly on three points [1/m]; missing: it has no bend
+      !> Doglegs towards the tool face without side cutting and without side force; missing: none was measured, or not found [1/m].
+      real(wp) :: reach(2) = missing
       real(wp) :: side_cutting = missing      !< side cutting that gives the measured dogleg [-]; missing: none was measured, or
                                               !< there is none
       integer :: solutions = 0                !< of the string

@@ -84,7 +84,7 @@ contains
       end do
       call write_table(table, run%job%output_dir//'/'//file, error)
       if (.not. allocated(error)) then
-         allocate (lines, source=steering_table(run%job, run%model, results))
+         allocate (lines, source=steering_table(run%job, run%model, self%steering%side_cutting, results))
          call print_and_keep(run%printed, lines)
       end if
       if (lost > 0) run%status = graver(run%status, status_not_converged)

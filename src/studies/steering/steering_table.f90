@@ -4,8 +4,8 @@ module dg_steering_table
    use dg_constants, only: degree, pi
    use dg_job, only: job_type
    use dg_kinds, only: wp
-   use dg_missing, only: is_missing, optional_real
-   use dg_model, only: model_type
+   use dg_missing, only: is_missing, missing, optional_real
+   use dg_model, only: is_straightened, model_type
    use dg_number_text, only: fixed_text
    use dg_steering, only: steering_result_type
    use dg_text, only: append_text, text_type, to_text
@@ -24,9 +24,10 @@ module dg_steering_table
 contains
 
    !> Lines of the table of all results of a deck's &steering.
-   function steering_table(job, model, results) result(lines)
+   function steering_table(job, model, side_cutting, results) result(lines)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(optional_real), intent(in) :: side_cutting      !< with which the curvatures were found
       type(steering_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
       type(text_table_type) :: table
@@ -56,7 +57,8 @@ contains
          end associate
       end do
       call append_table(lines, table)
-      call add_ranges(job, model, results, lines)
+      call add_means(model, results, lines)
+      call add_ranges(job, model, side_cutting, results, lines)
    contains
       !> A clock angle that one decimal shows below 360.
       pure function turned(angle) result(shown)
@@ -67,34 +69,63 @@ contains
       end function turned
    end function steering_table
 
-   !> A line for each load case with a bent housing, from three points to zero side force, and for each side cutting found.
-   subroutine add_ranges(job, model, results, lines)
-      type(job_type), intent(in) :: job
+   !> A line for each load case with a bent housing that turns.
+   subroutine add_means(model, results, lines)
       type(model_type), intent(in) :: model
       type(steering_result_type), intent(in) :: results(:)
       type(text_type), allocatable, intent(inout) :: lines(:)
-      character(:), allocatable :: name, unit
-      real(wp) :: curvature, least, most
+      integer :: i
+      do i = 1, size(results)
+         associate (load_case => model%cases(results(i)%case_index))
+            if (is_straightened(model, load_case)) call append_text(lines, 'All of '//load_case%name// &
+               ': means over the tool faces of its bent housing, which turns. limits.csv has no bit side force for it')
+         end associate
+      end do
+   end subroutine add_means
+
+   !> A line for each load case with a bent housing, its dogleg by three points and as found, and for each side cutting found.
+   subroutine add_ranges(job, model, side_cutting, results, lines)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(optional_real), intent(in) :: side_cutting      !< with which the curvatures were found
+      type(steering_result_type), intent(in) :: results(:)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      character(:), allocatable :: name, unit, kind, text
+      real(wp) :: curvature, least, most, three_points
       integer :: i, k
       curvature = unit_factor(job%units, quantity_curvature)
       unit = ' '//unit_label(job%units, quantity_curvature)
+      kind = 'zero bit side force'
+      if (side_cutting%present) kind = 'side_cutting = '//to_text(side_cutting%value, 3)
       do k = 1, size(model%cases)
          name = model%cases(k)%name
          least = huge(least)
          most = 0.0_wp
+         three_points = missing
          do i = 1, size(results)
             if (results(i)%case_index /= k .or. .not. results(i)%found .or. is_missing(results(i)%three_points)) cycle
-            least = min(least, results(i)%three_points, norm2(results(i)%curvature))
-            most = max(most, results(i)%three_points, norm2(results(i)%curvature))
+            three_points = results(i)%three_points
+            least = min(least, norm2(results(i)%curvature))
+            most = max(most, norm2(results(i)%curvature))
          end do
-         if (most > 0.0_wp) call append_text(lines, 'Expected dogleg of '//name//': between '// &
-            fixed_text(least/curvature, 1)//' and '//fixed_text(most/curvature, 1)// &
-            unit//' (three-point geometry, zero side force)')
+         if (most > 0.0_wp) call append_text(lines, 'Dogleg of '//name//': '//fixed_text(three_points/curvature, 1)// &
+            ' by three-point geometry, '//range_text(least, most)//unit//' with '//kind)
          do i = 1, size(results)
-            if (results(i)%case_index == k .and. .not. is_missing(results(i)%side_cutting)) call append_text(lines, &
-               'Measured dogleg of '//name//' fits side_cutting = '//to_text(results(i)%side_cutting, 3))
+            if (results(i)%case_index /= k .or. is_missing(results(i)%side_cutting)) cycle
+            text = 'Measured dogleg of '//name//' fits side_cutting = '//to_text(results(i)%side_cutting, 3)
+            if (.not. any(is_missing(results(i)%reach))) text = text//'. side_cutting can give '// &
+               range_text(minval(results(i)%reach), maxval(results(i)%reach))//unit
+            call append_text(lines, text)
          end do
       end do
+   contains
+      !> Doglegs from the least to the most.
+      pure function range_text(low, high) result(shown)
+         real(wp), intent(in) :: low, high      !< [1/m]
+         character(:), allocatable :: shown
+         shown = fixed_text(low/curvature, 1)
+         if (fixed_text(high/curvature, 1) /= shown) shown = shown//' to '//fixed_text(high/curvature, 1)
+      end function range_text
    end subroutine add_ranges
 
    !> A result in the columns of the file. New columns are put at the end only.
@@ -110,7 +141,8 @@ contains
       call add(row, 'hole_build', quantity_curvature, 'build rate of the hole at the bit, as the survey has it', result%hole(1))
       call add(row, 'hole_turn', quantity_curvature, 'turn rate there', turn_rate(result, result%hole))
       call add(row, 'side_force_high', quantity_force, &
-               'side force of the bit on the formation, towards the high side; < 0: to the low side', result%side_force(1))
+               'side force of the bit on the formation, towards the high side; < 0: to the low side; mean over the tool faces '// &
+               'for a bend that turns', result%side_force(1))
       call add(row, 'side_force_right', quantity_force, &
                'side force of the bit to the right, looking down the hole', result%side_force(2))
       call add(row, 'tilt_high', quantity_angle, 'tilt of the bit against the hole, towards the high side', result%tilt(1))
