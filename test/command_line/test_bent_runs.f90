@@ -1,7 +1,7 @@
 !> Runs of strings with a bent housing, and of strings that wear casing: answers, what they leave out, and doglegs.
 module dg_test_bent_runs
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
-   use dg_program_run, only: replaced, results_path, run_deck_text, run_type, unwrapped
+   use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
    use dg_result_rows, only: field, lines_of
    use dg_text, only: text_type
    implicit none
@@ -21,6 +21,7 @@ contains
       call suite%addTest(TestMethod('bend_that_turns', test_turning))
       call suite%addTest(TestMethod('side_force_of_a_bend_that_turns', test_side_force))
       call suite%addTest(TestMethod('doglegs_by_name', test_doglegs))
+      call suite%addTest(TestMethod('page_without_warnings', test_page))
    end function bent_runs_suite
 
    !> A deck without pictures, and more groups.
@@ -148,4 +149,12 @@ contains
                             'Without side cutting it is ') > 0, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'Check unit (per 30 m or 100 ft) and sign') > 0, message=run%diagnostics)
    end subroutine test_doglegs
+
+   !> The page says of what it has no warnings: studies may have some.
+   subroutine test_page()
+      type(run_type) :: run
+      run = run_deck_text(replaced(worn('200'), 'plots = .false.', 'plots = .true.'))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(content(results_path//'/report.html'), 'No warnings on deck and load cases.') > 0)
+   end subroutine test_page
 end module dg_test_bent_runs

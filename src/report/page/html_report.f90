@@ -201,7 +201,7 @@ contains
       integer :: i
       allocate (sentences, source=warning_sentences(job, model, results))
       if (size(sentences) == 0) then
-         if (all(wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings.</p>')
+         if (all(wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings on deck and load cases.</p>')
          return
       end if
       call add_line(lines, '<h2>'//warnings_heading(sentences)//'</h2><ul>')
