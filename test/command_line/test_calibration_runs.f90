@@ -29,6 +29,7 @@ contains
       call suite%addTest(TestMethod('predicted', test_predicted))
       call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
+      call suite%addTest(TestMethod('hook_loads_against_torques', test_apart))
       call suite%addTest(TestMethod('threads', test_threads))
       call suite%addTest(TestMethod('not_separated', test_not_separated))
       call suite%addTest(TestMethod('no_fit', test_no_fit))
@@ -50,6 +51,56 @@ contains
          "&load_case name = 'c', operation = 'down', bit_depth = 1000, measured_hookload = "//to_text(down_full)//" /"//newline// &
          calibrate//newline
    end function straight_deck
+
+   !> Hook loads and torques of two frictions, at seven depths with scatter.
+   function apart_deck(axial, rotary, calibrate) result(text)
+      real(wp), intent(in) :: axial, rotary
+      character(*), intent(in) :: calibrate
+      character(:), allocatable :: text
+      real(wp), parameter :: radius = 0.0635_wp
+      real(wp) :: part, scatter
+      integer :: i
+      text = "&job models = 'soft', plots = .false., hdf5 = .false., profiles = .false. /"//newline// &
+         "&trajectory md = 0, 1000, inc = 60, 60, azi = 0, 0 /"//newline//"&hole diameter = 215.9, friction = 0.1 /"//newline// &
+         "&fluid density = 0 /"//newline//"&component od = 127, id = 108.6, mass = 20 /"//newline//calibrate//newline
+      do i = 1, 7
+         part = 0.3_wp + 0.1_wp*i
+         scatter = real(modulo(3*i, 7) - 3, wp)/3.0_wp
+         call add('up', 'measured_hookload', part*(along + axial*across) + scatter)
+         call add('down', 'measured_hookload', part*(along - axial*across) - 0.5_wp*scatter)
+         call add('rotate', 'measured_torque', part*rotary*across*radius + 0.02_wp*scatter)
+      end do
+   contains
+      subroutine add(operation, key, measured)
+         character(*), intent(in) :: operation, key
+         real(wp), intent(in) :: measured
+         text = text//"&load_case name = '"//operation//to_text(i)//"', operation = '"//operation//"', bit_depth = "// &
+                to_text(1000.0_wp*part)//', '//key//' = '//to_text(measured)//' /'//newline
+      end subroutine add
+   end function apart_deck
+
+   !> Torques that ask for other friction than hook loads: a warning, whose advice finds both. Measurements that agree have none.
+   !> No interval goes below zero friction.
+   subroutine test_apart()
+      character(*), parameter :: warning = 'hook loads and torques do not agree'
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      run = run_deck_text(apart_deck(0.2_wp, 0.35_wp, "&calibrate name = 'k' /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, warning) > 0, message=run%output)
+      run = run_deck_text(apart_deck(0.2_wp, 0.2_wp, "&calibrate name = 'k' /"))
+      call assertEqual(0, index(run%output, warning), message=run%output)
+      run = run_deck_text(apart_deck(0.2_wp, 0.35_wp, "&calibrate name = 'a', parameter = 'friction_axial' /"//newline// &
+                                     "&calibrate name = 'r', parameter = 'friction_rotary' /"))
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertEqual(0, index(run%output, warning), message=run%output)
+      allocate (rows, source=lines_of(results_path//'/calibration.csv'))
+      if (anyExceptions()) return
+      call assertEqual(0.2_wp, number(rows(2)%text, 8), 0.01_wp)
+      call assertEqual(0.35_wp, number(rows(3)%text, 8), 0.01_wp)
+      run = run_deck_text(apart_deck(0.0008_wp, 0.2_wp, "&calibrate name = 'k', parameter = 'friction_axial' /"))
+      call assertTrue(index(run%output, ' 0.0000 to 0.0') > 0, message=run%output)
+   end subroutine test_apart
 
    !> Hook loads measured without the block, beside a block weight: the offset takes it back, and a warning says so. Without
    !> block_weight, as it advises, there is none.

@@ -5,6 +5,7 @@ module dg_calibration_result
    use dg_depth_drift, only: drift_type, find_drift
    use dg_fit_statistics, only: find_statistics, statistics_type
    use dg_fit_by_kinds, only: free_unknowns
+   use dg_kinds_apart, only: are_apart
    use dg_least_squares, only: fit_done, fit_type
    use dg_missing, only: is_missing, missing
    use dg_prediction, only: prediction_type
@@ -31,6 +32,7 @@ module dg_calibration_result
       !> the deviations for the intervals follow [-]; missing if no value is spare.
       real(wp) :: deviations(2) = missing, scatters(2) = missing
       real(wp) :: freedoms(2) = 0.0_wp            !< spare values of each kind for its deviation
+      logical :: apart = .false.                  !< hook loads and torques ask for different friction
       type(succession_type) :: succession         !< of errors along the depth; deviations and intervals are those with it
       type(drift_type) :: drifts(2)               !< of hook loads and torques with depth
       type(prediction_type) :: prediction         !< of load cases that the fit has not used; not allocated: none
@@ -60,6 +62,7 @@ contains
             if (.not. any(of_what == k) .or. is_missing(result%scatters(k))) cycle
             if (result%scatters(k) > 0.0_wp) result%freedoms(k) = sum(residual**2, mask=of_what == k)/result%scatters(k)**2
          end do
+         result%apart = are_apart(fit%jacobian(:, columns), residual, of_what)
          call find_succession(fit%jacobian(:, columns), residual, depth, group, result%succession)
          do k = 1, size(result%drifts)
             call find_drift(fit%jacobian(:, columns), residual, merge(deviation, 0.0_wp, of_what == k), depth, group, &

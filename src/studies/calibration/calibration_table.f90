@@ -90,7 +90,9 @@ contains
             call add_cell(table, 'Friction factor', label_width, unknown_text(units, model, calibration%unknowns(k)))
             call add_cell(table, 'In deck', cell_width, result%start(k), unit, decimals)
             call add_cell(table, 'Found', cell_width, value, unit, decimals)
-            call add_right(table, '95 % interval', interval_width, interval_text(value, half, unit, decimals))
+            call add_right(table, '95 % interval', interval_width, &
+                           interval_text(value, half, unit, decimals, least=merge(-huge(one), 0.0_wp, &
+                                                                                  calibration%unknowns(k)%is_offset)))
             call add_cell(table, 'Remark', remark_width, remark)
             call end_row(table, '')
          end associate
@@ -172,6 +174,9 @@ contains
          end if
       end do
       call append_wrapped(lines, one_sided_text(units, model, calibration, result))
+      if (result%apart) call append_wrapped(lines, 'Warning: hook loads and torques do not agree: each alone asks for other '// &
+         'friction. Do not use the factors found. Calibrate friction_axial from hook loads and friction_rotary from torques '// &
+         "apart: two &calibrate, parameter = 'friction_axial' and parameter = 'friction_rotary'")
       do k = 1, size(result%statistics%mixtures)
          associate (mixture => result%statistics%mixtures(k))
             call append_text(lines, 'Warning: the measurements cannot tell these factors apart. Each of them may be wrong, '// &
@@ -179,6 +184,7 @@ contains
             do j = 1, size(mixture%unknowns)
                call append_text(lines, '         '//unknown_text(units, model, calibration%unknowns(mixture%unknowns(j))))
             end do
+            if (result%apart) cycle            ! one factor for all fits even less
             call append_text(lines, '         measure at other depths or in other operations, or find one factor for all '// &
                '(separate = ''none'')')
          end associate

@@ -64,14 +64,18 @@ contains
    end subroutine append_predictions
 
    !> Both ends of an interval; '-' where it is not known.
-   pure function interval_text(value, half, unit, decimals) result(text)
+   pure function interval_text(value, half, unit, decimals, least) result(text)
       real(wp), intent(in) :: value, half      !< its middle and half its width
       real(wp), intent(in) :: unit
       integer, intent(in) :: decimals
+      real(wp), intent(in), optional :: least  !< below which no value is possible; absent: none
       character(:), allocatable :: text
+      real(wp) :: low
       text = '-'
       if (is_missing(half)) return
-      text = fixed_text((value - half)/unit, decimals)//' to '//fixed_text((value + half)/unit, decimals)
+      low = value - half
+      if (present(least)) low = max(low, least)
+      text = fixed_text(low/unit, decimals)//' to '//fixed_text((value + half)/unit, decimals)
    end function interval_text
 
    !> Errors of what was measured too, how many lie within their intervals, and what is left in the mean by operation.
