@@ -51,6 +51,7 @@ contains
       use dg_test_hints, only: hints_suite
       use dg_test_running_in, only: running_in_suite
       use dg_test_unusual_decks, only: unusual_decks_suite
+      use dg_test_unusual_tools, only: unusual_tools_suite
       type(TestSuite) :: suite
       suite = TestSuite('command_line')
       call suite%addTest(actions_suite())
@@ -61,6 +62,7 @@ contains
       call suite%addTest(odd_decks_suite())
       call suite%addTest(running_in_suite())
       call suite%addTest(unusual_decks_suite())
+      call suite%addTest(unusual_tools_suite())
       call suite%addTest(program_suite())
       call suite%addTest(can_be_done_suite())
       call suite%addTest(printed_figures_suite())

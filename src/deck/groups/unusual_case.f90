@@ -17,7 +17,8 @@ module dg_unusual_case
    use dg_unusual_component, only: holds_any
    use dg_usual_range, only: is_unusual, note_range, usual_ambient_bottom, usual_ambient_top, usual_annulus, usual_density, &
                              usual_friction, usual_hookload, usual_hours, usual_inside_density, usual_measured, usual_pump, &
-                             usual_rpm, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, usual_wob
+                             usual_rpm, usual_rpm_worn, usual_tob, usual_trip_speed, usual_warming_bottom, usual_warming_top, &
+                             usual_wob
    implicit none
    private
    public :: air_weight, note_bit_loads, note_case, note_deviations, note_light, note_temperatures, note_use, is_gas, &
@@ -58,7 +59,8 @@ contains
       type(text_type), allocatable, intent(inout) :: notes(:)
       if (drills(load_case%operation) .or. .not. is_set_down(load_case%wob, weight)) call note(usual_wob, load_case%wob)
       call note(usual_tob, load_case%tob)
-      if (load_case%angular_speed > 0.0_wp) call note(usual_rpm, load_case%angular_speed)
+      if (load_case%angular_speed > 0.0_wp) &
+         call note(merge(usual_rpm_worn, usual_rpm, load_case%hours > 0.0_wp), load_case%angular_speed)
       call note(usual_hours, load_case%hours)
       call note(usual_trip_speed, load_case%trip_speed)
       call note_ways(units, what, load_case%operation, load_case%wob, load_case%tob, notes)

@@ -16,6 +16,7 @@ module dg_unusual_input
    use dg_units, only: unit_system_type
    use dg_unusual_case, only: air_weight, note_case, note_light, note_temperatures, note_use
    use dg_unusual_component, only: holds_any, note_component, note_joint, note_place, note_twice
+   use dg_unusual_tool, only: note_tool_shapes
    use dg_usual_range, only: is_unusual, note_range, usual_block, usual_casing_yield, usual_deep_wall, usual_density, &
                              usual_friction, usual_gravity, usual_hole, usual_hookload, usual_running_in, usual_surface, &
                              usual_top_drive, usual_wall, usual_wear
@@ -82,6 +83,7 @@ contains
       call note_length(draft, notes)
       call note_collars(draft, notes)
       call note_cased(draft, notes)
+      call note_tool_shapes(draft, notes)
       call note_place(draft, notes)
       call note_twice(draft, notes)
       call note_joint(draft, notes)

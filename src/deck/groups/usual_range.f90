@@ -16,7 +16,8 @@ module dg_usual_range
              usual_measured, usual_joint_spacing, usual_joint_length, usual_bend, usual_lines, usual_sheave, usual_wear, &
              usual_restoring, usual_running_force, usual_wall, usual_deep_wall, usual_centralizers, usual_slips, &
              usual_surface, usual_annulus, usual_casing_yield, usual_hole, usual_bore, usual_tension, usual_compression, &
-             usual_joint_yield, usual_joint_id, usual_fatigue, usual_joint_fatigue, usual_tensile, usual_inside_density
+             usual_joint_yield, usual_joint_id, usual_fatigue, usual_joint_fatigue, usual_tensile, usual_inside_density, &
+             usual_pad, usual_blade_offset, usual_rpm_worn, usual_enlargement, usual_side_cutting
 
    !> Usual range of a key.
    type :: usual_type
@@ -35,12 +36,14 @@ module dg_usual_range
                          usual_running_force = 29, usual_wall = 30, usual_deep_wall = 31, usual_centralizers = 32, &
                          usual_slips = 33, usual_surface = 34, usual_annulus = 35, usual_casing_yield = 36, usual_hole = 37, &
                          usual_bore = 38, usual_tension = 39, usual_compression = 40, usual_joint_yield = 41, usual_joint_id = 42, &
-                         usual_fatigue = 43, usual_joint_fatigue = 44, usual_tensile = 45, usual_inside_density = 46
+                         usual_fatigue = 43, usual_joint_fatigue = 44, usual_tensile = 45, usual_inside_density = 46, &
+                         usual_pad = 47, usual_blade_offset = 48, usual_rpm_worn = 49, usual_enlargement = 50, &
+                         usual_side_cutting = 51
    !> Temperatures above that of the air, and changes of them [K].
    real(wp), parameter :: hottest = 325.0_wp, coldest = -260.0_wp
    character(*), parameter :: wells = 'steam and supercritical wells 350 degC; more was meant as kelvin'
    real(wp), parameter :: per_minute = pi/30.0_wp
-   type(usual_type), parameter :: usual(46) = [ &
+   type(usual_type), parameter :: usual(51) = [ &
       usual_type('yield', unit_stress, 150.0e6_wp, 1250.0e6_wp, 'API 5CT H40 to proprietary 180 ksi; aluminium pipe 325 MPa'), &
       usual_type('wob', unit_force, -3.0e6_wp, 700.0e3_wp, 'heavy rock bits of 26 in, 150 klbf; overpull of large rigs'), &
       usual_type('tob', unit_moment, 0.0_wp, 100.0e3_wp, 'reamers in soft rock; strongest top drives 130 kN.m'), &
@@ -53,7 +56,7 @@ module dg_usual_range
       usual_type('joint_torsion', unit_moment, 0.0_wp, 500.0e3_wp, 'tool joints of 8 1/2 in: 200 kN.m'), &
       usual_type('friction', unit_none, 0.03_wp, 1.0_wp, 'roller tools 0.05; brine on casing 0.6'), &
       usual_type('trip_speed', unit_speed, 0.0_wp, 3.0_wp, 'a stand of 28 m in 20 s: 1.4 m/s'), &
-      usual_type('rpm', unit_rotation, 5.0_wp*per_minute, 700.0_wp*per_minute, 'top drives 250, diamond coring 600'), &
+      usual_type('rpm', unit_rotation, 2.5_wp*per_minute, 700.0_wp*per_minute, 'top drives 250, diamond coring 600'), &
       usual_type('max_hookload', unit_force, 0.0_wp, 18.0e6_wp, 'largest rigs 1,500 t'), &
       usual_type('friction_running_in', unit_none, 0.03_wp, 1.0_wp, 'as friction'), &
       usual_type('gravity', unit_gravity, 9.7_wp, 10.0_wp, '9.76 on high mountains to 9.83 at the poles'), &
@@ -87,7 +90,12 @@ module dg_usual_range
       usual_type('fatigue_limit', unit_stress, 30.0e6_wp, 600.0e6_wp, 'pipe in brine 10 ksi; half the strength of hard steel'), &
       usual_type('joint_fatigue_limit', unit_stress, 15.0e6_wp, 600.0e6_wp, 'threads 20 to 100 MPa of the bending beside them'), &
       usual_type('tensile_strength', unit_stress, 200.0e6_wp, 1600.0e6_wp, 'soft aluminium 250 MPa; rods and pipe to 1,300 MPa'), &
-      usual_type('inside_density', unit_density, 0.0_wp, heaviest_mud, 'as density')]
+      usual_type('inside_density', unit_density, 0.0_wp, heaviest_mud, 'as density'), &
+      usual_type('pad_force', unit_force, 0.1e3_wp, 100.0e3_wp, 'steering tools 5 to 40 kN'), &
+      usual_type('blade_offset', unit_diameter, 0.1e-3_wp, 0.1_wp, 'eccentric blades 1 to 10 mm; less was meant in m or in'), &
+      usual_type('rpm', unit_rotation, 20.0_wp*per_minute, 700.0_wp*per_minute, 'wear and fatigue of drilling, 40 to 250'), &
+      usual_type('hole_enlargement', unit_diameter, 0.1e-3_wp, 0.2_wp, 'motors drill 1 to 10 mm over gauge'), &
+      usual_type('side_cutting', unit_none, 0.0_wp, 2.0_wp, 'fits of motors 0.001 to 0.1; aggressive side cutters 1')]
    integer, parameter :: digits = 4, few_digits = 3
    !> Least value that may be meant in another unit, over the largest usual one [-]. Soft steel is rare, low endurance is not.
    real(wp), parameter :: least_meant = 1.0_wp/150.0_wp, least_steel = 0.25_wp
@@ -125,7 +133,8 @@ contains
       if (value > row%high) range = 'at most '//value_text(at_most(units, row%unit, row%high, few_digits), few_digits)
       call append_text(notes, what//': '//trim(row%key)//' = '//value_text(value, digits)// &
                        ' is unusual. Usual is '//range// &
-                       either(unit_question(), '', all(number /= [usual_friction, usual_running_in, usual_lines, usual_sheave])))
+                       either(unit_question(), '', all(number /= [usual_friction, usual_running_in, usual_lines, usual_sheave, &
+                                                                    usual_side_cutting])))
 
    contains
 

@@ -20,6 +20,7 @@ module dg_steering_study
    use dg_text, only: either, quoted, text_list, text_type, to_text
    use dg_threads, only: thread_count
    use dg_csv_table, only: add_row, csv_table_type, write_table
+   use dg_usual_range, only: note_range, usual_enlargement, usual_side_cutting
    implicit none
    private
    public :: steering_study_type
@@ -44,10 +45,16 @@ contains
       type(job_type), intent(in) :: job
       type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
-      associate (not_needed => job, nor => notes)
+      associate (not_needed => job)
          call read_steering_group(deck%draft, deck%groups, self%steering, faults)
       end associate
       self%asked = allocated(self%steering)
+      if (self%asked) then
+         if (self%steering%hole_enlargement > 0.0_wp) call note_range(deck%draft%units, 'group &steering', usual_enlargement, &
+                                                                      self%steering%hole_enlargement, notes)
+         if (self%steering%side_cutting%present) call note_range(deck%draft%units, 'group &steering', usual_side_cutting, &
+                                                                 self%steering%side_cutting%value, notes)
+      end if
       self%files = text_list(file)
       self%forms = self%files
    end subroutine read_steering
