@@ -22,6 +22,7 @@ contains
       call suite%addTest(TestMethod('side_force_of_a_bend_that_turns', test_side_force))
       call suite%addTest(TestMethod('doglegs_by_name', test_doglegs))
       call suite%addTest(TestMethod('page_without_warnings', test_page))
+      call suite%addTest(TestMethod('sag_at_rest', test_sag))
    end function bent_runs_suite
 
    !> A deck without pictures, and more groups.
@@ -157,4 +158,17 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(content(results_path//'/report.html'), 'No warnings on deck and load cases.') > 0)
    end subroutine test_page
+
+   !> The advice to use a static case stands only where there is none.
+   subroutine test_sag()
+      character(*), parameter :: advice = "Surveys are taken at rest: use 'static'"
+      character(:), allocatable :: deck_text
+      type(run_type) :: run
+      deck_text = replaced(bent(''), "kind = 'hwdp',", "kind = 'hwdp', sensor = 5,")
+      run = run_deck_text(deck_text)
+      call assertTrue(index(run%output, advice) > 0, message=run%output)
+      run = run_deck_text(deck_text//"&load_case name = 'rest', operation = 'static', bit_depth = 600 /"//newline)
+      call assertTrue(index(run%output, 'Sag correction in ') > 0, message=run%output)
+      call assertEqual(0, index(run%output, advice))
+   end subroutine test_sag
 end module dg_test_bent_runs

@@ -101,8 +101,12 @@ contains
       call usual('rpm = 120', 'rpm = 3')
    end subroutine test_speeds
 
-   !> The deck as it is.
+   !> The deck as it is, a vertical hole, and a motor with its mass by its maker and the bore of its rotor.
    subroutine test_usual()
+      character(*), parameter :: hole = 'inc = 0, 0, 60, 60, azi = 45, 45, 45, 45'
       call usual('&fluid', '&fluid')
+      call usual(hole, 'inc = 0.2, 0.5, 1.0, 1.4, azi = 45, 45, 45, 45')
+      call mistake(hole, 'inc = 0.2, 0.5, 1.0, 1.4, azi = 0.79, 0.79, 0.79, 0.79', 'Are the inclinations in radians?')
+      call usual('od = 171.4, id = 95,', 'od = 171.4, id = 50, mass = 115,')
    end subroutine test_usual
 end module dg_test_unusual_tools

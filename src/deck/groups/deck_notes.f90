@@ -16,6 +16,7 @@ module dg_deck_notes
    use dg_text, only: append_text, either, lower_case, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
    use dg_unusual_case, only: is_gas
+   use dg_unusual_component, only: holds_any
    use dg_unusual_input, only: largest_pressure
    use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
@@ -29,6 +30,9 @@ module dg_deck_notes
    !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53). Pounds a
    !> foot are 0.67 of kilogrammes a metre, 0.8 of the tube for jointed pipe. Tools have hollows.
    real(wp), parameter :: least_mass = 0.75_wp, least_pipe_mass = 0.92_wp, most_mass = 1.6_wp
+   !> The same of motors and other tools with inner parts, whose id is the bore of a rotor or a flow tube.
+   real(wp), parameter :: least_tool_mass = 0.5_wp
+   character(*), parameter :: hollow(*) = [character(7) :: 'motor', 'turbine', 'rss', 'steer', 'mwd', 'lwd']
    !> Range of Young's moduli of strings [Pa]: glass fibre has 45e9, steel 206e9.
    real(wp), parameter :: softest = 35.0e9_wp, stiffest = 260.0e9_wp
    !> Sharpest bend in tests, coiled tubing in 300 deg/30 m, and a margin [rad/m].
@@ -178,7 +182,7 @@ contains
       type(draft_component_type), intent(in) :: item
       real(wp), intent(in) :: narrowest         !< diameter of the narrowest hole section [m]
       type(text_type), allocatable, intent(inout) :: notes(:)
-      real(wp) :: tube
+      real(wp) :: tube, least
       associate (part => item%component, units => draft%units)
          if (narrowest > widest_hole*closed_diameter(part)) then
             call note('it is '//in_units(units, unit_diameter, closed_diameter(part), digits)//' wide in holes of '// &
@@ -196,8 +200,9 @@ contains
             in_units(units, unit_diameter, part%od, digits)//', and bends as a pipe of that od; '// &
             'give blades as joint_od and their body as od')
          tube = part%density*tube_area(part%od, part%id)
-         if (part%mass > 0.0_wp .and. (part%mass < merge(least_pipe_mass, least_mass, has_joints(part))*tube .or. &
-                                       part%mass > most_mass*tube)) then
+         least = merge(least_pipe_mass, least_mass, has_joints(part))
+         if (holds_any(part%kind, hollow)) least = least_tool_mass
+         if (part%mass > 0.0_wp .and. (part%mass < least*tube .or. part%mass > most_mass*tube)) then
             if (part%id > 0.0_wp) then
                call note('mass = '//to_text(part%mass/units%mass_per_length, digits)//', but a tube of its od, id and '// &
                   'density has '//to_text(tube/units%mass_per_length, few_digits)// &

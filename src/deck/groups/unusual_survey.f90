@@ -88,6 +88,8 @@ contains
                 .not. all(are_converted(pack(inclination, inclination > 0.0_wp))))) return
             builds = all(inclination(2:) >= inclination(:size(inclination) - 1))
             one_way = maxval(azimuth, mask=inclination > 0.0_wp) - minval(azimuth, mask=inclination > 0.0_wp) < least_radian
+            one_way = one_way .and. (all(modulo(azimuth, 2.0_wp*pi) <= 2.0_wp*pi*degree) .or. &
+                                     all(are_converted(pack(inclination, inclination > 0.0_wp))))
             if (.not. (abs(largest - 0.5_wp*pi*degree) < near_right_angle .or. (builds .and. one_way))) return
          end if
          call append_text(notes, 'group &trajectory: the largest inclination is '//to_text(largest/degree, digits)// &

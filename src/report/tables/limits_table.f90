@@ -138,7 +138,7 @@ contains
                           ' deg at the sensor, '// &
                           whole_depth(units, wholes(i)%sensor_md%value)// &
                           either('', '. Surveys are taken at rest: use ''static''', &
-                                 model%cases(results(i)%case_index)%operation == operation_static))
+                                 any(model%cases%operation == operation_static)))
       end do
       do i = 1, size(results)
          if (wholes(i)%length_change%present) call append_length_change(lines, units, model, results(i)%case_index, wholes(i))
