@@ -19,6 +19,7 @@ contains
       call suite%addTest(TestMethod('small_numbers', test_numbers))
       call suite%addTest(TestMethod('speeds', test_speeds))
       call suite%addTest(TestMethod('usual_decks', test_usual))
+      call suite%addTest(TestMethod('sizes_advised', test_sizes))
    end function unusual_tools_suite
 
    !> A motor in an inclined hole.
@@ -109,4 +110,16 @@ contains
       call mistake(hole, 'inc = 0.2, 0.5, 1.0, 1.4, azi = 0.79, 0.79, 0.79, 0.79', 'Are the inclinations in radians?')
       call usual('od = 171.4, id = 95,', 'od = 171.4, id = 50, mass = 115,')
    end subroutine test_usual
+
+   !> Messages that say a size or a mass which fits at once.
+   subroutine test_sizes()
+      type(run_type) :: run
+      run = run_deck_text(replaced(deck(), 'joint_od = 212.7', 'joint_od = 215.9'), '--check')
+      call assertTrue(index(run%diagnostics, 'needs a diameter < 215.9 mm. Give its size under gauge, usually 1/32 in less: '// &
+                            '215.1 mm') > 0, message=run%diagnostics)
+      call usual('joint_od = 212.7', 'joint_od = 215.1')
+      call mistake('mass = 31.9', 'mass = 19.5', "Is it the nominal weight in lbm/ft? The mass with tool joints of "// &
+                   "'DP 5 19.50 NC50 6-1/2x3-1/4' is 31.4. Write that")
+      call usual('mass = 31.9', 'mass = 31.4')
+   end subroutine test_sizes
 end module dg_test_unusual_tools

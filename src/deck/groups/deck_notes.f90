@@ -4,7 +4,8 @@ module dg_deck_notes
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, component_type, has_bend, has_blades, has_joints, has_pad, is_eccentric, is_open, &
                            opens, tube_area
-   use dg_constants, only: degree
+   use dg_catalogue_pipe, only: find_pipe
+   use dg_constants, only: degree, foot, pound
    use dg_deck_draft, only: draft_component_type, draft_type, lowest_of, string_use_type
    use dg_error, only: error_type
    use dg_job, only: job_type, model_mcge, model_mixed, model_name
@@ -16,7 +17,7 @@ module dg_deck_notes
    use dg_text, only: append_text, either, lower_case, quoted, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory, trajectory_type
    use dg_unusual_case, only: is_gas
-   use dg_unusual_component, only: holds_any
+   use dg_unusual_component, only: holds_any, is_nominal_mass
    use dg_unusual_input, only: largest_pressure
    use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, &
                            unit_length, unit_mass, unit_modulus
@@ -224,10 +225,21 @@ contains
    contains
       !> Question for the unit of the mass of pipe with joints. Screens and insulated or coated tubing are heavier than tubes.
       function mass_question() result(text)
-         character(:), allocatable :: text
+         character(:), allocatable :: text, pipe
+         real(wp) :: mass
          text = ''
-         if (has_joints(item%component) .and. .not. is_insulated(item%component)) text = unit_questions(draft%units, unit_mass, &
+         if (has_joints(item%component) .and. .not. is_insulated(item%component)) then
+            if (is_nominal_mass(item%component, item%component%mass/draft%units%mass_per_length*pound/foot)) then
+               call find_pipe(item%component, pipe, mass)
+               if (pipe /= '') then
+                  text = '. Is it the nominal weight in lbm/ft? The mass with tool joints of '//quoted(pipe)//' is '// &
+                         to_text(mass/draft%units%mass_per_length, few_digits)//'. Write that'
+                  return
+               end if
+            end if
+            text = unit_questions(draft%units, unit_mass, &
             item%component%mass/draft%units%mass_per_length, least_pipe_mass*tube, most_mass*tube, few_digits, 'mass')
+         end if
       end function mass_question
       !> Question for the unit of a diameter, in which the tube has the mass.
       function width_question(key, width) result(text)

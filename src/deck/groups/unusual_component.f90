@@ -19,7 +19,7 @@ module dg_unusual_component
                              usual_yield
    implicit none
    private
-   public :: holds_any, note_component, note_joint, note_place, note_twice
+   public :: holds_any, is_nominal_mass, note_component, note_joint, note_place, note_twice
 
    !> Longest solid bar among drill tools [m].
    real(wp), parameter :: longest_bar = 5.0_wp
@@ -104,7 +104,8 @@ contains
          if (is_plain(item)) call append_text(notes, what//': without joint_od and mass it is plain pipe. Tool joints add '// &
                                               '12 to 35 % to its mass. Give both, or a name of the catalogue. '// &
                                               "Pipe without joints needs its kind, as 'casing'")
-         if (has_nominal_mass(item)) call append_text(notes, what//': mass = '//in_units(units, unit_mass, part%mass, digits)// &
+         if (item%mass_given .and. is_nominal_mass(part, part%mass)) call append_text(notes, what//': mass = '// &
+            in_units(units, unit_mass, part%mass, digits)// &
             ' is little more than its tube has. Is it the nominal weight? Give the mass with tool joints, or a name of the '// &
             'catalogue')
          if (is_pipe(part) .and. part%id > 0.0_wp .and. part%id < least_bore*part%od) call append_text(notes, what//': id = '// &
@@ -264,19 +265,18 @@ contains
       end associate
    end function is_plain
 
-   !> True for drill pipe with joints whose mass is near that of its tube.
-   elemental function has_nominal_mass(item) result(has)
-      type(draft_component_type), intent(in) :: item
-      logical :: has
+   !> True for drill pipe with joints for which a mass is near that of its tube.
+   elemental function is_nominal_mass(part, mass) result(is)
+      type(component_type), intent(in) :: part
+      real(wp), intent(in) :: mass            !< [kg/m]
+      logical :: is
       real(wp) :: tube
-      associate (part => item%component)
-         has = has_joints(part) .and. item%mass_given .and. is_pipe(part) .and. index(lower_case(part%kind), 'pipe') > 0 .and. &
-               part%od > thickest_tubing .and. part%od < thickest
-         if (has) has = added_by_joints(part, effective_joint_length(part)) > heavy_joints
-         tube = part%density*tube_area(part%od, part%id)
-         if (has) has = part%mass > tube .and. part%mass < nominal*tube
-      end associate
-   end function has_nominal_mass
+      is = has_joints(part) .and. is_pipe(part) .and. index(lower_case(part%kind), 'pipe') > 0 .and. &
+           part%od > thickest_tubing .and. part%od < thickest
+      if (is) is = added_by_joints(part, effective_joint_length(part)) > heavy_joints
+      tube = part%density*tube_area(part%od, part%id)
+      if (is) is = mass > tube .and. mass < nominal*tube
+   end function is_nominal_mass
 
    !> The kind that a kind differs from by one letter, or by two with the same first letter; '' for others, which name tools.
    pure function nearly_kind(kind) result(meant)

@@ -1,7 +1,7 @@
 !> Checks of load cases: numbers that their operation needs, reach of hole and string to the bit, and passage of the string.
 module dg_case_check
-   use dg_constants, only: foot
-   use dg_component, only: closed_diameter, component_type, is_bit, is_open, is_pipe
+   use dg_constants, only: foot, inch
+   use dg_component, only: closed_diameter, component_type, has_blades, is_bit, is_open, is_pipe, opens
    use dg_hole_check, only: depth_round_off
    use dg_hole_section, only: hole_section_type
    use dg_kinds, only: wp
@@ -27,6 +27,8 @@ module dg_case_check
    !> Widest hole, and part of a diameter that is round-off of inches [m, -].
    real(wp), parameter :: widest_hole = 1.2_wp, rounded = 2.0e-3_wp
    integer, parameter :: hole_digits = 4
+   !> Diameter by which a stabilizer is usually smaller than its hole [m].
+   real(wp), parameter :: under_gauge = inch/32.0_wp
    !> Words before a question for the unit of a hole.
    character(*), parameter :: hole_question = '. Look at the diameter of that hole'
    !> Words before a question for the unit of a component, and the narrowest one [m].
@@ -209,10 +211,19 @@ contains
             text = pipe_question//unit_label(units, unit_diameter)//text
          else
             text = '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '//wide(narrowest(lowest))// &
-                   either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
+                   gauge_advice()//either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
                    opening_advice(components(k), holes, lowest, units)
          end if
       end function advice
+
+      !> Usual size of a stabilizer of full gauge; '' for other components.
+      function gauge_advice() result(text)
+         character(:), allocatable :: text
+         text = ''
+         if (has_blades(components(k)) .and. .not. opens(components(k)) .and. abs(diameter - narrowest(lowest)) < under_gauge) &
+            text = '. Give its size under gauge, usually 1/32 in less: '// &
+                   diameter_words(units, narrowest(lowest) - under_gauge, hole_digits)
+      end function gauge_advice
 
       function wide(width) result(text)
          real(wp), intent(in) :: width
