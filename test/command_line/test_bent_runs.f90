@@ -151,12 +151,14 @@ contains
       call assertTrue(index(run%diagnostics, 'Check unit (per 30 m or 100 ft) and sign') > 0, message=run%diagnostics)
    end subroutine test_doglegs
 
-   !> The page says of what it has no warnings: studies may have some.
+   !> The page says of what it has no warnings: studies may have some. Small angles have three decimals.
    subroutine test_page()
       type(run_type) :: run
       run = run_deck_text(replaced(worn('200'), 'plots = .false.', 'plots = .true.'))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(content(results_path//'/report.html'), 'No warnings on deck and load cases.') > 0)
+      run = run_deck_text(replaced(bent(''), 'plots = .false.', 'plots = .true.'))
+      call assertTrue(index(content(results_path//'/report.html'), '<td>0.0</td>') == 0)
    end subroutine test_page
 
    !> The advice to use a static case stands only where there is none.

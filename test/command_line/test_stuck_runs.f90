@@ -112,6 +112,7 @@ contains
       if (anyExceptions()) return
       call assertEqual('below_bit', field(lines(2)%text, verdict))
       call assertEqual('', field(lines(2)%text, depth))
+      call assertEqual('', field(lines(2)%text, frictionless), message='without friction')
    end subroutine test_below_bit
 
    !> The string at 300 and 400 kN, the greater pull first.

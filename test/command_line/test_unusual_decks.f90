@@ -264,7 +264,7 @@ contains
                    'kft.lbf. Is wob in tonnes? 5 t are 11.02 klbf')
       call usual('wob = 20,', 'wob = 11.02,')
       call mistake('tob = 5 ', 'tob = 25 ', 'tob = 25 kft.lbf is large for wob = 20 klbf in a hole of 8.5 in. Usual is at most '// &
-                   '19 kft.lbf. Is wob in tonnes? 20 t are 44.09 klbf. Is tob the torque at surface? Give that of the bit')
+                   '18 kft.lbf. Is wob in tonnes? 20 t are 44.09 klbf. Is tob the torque at surface? Give that of the bit')
       call mistake('wob = 20, tob = 5 ', 'wob = 30, tob = 30 ', 'Is tob in kN.m? Then write 22.13. Is tob the torque at surface?')
       call usual('wob = 20, tob = 5 ', 'wob = 30, tob = 22.13 ')
       call mistake('tob = 5 ', 'tob = 15, measured_torque = 15 ', 'tob = 15 kft.lbf is not below measured_torque = 15 kft.lbf '// &

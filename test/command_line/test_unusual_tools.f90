@@ -121,5 +121,6 @@ contains
       call mistake('mass = 31.9', 'mass = 19.5', "Is it the nominal weight in lbm/ft? The mass with tool joints of "// &
                    "'DP 5 19.50 NC50 6-1/2x3-1/4' is 31.4. Write that")
       call usual('mass = 31.9', 'mass = 31.4')
+      call mistake('wob = 80, tob = 5', 'wob = 40, tob = 12', 'Usual is at most 11 kN.m')
    end subroutine test_sizes
 end module dg_test_unusual_tools

@@ -232,7 +232,8 @@ contains
             call append_text(notes, 'load case '//quoted(case%name)//': tob = '//in_units(units, unit_moment, case%tob, digits)// &
                ' is large for wob = '//in_units(units, unit_force, case%wob, digits)//' in a hole of '// &
                in_units(units, unit_diameter, diameter, digits)//'. Usual is at most '// &
-               in_units(units, unit_moment, usual, few_digits)//question//'. Is tob the torque at surface? Give that of the bit')
+               in_units(units, unit_moment, at_most(units, unit_moment, usual, few_digits), few_digits)// &
+               question//'. Is tob the torque at surface? Give that of the bit')
             return
          end associate
       end do

@@ -1,7 +1,7 @@
 !> Pieces of an HTML page: texts made safe, tables of our columns, pictures put inline.
 module dg_html_text
    use dg_kinds, only: wp
-   use dg_column, only: column_type, field_absent, field_integer, field_real, field_text, field_type, fields_of, &
+   use dg_column, only: column_type, field_absent, field_integer, field_real, field_text, field_type, fields_of, quantity_angle, &
                         quantity_length, quantity_line_load, quantity_moment, quantity_none, quantity_percent, quantity_text, &
                         quantity_time, quantity_turns, row_type
    use dg_json, only: quantity_key
@@ -170,7 +170,7 @@ contains
             ! numbers without unit have any size: a tolerance, a friction factor
             cell = '<td>'//to_text(value, few_digits)//'</td>'
          else
-            cell = number_cell(value, fixed_text(value, decimals(field%column%quantity)), field%column%quantity)
+            cell = number_cell(value, fixed_text(value, decimals(field%column%quantity, value)), field%column%quantity)
          end if
       case default
       end select
@@ -247,15 +247,18 @@ contains
       if (field%kind == field_text) has = field%text /= ''
    end function has_value
 
-   !> Digits behind the point that an engineer reads of a quantity.
-   pure function decimals(quantity) result(number)
+   !> Digits behind the point that an engineer reads of a quantity. Angles below a degree are those of bit and sensor.
+   pure function decimals(quantity, value) result(number)
       integer, intent(in) :: quantity
+      real(wp), intent(in) :: value     !< in its unit
       integer :: number
       select case (quantity)
       case (quantity_line_load, quantity_time)
          number = 3
       case (quantity_none, quantity_length, quantity_moment, quantity_percent, quantity_turns)
          number = 2
+      case (quantity_angle)
+         number = merge(3, 1, abs(value) < 1.0_wp)
       case default
          number = 1
       end select

@@ -24,7 +24,7 @@ module dg_sticking_study
    use dg_unit_kind, only: in_units, unit_length
    use dg_column, only: row_type
    use dg_load_case, only: load_case_type, operation_name
-   use dg_missing, only: given
+   use dg_missing, only: given, missing
    implicit none
    private
    public :: sticking_study_type
@@ -170,6 +170,7 @@ contains
       found%load_case = load_case%name
       found%held = held_type(result%depth, result%depth_without_friction, result%tension_above, result%tension_below, &
                              result%half_width, result%torque_above, result%torque_below)
+      if (result%depth_without_friction > load_case%bit_depth) found%held%depth_frictionless = missing   ! below the bit
       row = factor_row(found)
    end function sticking_row
 end module dg_sticking_study
