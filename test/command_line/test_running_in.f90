@@ -147,7 +147,7 @@ contains
          character(*), intent(in) :: name
          real(wp), intent(in) :: wanted    !< [kN]
          type(text_type), allocatable :: found(:)
-         allocate (found, source=rows('summary.csv', name//','))
+         allocate (found, source=rows('summary.csv', name//',,'))
          if (anyExceptions()) return
          call assertEqual(wanted, number(found(1)%text, hookload), 1.0e-3_wp, message=name)
       end subroutine check_hookload

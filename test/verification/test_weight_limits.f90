@@ -1,7 +1,7 @@
 !> Friction and weight on bit with which string weight is just enough, against the string solved anew a little to either side.
 module dg_test_weight_limits
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertTrue, TestMethod, TestSuite
-   use dg_case_result, only: case_result_type, result_converged, result_locked_up
+   use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: component_type
    use dg_error, only: error_type
    use dg_job, only: model_mcge
@@ -24,7 +24,6 @@ contains
       suite = TestSuite('weight_limits')
       call suite%addTest(TestMethod('enough', test_enough))
       call suite%addTest(TestMethod('pushed', test_pushed))
-      call suite%addTest(TestMethod('locked_up', test_locked_up))
    end function weight_limits_suite
 
    !> Tubing in a lateral that its weight moves down: it takes more friction and more weight on bit.
@@ -50,15 +49,6 @@ contains
       call look_beside(20.0e3_wp, result)
    end subroutine test_pushed
 
-   !> A load that no push brings to the bit: the string is followed from no load at all.
-   subroutine test_locked_up()
-      type(case_result_type) :: result
-      call solve_lateral(100.0e3_wp, 1.0_wp, .false., result)
-      call assertEqual(result_locked_up, result%status, message=result%message)
-      call assertTrue(result%weight_limits%wob%present, message='weight on bit')
-      call look_beside(100.0e3_wp, result)
-   end subroutine test_locked_up
-
    !> Solve the string anew beside its limits: the sign of its hook load changes.
    subroutine look_beside(wob, result)
       real(wp), intent(in) :: wob                      !< of the result [N]
@@ -71,7 +61,6 @@ contains
          call solve_lateral((1.0_wp + beside)*limits%wob%value, 1.0_wp, .true., more)
          call assertGreaterThan(less%hookload, 0.0_wp, message='less weight on bit')
          call assertLessThan(more%hookload, 0.0_wp, message='more weight on bit')
-         if (.not. limits%friction%present) return
          call note('friction at its limit, over that of the case', limits%friction%value)
          call solve_lateral(wob, (1.0_wp - beside)*limits%friction%value, .true., less)
          call solve_lateral(wob, (1.0_wp + beside)*limits%friction%value, .true., more)

@@ -60,14 +60,10 @@ contains
       bare = model
       bare%cases(case_index)%wob = 0.0_wp
       bare%cases(case_index)%tob = 0.0_wp       ! the bit is off bottom
-      call solve_again(bare, case_index, stop, result, found, wob_limit=.not. result%weight_limits%wob%present)
+      call solve_again(bare, case_index, stop, result, found)
       result%without_load = without_load_type(found%status, found%hookload)
       if (found%status /= result_converged) return
       scale = matching_friction(model, case_index, 0.0_wp, found%hookload)
       if (scale > 0.0_wp) result%without_load%friction_scale = scale
-      result%weight_limits%iterations = result%weight_limits%iterations + found%weight_limits%iterations
-      if (.not. found%weight_limits%wob%present) return
-      result%weight_limits%wob = found%weight_limits%wob
-      result%weight_limits%friction_scale = found%weight_limits%friction_scale
    end subroutine solve_bare
 end module dg_case_without_load

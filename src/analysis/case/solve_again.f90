@@ -13,15 +13,14 @@ contains
 
    !> Solve a case by beams, without a profile. Its iterations and seconds are added to `result`. A refused case counts as not
    !> converged.
-   subroutine solve_again(other, case_index, stop, result, found, wob_limit)
+   subroutine solve_again(other, case_index, stop, result, found)
       type(model_type), intent(in) :: other               !< the model with other loads
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result     !< first solution, whose iterations and seconds grow
       type(case_result_type), intent(out) :: found
-      logical, intent(in), optional :: wob_limit          !< true: find the weight that comes to the bit
       type(error_type), allocatable :: error
-      call solve_static_analysis(other, case_index, found, error, totals_only=.true., stop=stop, wob_limit=wob_limit)
+      call solve_static_analysis(other, case_index, found, error, totals_only=.true., stop=stop)
       result%iterations = result%iterations + found%iterations
       result%seconds = result%seconds + found%seconds
       if (allocated(error)) found%status = result_not_converged

@@ -25,8 +25,7 @@ module dg_solution_result
    type :: wanted_type
       logical :: moments = .true.    !< on elements short enough for them; needs the profile
       logical :: profile = .true.
-      logical :: friction_limit = .false.  !< friction with which string weight is just enough, and weight on bit
-      logical :: wob_limit = .false.       !< weight on bit alone
+      logical :: limits = .false.    !< friction and weight on bit at which string weight is just enough
    end type wanted_type
 
    !> Compression over the helical load above which a string counts as helically buckled [-].

@@ -76,14 +76,13 @@ contains
 
    !> Solve one load case by beams with contact gap elements. A case that does not converge, or is locked up, is a result with
    !> its reason. An `error` prevents any result. If the first mesh finds no equilibrium, those of tuning%mesh follow.
-   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop, wob_limit)
+   subroutine solve_static_analysis(model, case_index, result, error, totals_only, stop)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: totals_only   !< true: no profile, and moments only where totals need them
       type(stop_type), intent(in), optional :: stop  !< absent: the work is done to its end
-      logical, intent(in), optional :: wob_limit     !< true: find the weight that comes to the bit, also without profile
       type(iteration_type), allocatable :: history(:)
       type(stop_type) :: stopped
       type(model_type) :: known                   ! with the friction of a stiff assembly, and joints as on its elements
@@ -97,8 +96,7 @@ contains
       if (present(stop)) stopped = stop
       if (present(totals_only)) wanted%profile = .not. totals_only
       wanted%moments = model%numerics%moments .and. wanted%profile
-      wanted%friction_limit = wanted%profile
-      if (present(wob_limit)) wanted%wob_limit = wob_limit
+      wanted%limits = wanted%profile
       allocate (history(0))
       known = model
       known%numerics%joints_by_need = .false.
@@ -234,8 +232,8 @@ contains
          numerics%max_iterations = most
          if (outcome == outcome_converged) &
             call solve_fitted(model, case_index, numerics, numerics%tuning%attempt(last)%growth, fitted, solution, result)
-         if ((wanted%friction_limit .or. wanted%wob_limit) .and. outcome == outcome_converged) &
-            call find_weight_limits(model, case_index, wanted%friction_limit, numerics, solution, result)
+         if (wanted%limits .and. outcome == outcome_converged) &
+            call find_weight_limits(model, case_index, numerics, solution, result)
          if (.not. wanted%profile) result%profile = profile_type()
          result%stability_margin = margin
          result%attempts = last - mesh_try%first + 1

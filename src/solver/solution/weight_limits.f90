@@ -31,8 +31,8 @@ module dg_weight_limits
    integer, parameter :: enough_iterations = 200
    !> Part of the way to a limit that a string takes under growing loads: it may not follow a longer step [-].
    real(wp), parameter :: part_way = 0.5_wp
-   !> A limit is taken if it is this near y(x) and this near the x that was solved, over the limit [-].
-   real(wp), parameter :: close_enough = 0.03_wp, near_enough = 0.2_wp
+   !> Distance of a limit from the x that was solved, up to which it is taken, and from y(x), at which it is found [-].
+   real(wp), parameter :: near_enough = 0.25_wp, close_enough = 0.03_wp
    !> Friction or load, over that of the case, above which a limit is left to the soft string [-].
    real(wp), parameter :: far = 2.0_wp
    !> Least and greatest change of x - y by x [-].
@@ -48,18 +48,17 @@ contains
 
    !> Set `result%weight_limits` of a solved string that goes down without turning, where its pipe buckles at the limit. They
    !> stay absent where no limit is near, or the string does not follow. Their iterations are counted apart.
-   subroutine find_weight_limits(model, case_index, by_friction, numerics, solution, result)
+   subroutine find_weight_limits(model, case_index, numerics, solution, result)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      logical, intent(in) :: by_friction             !< find the limit of friction, too
       type(numerics_type), intent(in) :: numerics    !< of the attempt that led to the solution
       type(solution_type), intent(in) :: solution    !< converged
       type(case_result_type), intent(inout) :: result
       associate (load_case => model%cases(case_index))
          if (block_way(load_case%operation) >= 0 .or. rotates(load_case%operation) .or. top_md(model%trajectory) > 0.0_wp &
              .or. model%hookload%present) return
-         if (by_friction) call follow(model, case_index, .false., numerics, solution, result, result%weight_limits%friction)
-         if (load_case%wob > 0.0_wp .or. .not. by_friction) &
+         call follow(model, case_index, .false., numerics, solution, result, result%weight_limits%friction)
+         if (load_case%wob > 0.0_wp) &
             call follow(model, case_index, .true., numerics, solution, result, result%weight_limits%wob)
       end associate
    end subroutine find_weight_limits
@@ -82,7 +81,7 @@ contains
       if (by_wob) now%x = model%cases(case_index)%wob
       call judge(model, case_index, by_wob, solution%work%hookload, now, found)
       if (.not. found) return
-      if (now%x > 0.0_wp .and. now%y > far*now%x) return
+      if (now%y > far*now%x) return
       if (.not. can_follow(model, case_index, by_wob, solution%work%hookload, now)) return
       here = solution
       x = now%y
@@ -103,9 +102,10 @@ contains
          if (.not. found) return
          here = next
          x = next_value(before, now)
+         if (abs(now%x - x) > near_enough*x) cycle
          limit = given(x)
          result%weight_limits%friction_scale = given(now%scale)
-         if (abs(now%y - x) <= close_enough*x .and. abs(now%x - x) <= near_enough*x) return
+         if (abs(now%y - x) <= close_enough*x) return
       end do
    end subroutine follow
 
