@@ -91,7 +91,7 @@ contains
          next = here
          call solve_at(model, case_index, by_wob, x, numerics, most, next, found)
          result%weight_limits%iterations = result%weight_limits%iterations + next%equations%iterations
-         most = most - next%equations%iterations
+         most = most - max(next%equations%iterations, 1)
          if (.not. found) then
             x = now%x + part_way*(x - now%x)
             cycle
