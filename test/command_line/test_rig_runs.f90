@@ -283,7 +283,7 @@ contains
       call assertTrue(index(unwrapped(run%output), 'Close to its limit: push at surface, ') > 0, message=run%output)
       call assertEqual(0, index(run%output, 'must be pushed at surface'), message='no warning: '//run%output)
       run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))
-      call assertTrue(index(unwrapped(run%output), ', by string weight') > 0, message=run%output)
+      call assertTrue(index(unwrapped(run%output), ', by string weight and push') > 0, message=run%output)
       factor = value_after('NO above about ')
       call bracket(factor*0.35_wp, 0.0_wp, 'friction')
       run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))

@@ -145,7 +145,8 @@ contains
       else
          text = text//'above about '//times_text(verdict, verdict%friction_reserve%value)
       end if
-      if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))
+      if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))// &
+         either(' and push', '', verdict%reserve_limit == limit_string_weight .and. verdict%max_push > 0.0_wp)
       if (verdict%reserve_buckles) text = text//', perhaps sooner, as pipe buckles then'
    end function reserve_text
 
