@@ -21,7 +21,7 @@ module dg_deck_draft
    implicit none
    private
    public :: draft_type, draft_hole_type, draft_fluid_type, draft_component_type, draft_case_type, find_case
-   public :: deck_type, string_use_type, lowest_of, note_use, sections_of, read_cases
+   public :: deck_type, string_use_type, diameter_at, lowest_of, note_use, sections_of, read_cases
 
    type :: draft_hole_type
       type(hole_section_type) :: section
@@ -146,6 +146,18 @@ contains
          sections(i) = draft%holes(i)%section
       end do
    end function sections_of
+
+   !> Diameter of the hole just above a depth, of a draft with hole sections [m].
+   pure function diameter_at(draft, md) result(diameter)
+      type(draft_type), intent(in) :: draft
+      real(wp), intent(in) :: md      !< [m]
+      real(wp) :: diameter
+      integer :: k
+      do k = size(draft%holes), 2, -1
+         if (draft%holes(k)%section%md_top < md) exit
+      end do
+      diameter = draft%holes(max(k, 1))%section%diameter
+   end function diameter_at
 
    !> Number of the load case that a group names at a line of the deck. Where there is none, 0 and a fault, unless the name of a
    !> load case is itself at fault.

@@ -2,7 +2,7 @@
 module dg_unusual_survey
    use dg_kinds, only: wp
    use dg_constants, only: degree, foot, pi
-   use dg_deck_draft, only: draft_type
+   use dg_deck_draft, only: diameter_at, draft_type
    use dg_merge_sort, only: sorted_places
    use dg_minimum_curvature, only: dogleg_between
    use dg_survey, only: tangent_of, turn_between
@@ -189,7 +189,7 @@ contains
          place = 0
          do i = 2, size(stations%md)
             dogleg = angle_between(stations, i - 1, i)/(stations%md(i) - stations%md(i - 1))
-            limit = max(least_dogleg, usual_dogleg*(usual_hole/diameter_at(stations%md(i)))**3)
+            limit = max(least_dogleg, usual_dogleg*(usual_hole/diameter_at(draft, stations%md(i)))**3)
             if (dogleg <= worst*limit) cycle
             worst = dogleg/limit
             usual_here = limit
@@ -199,23 +199,12 @@ contains
             ': the dogleg is '// &
             in_units(units, unit_curvature, worst*usual_here, digits)//' at '// &
             in_units(units, unit_length, stations%md(place), depth_digits)//'. Usual in a hole of '// &
-            in_units(units, unit_diameter, diameter_at(stations%md(place)), digits)//' is at most '// &
+            in_units(units, unit_diameter, diameter_at(draft, stations%md(place)), digits)//' is at most '// &
             in_units(units, unit_curvature, at_most(units, unit_curvature, usual_here, few_digits), few_digits)// &
             either('. Check amplitude and period', '. Check depths, angles and their units', draft%tortuous)// &
             either(': are depths in m? 1 m is '//to_text(1.0_wp/foot, digits)//' ft', '', &
                    abs(units%length - foot) < spacing(foot) .and. worst*foot <= 1.0_wp))
       end associate
-   contains
-      !> Diameter of the hole at a depth [m].
-      pure function diameter_at(md) result(diameter)
-         real(wp), intent(in) :: md      !< [m]
-         real(wp) :: diameter
-         integer :: k
-         do k = size(draft%holes), 2, -1
-            if (draft%holes(k)%section%md_top < md) exit
-         end do
-         diameter = draft%holes(k)%section%diameter
-      end function diameter_at
    end subroutine note_doglegs
 
    !> The station that points most another way than both neighbours.

@@ -4,7 +4,7 @@ module dg_unusual_tool
    use dg_kinds, only: wp
    use dg_component, only: closed_diameter, component_type, has_bend, has_pad, is_bit, is_eccentric, is_pipe, opens
    use dg_constants, only: degree, pi
-   use dg_deck_draft, only: draft_component_type, draft_type, lowest_of
+   use dg_deck_draft, only: diameter_at, draft_component_type, draft_type, lowest_of
    use dg_load_case, only: drills, operation_name, rotates
    use dg_text, only: append_text, quoted, text_type, to_text
    use dg_unit_kind, only: in_units, unit_diameter, unit_length
@@ -118,7 +118,7 @@ contains
       do i = 1, size(draft%cases)
          associate (load_case => draft%cases(i)%load_case, units => draft%units)
             if (load_case%string /= item%string .or. .not. drills(load_case%operation)) cycle
-            diameter = hole_at(load_case%bit_depth)
+            diameter = diameter_at(draft, load_case%bit_depth)
             if (closed_diameter(item%component) >= least_bit*diameter) cycle
             call append_text(notes, place(item)//' is '//in_units(units, unit_diameter, closed_diameter(item%component), digits)// &
                ' wide, and '//quoted(load_case%name)//' drills a hole of '//in_units(units, unit_diameter, diameter, digits)// &
@@ -126,17 +126,6 @@ contains
             return
          end associate
       end do
-   contains
-      !> Diameter of the hole above a depth.
-      pure function hole_at(md) result(width)
-         real(wp), intent(in) :: md     !< [m]
-         real(wp) :: width
-         integer :: k
-         do k = size(draft%holes), 2, -1
-            if (draft%holes(k)%section%md_top < md) exit
-         end do
-         width = draft%holes(max(k, 1))%section%diameter
-      end function hole_at
    end subroutine note_bit
 
    !> True for bits and other tools that cut.
