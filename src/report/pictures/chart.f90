@@ -359,6 +359,7 @@ contains
          ends = 0.0_wp
          do i = 1, size(panel%curves)
             associate (x => panel%curves(i)%points(1, :))
+               if (all(is_missing(x))) cycle
                ends = [min(ends(1), air*minval(x, mask=.not. is_missing(x))), &
                        max(ends(2), air*maxval(x, mask=.not. is_missing(x)))]
             end associate

@@ -190,6 +190,7 @@ contains
       least = minval(loads, mask=.not. is_missing(loads))
       ends = range_of(chart%panels(size(chart%panels))%curves)
       name = 'limit of the string, '//trim(operation_label(sweep%operations(operation)))//', '//friction_text(sweep, friction)
+      if (ends(2) < ends(1)) ends = 0.0_wp         ! no hook load
       if (least > far*ends(2)) name = name//': above '//to_text(least, few)//' '//trim(chart%units%force_label)
       call add_curve(chart, loads, sweep%depths/chart%units%length, "with lines lw 2.2 dt (2,3) lc rgb '#c00000'", name)
       associate (panel => chart%panels(size(chart%panels)))
