@@ -85,7 +85,7 @@ contains
       end function contents
    end subroutine test_used
 
-   !> What a calibration tells of a case is what the case has with the factors as they are printed and applied.
+   !> Errors of a case that a calibration prints are those of the case with the printed factors.
    subroutine test_rounded()
       type(run_type) :: run
       type(text_type), allocatable :: data(:), cases(:)

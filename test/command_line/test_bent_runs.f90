@@ -161,7 +161,7 @@ contains
       call assertTrue(index(content(results_path//'/report.html'), '<td>0.0</td>') == 0)
    end subroutine test_page
 
-   !> The advice to use a static case stands only where there is none.
+   !> A deck with a static case gets no advice to use one.
    subroutine test_sag()
       character(*), parameter :: advice = "Surveys are taken at rest: use 'static'"
       character(:), allocatable :: deck_text

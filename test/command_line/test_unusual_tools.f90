@@ -1,4 +1,4 @@
-!> Decks with bits, motors and steering tools that are legal but hardly meant, and usual ones without a note.
+!> Notes on unusual bits, motors and steering tools of a deck. Usual ones have no note.
 module dg_test_unusual_tools
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use dg_program_run, only: replaced, run_deck_text, run_type

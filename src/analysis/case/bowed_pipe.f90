@@ -3,10 +3,9 @@
 module dg_bowed_pipe
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
-   use dg_component, only: has_joints
    use dg_load_case, only: block_way
    use dg_length_change, only: asks_for_length
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type, smears_joints
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_static_result, only: add_message
    use dg_trajectory, only: top_md
@@ -90,15 +89,6 @@ contains
       end if
       call add_message(result, left_out//text//cure)
    end subroutine note_bowed_pipe
-
-   !> True if the string of a load case has tool joints that are smeared.
-   pure function smears_joints(model, case_index) result(smears)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: case_index
-      logical :: smears
-      smears = .not. model%numerics%discrete_joints
-      if (smears) smears = any(has_joints(model%strings(string_index(model%strings, model%cases(case_index)%string))%components))
-   end function smears_joints
 
    !> Find what smeared joints leave out.
    pure subroutine find_left_out(model, case_index, left_out)

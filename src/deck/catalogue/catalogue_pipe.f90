@@ -13,7 +13,8 @@ module dg_catalogue_pipe
 
 contains
 
-   !> Name and mass per length of the pipe with the od and id of a component whose joint_od is nearest; '' if there is none.
+   !> Pipe of the catalogue with the od and id of a component: name and mass per length. Of several, the one with the nearest
+   !> joint_od. The name is '' if the catalogue has none.
    subroutine find_pipe(part, name, mass)
       type(component_type), intent(in) :: part
       character(:), allocatable, intent(out) :: name

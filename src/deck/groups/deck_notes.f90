@@ -31,7 +31,7 @@ module dg_deck_notes
    !> Mass over that of the tube between od and id. Joints and upsets add up to two fifths (a published example has 1.53). Pounds a
    !> foot are 0.67 of kilogrammes a metre, 0.8 of the tube for jointed pipe. Tools have hollows.
    real(wp), parameter :: least_mass = 0.75_wp, least_pipe_mass = 0.92_wp, most_mass = 1.6_wp
-   !> The same of motors and other tools with inner parts, whose id is the bore of a rotor or a flow tube.
+   !> Least mass of motors and other tools over that of their tube [-]: their id is the bore of a rotor or a flow tube.
    real(wp), parameter :: least_tool_mass = 0.5_wp
    character(*), parameter :: hollow(*) = [character(7) :: 'motor', 'turbine', 'rss', 'steer', 'mwd', 'lwd']
    !> Range of Young's moduli of strings [Pa]: glass fibre has 45e9, steel 206e9.

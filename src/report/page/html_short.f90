@@ -85,7 +85,7 @@ contains
    end subroutine append_loads
 
    !> Append the cases that buckle by beams, or that are above the published limit by models on the axis. Then those that lock
-   !> up: they have no solution, so nothing tells whether they buckle.
+   !> up: without a solution their buckling is unknown.
    subroutine append_buckled(lines, model, results, wholes, locked)
       type(line_list_type), intent(inout) :: lines
       type(model_type), intent(in) :: model

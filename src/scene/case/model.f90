@@ -1,7 +1,7 @@
 !> All data of a computation, in SI units, built once from a deck. A solution only changes copies.
 module dg_model
    use dg_kinds, only: wp
-   use dg_component, only: has_bend
+   use dg_component, only: has_bend, has_joints
    use dg_constants, only: standard_gravity
    use dg_drillstring, only: drillstring_type
    use dg_fluid, only: mud_type
@@ -15,7 +15,7 @@ module dg_model
    use dg_units, only: unit_system_type
    implicit none
    private
-   public :: model_type, boundary_type, string_index, is_straightened, copy_without_cases
+   public :: model_type, boundary_type, string_index, is_straightened, smears_joints, copy_without_cases
    public :: hold_free, hold_landed, hold_fixed, packer_hold_name
 
    !> Motion of the lower end in a packer: up and down; up alone; none.
@@ -71,6 +71,15 @@ contains
       is = rotates(load_case%operation) .and. .not. load_case%bend_stands .and. &
            any(has_bend(model%strings(string_index(model%strings, load_case%string))%components))
    end function is_straightened
+
+   !> True if the string of a load case has tool joints that are smeared.
+   pure function smears_joints(model, case_index) result(smears)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      logical :: smears
+      smears = .not. model%numerics%discrete_joints
+      if (smears) smears = any(has_joints(model%strings(string_index(model%strings, model%cases(case_index)%string))%components))
+   end function smears_joints
 
    !> Copy a model without its load cases, with room for one.
    subroutine copy_without_cases(model, copy)

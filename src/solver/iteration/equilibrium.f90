@@ -203,7 +203,7 @@ contains
    end subroutine judge_progress
 
    !> Begin to hold a string that drifts. If few gaps change, Newton's method finds an equilibrium near a stable string in a few
-   !> iterations, or there is none. Attempts after the first begin only when no gap has changed for longer: some strings come to
+   !> iterations, if one exists. Attempts after the first begin only when no gap has changed for longer: some strings come to
    !> rest by themselves. Strings with a small residual are not held. Neither are strings in vertical holes,
    !> where every turn about the hole is an equilibrium.
    subroutine judge_drift(it, solution)

@@ -19,7 +19,7 @@ module dg_solution_result
    use dg_workspace, only: keep_for_moments, new_workspace, workspace_type
    implicit none
    private
-   public :: make_result, solve_fitted, coiled, wanted_type
+   public :: make_result, solve_fitted, begin_again, coiled, wanted_type
 
    !> Parts of a result that take time.
    type :: wanted_type
@@ -86,11 +86,7 @@ contains
          if (.not. allocated(fitted%normal)) return
          again = solution
          again%gaps = fitted%gaps
-         again%work = workspace_type()
-         call new_workspace(again%mesh, again%work)
-         again%work%sideways = solution%work%sideways
-         again%work%normal = fitted%normal
-         call make_room(again%equations, numerics%linear_solver, again%mesh%nodes)
+         call begin_again(numerics, fitted%normal, again)
          call new_equilibrium(again, numerics, it)
          it%growth = growth
          it%numerics%max_iterations = min(numerics%max_iterations, again%equations%iterations + most_to_fit)
@@ -108,6 +104,19 @@ contains
          fitted = next
       end do
    end subroutine solve_fitted
+
+   !> Prepare a solution to be iterated again from its state, with given contact forces.
+   subroutine begin_again(numerics, normal, solution)
+      type(numerics_type), intent(in) :: numerics
+      real(wp), intent(in) :: normal(:)            !< (e) [N]
+      type(solution_type), intent(inout) :: solution
+      type(workspace_type) :: work
+      call new_workspace(solution%mesh, work)
+      work%sideways = solution%work%sideways
+      work%normal = normal
+      solution%work = work
+      call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
+   end subroutine begin_again
 
    !> Find moments along the string on elements short enough for them. A message says so if no equilibrium is found on such
    !> elements.

@@ -7,22 +7,20 @@
 module dg_weight_limits
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type
-   use dg_component, only: has_joints
    use dg_end_supports, only: set_loads
-   use dg_equations, only: make_room
    use dg_equilibrium, only: equilibrium_type, find_equilibrium, new_equilibrium
    use dg_fluid_pressure, only: surface_push
    use dg_load_case, only: block_way, rotates
    use dg_missing, only: given, optional_real
-   use dg_model, only: model_type, string_index
+   use dg_model, only: model_type, smears_joints
    use dg_numerics, only: numerics_type
    use dg_outcome, only: outcome_converged
    use dg_soft_string_loads, only: other_loads_type, soft_string_at, soft_totals_type
    use dg_solution, only: solution_type
+   use dg_solution_result, only: begin_again
    use dg_stopping, only: is_stopped
    use dg_trajectory, only: top_md
    use dg_weight_on_bit, only: matching_friction, most_weight_on_bit
-   use dg_workspace, only: new_workspace, workspace_type
    implicit none
    private
    public :: find_weight_limits
@@ -143,18 +141,13 @@ contains
       type(solution_type), intent(inout) :: solution
       logical, intent(out) :: found
       type(equilibrium_type) :: it
-      type(workspace_type) :: work
       call set_loads(model, model%cases(case_index), 1.0_wp, solution%loads)
       if (by_wob) then
          solution%loads%wob = solution%loads%wob + x - model%cases(case_index)%wob
       else
          solution%loads%friction_scale = x
       end if
-      call new_workspace(solution%mesh, work)
-      work%sideways = solution%work%sideways
-      work%normal = solution%work%normal
-      solution%work = work
-      call make_room(solution%equations, numerics%linear_solver, solution%mesh%nodes)
+      call begin_again(numerics, (solution%work%normal), solution)
       solution%equations%iterations = 0
       call new_equilibrium(solution, numerics, it)
       it%growth = 1.0_wp
@@ -189,12 +182,8 @@ contains
       type(other_loads_type) :: other
       type(soft_totals_type) :: totals
       real(wp) :: axial(1), torque(1)
-      logical :: smeared
       apart = model
       apart%numerics%discrete_joints = .true.
-      smeared = .not. model%numerics%discrete_joints
-      if (smeared) smeared = any(has_joints(model%strings(string_index(model%strings, &
-                                                                       model%cases(case_index)%string))%components))
       other = other_loads_type(coiled=.true., friction_scale=trial%scale)
       if (by_wob) then
          other%wob = given(trial%y)
@@ -202,7 +191,7 @@ contains
          other%friction_scale = trial%scale*trial%y
       end if
       call soft_string_at(apart, case_index, [top_md(model%trajectory)], axial, torque, totals=totals, other=other)
-      can = max(totals%coil, totals%bowed) > 0.0_wp .and. .not. (smeared .and. totals%bowed > 0.0_wp) .and. &
-            hookload + model%rig%max_push > -totals%weight
+      can = max(totals%coil, totals%bowed) > 0.0_wp .and. hookload + model%rig%max_push > -totals%weight
+      if (smears_joints(model, case_index) .and. totals%bowed > 0.0_wp) can = .false.
    end function can_follow
 end module dg_weight_limits

@@ -103,7 +103,7 @@ contains
    end function lowest_shown
 
    !> Add hook loads of an operation with a friction factor, and marks where it is impossible. The mark is at the hook load. If
-   !> there is none, or it is not drawn, the mark stands at the edge.
+   !> no hook load is drawn, the mark stands at the edge.
    subroutine add_hookloads(chart, sweep, operation, friction, points, lowest)
       type(chart_type), intent(inout) :: chart
       type(sweep_type), intent(in) :: sweep
@@ -144,7 +144,6 @@ contains
       real(wp) :: ends(2)
       integer :: i
       ends = range_of(chart%panels(size(chart%panels))%curves)
-      if (ends(2) < ends(1)) ends = 0.0_wp         ! no hook load
       call fit_range(chart, given=ends + [-air, air]*max(ends(2) - ends(1), 1.0_wp))
       associate (panel => chart%panels(size(chart%panels)))
          do i = 1, size(panel%curves)
@@ -153,7 +152,7 @@ contains
       end associate
    end subroutine fit_hookloads
 
-   !> Least and greatest value of the curves that set the axis.
+   !> Least and greatest value of the curves that set the axis; 0 if they have none.
    pure function range_of(curves) result(ends)
       type(curve_type), intent(in) :: curves(:)
       real(wp) :: ends(2)
@@ -165,6 +164,7 @@ contains
                                              max(ends(2), maxval(values, mask=.not. is_missing(values)))]
          end associate
       end do
+      if (ends(2) < ends(1)) ends = 0.0_wp
    end function range_of
 
    !> Hook loads at which the string yields, as the panel shows hook loads, where a yield strength is known. Its look is that of a
@@ -190,7 +190,6 @@ contains
       least = minval(loads, mask=.not. is_missing(loads))
       ends = range_of(chart%panels(size(chart%panels))%curves)
       name = 'limit of the string, '//trim(operation_label(sweep%operations(operation)))//', '//friction_text(sweep, friction)
-      if (ends(2) < ends(1)) ends = 0.0_wp         ! no hook load
       if (least > far*ends(2)) name = name//': above '//to_text(least, few)//' '//trim(chart%units%force_label)
       call add_curve(chart, loads, sweep%depths/chart%units%length, "with lines lw 2.2 dt (2,3) lc rgb '#c00000'", name)
       associate (panel => chart%panels(size(chart%panels)))
