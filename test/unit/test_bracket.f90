@@ -1,6 +1,7 @@
 !> Roots between two numbers.
 module dg_test_bracket
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
+   use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
    use dg_kinds, only: wp
    use funit, only: assertEqual, assertLessThanOrEqual, assertTrue, TestMethod, TestSuite
    implicit none
@@ -20,6 +21,7 @@ contains
       call suite%addTest(TestMethod('finds_roots', test_roots))
       call suite%addTest(TestMethod('smooth_roots_cost_little', test_cost))
       call suite%addTest(TestMethod('ends_where_no_number_lies_between', test_no_number))
+      call suite%addTest(TestMethod('first_depth_that_is_not_possible', test_depths))
    end function bracket_suite
 
    pure function value_of(which, x) result(value)
@@ -81,4 +83,32 @@ contains
       bracket = new_bracket(1.0_wp, 1.0_wp, nearest(1.0_wp, 1.0_wp), -1.0_wp)
       call assertTrue(is_narrow(bracket, 0.0_wp))
    end subroutine test_no_number
+
+   !> Possible between the first two of some depths and between the next two: the second counts. Possible nowhere, and only just
+   !> above the bottom.
+   subroutine test_depths()
+      call assertEqual(40.0_wp, deepest([0.0_wp, 40.0_wp]), 1.0e-6_wp, message='from the top')
+      call assertEqual(40.0_wp, deepest([10.0_wp, 40.0_wp, 60.0_wp, 80.0_wp]), 1.0e-6_wp, message='in two parts')
+      call assertEqual(99.5_wp, deepest([10.0_wp, 99.5_wp]), 1.0e-6_wp, message='above the bottom')
+      call assertEqual(0.0_wp, deepest([200.0_wp, 300.0_wp]), 0.0_wp, message='nowhere')
+   end subroutine test_depths
+
+   !> Deepest depth of 100 m at which a function is >= 0 that changes its sign at each of some depths.
+   function deepest(changes) result(depth)
+      real(wp), intent(in) :: changes(:)   !< the function is < 0 above the first [m]
+      real(wp) :: depth
+      type(depth_search_type) :: search
+      search = new_depth_search(100.0_wp, value_at(100.0_wp), 1.0e-7_wp)
+      do while (search%goes_on)
+         depth = next_depth(search)
+         call take_value(search, depth, value_at(depth))
+      end do
+      depth = search%greatest
+   contains
+      function value_at(md) result(value)
+         real(wp), intent(in) :: md
+         real(wp) :: value
+         value = minval(abs(md - changes))*merge(1.0_wp, -1.0_wp, modulo(count(changes <= md), 2) == 1)
+      end function value_at
+   end function deepest
 end module dg_test_bracket

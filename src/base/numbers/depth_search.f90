@@ -1,5 +1,7 @@
-!> Search for the greatest depth at which something is possible: where a function of depth is >= 0 that is < 0 at the bottom. It
-!> tries depths from the bottom up, then looks between two of them (dg_bracket).
+!> Search for the depth from which something is not possible any more: where a function of depth first falls below 0. It is < 0 at
+!> the bottom. The search tries depths from the top down, then looks between two of them (dg_bracket). A string on its way passes
+!> all depths, so a depth farther down that is possible again does not count. Depths above the first that is possible do not
+!> count either: a short string has no weight for its bit.
 !>
 !> The caller computes the values:
 !>     search = new_depth_search(bottom, value at the bottom, tolerance)
@@ -15,15 +17,16 @@ module dg_depth_search
    private
    public :: depth_search_type, new_depth_search, next_depth, take_value
 
-   !> Number of depths from the bottom up.
+   !> Number of depths from the top down.
    integer, parameter :: depths = 50
 
    type :: depth_search_type
-      real(wp) :: greatest = 0.0_wp       !< depth that is possible; 0: none of those that were tried [m]
+      real(wp) :: greatest = 0.0_wp       !< last depth that is possible; 0: none of those that were tried [m]
       logical :: goes_on = .true.
       real(wp), private :: bottom = 0.0_wp, tolerance = 0.0_wp   !< [m]
-      real(wp), private :: below = 0.0_wp                        !< value at the depth below the next one
-      integer, private :: next = depths - 1                      !< next depth from the bottom up; 0: between two of them
+      real(wp), private :: at_bottom = 0.0_wp                    !< value there
+      real(wp), private :: above = -1.0_wp                       !< value at the depth above the next one
+      integer, private :: next = 1                               !< next depth from the top down; 0: between two of them
       type(bracket_type), private :: bracket
    end type depth_search_type
 
@@ -36,7 +39,7 @@ contains
       real(wp), intent(in) :: tolerance   !< [m]
       type(depth_search_type) :: search
       search%bottom = bottom
-      search%below = value
+      search%at_bottom = value
       search%tolerance = tolerance
    end function new_depth_search
 
@@ -58,20 +61,29 @@ contains
       real(wp), intent(in) :: value
       if (search%next == 0) then
          call narrow(search%bracket, depth, value)
-      else if (value >= 0.0_wp) then
-         search%bracket = new_bracket(depth, value, depth_of(search, search%next + 1), search%below)
-         search%next = 0
+      else if (search%above >= 0.0_wp .and. value < 0.0_wp) then
+         call look_between(search, depth, value)
       else
-         search%below = value
-         search%next = search%next - 1
-         search%goes_on = search%next > 0
-         return
+         search%above = value
+         search%next = search%next + 1
+         if (search%next < depths) return
+         search%goes_on = value >= 0.0_wp
+         if (.not. search%goes_on) return
+         call look_between(search, search%bottom, search%at_bottom)
       end if
       search%greatest = search%bracket%low
       search%goes_on = .not. is_narrow(search%bracket, search%tolerance)
    end subroutine take_value
 
-   !> One of the depths from the bottom up [m].
+   !> Begin to look between a depth that is not possible and the one above it, which is.
+   pure subroutine look_between(search, depth, value)
+      type(depth_search_type), intent(inout) :: search
+      real(wp), intent(in) :: depth, value   !< [m], < 0
+      search%bracket = new_bracket(depth_of(search, search%next - 1), search%above, depth, value)
+      search%next = 0
+   end subroutine look_between
+
+   !> One of the depths from the top down [m].
    pure function depth_of(search, number) result(depth)
       type(depth_search_type), intent(in) :: search
       integer, intent(in) :: number       !< `depths`: the bottom
