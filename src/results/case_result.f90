@@ -98,6 +98,7 @@ module dg_case_result
    type :: weight_limits_type
       type(optional_real) :: friction            !< factor on all friction [-]
       type(optional_real) :: wob                 !< [N]
+      type(optional_real) :: reach               !< bit depth [m]
       type(optional_real) :: friction_scale      !< on the friction of the soft string, which has the beams' hook load there [-]
       integer :: iterations = 0                  !< of all solutions for them
    end type weight_limits_type

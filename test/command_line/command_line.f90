@@ -44,6 +44,7 @@ contains
       use dg_test_followed_surveys, only: followed_surveys_suite
       use dg_test_followed_units, only: followed_units_suite
       use dg_test_uncertainty_runs, only: uncertainty_runs_suite
+      use dg_test_ways_down, only: ways_down_suite
       use dg_test_picture_drawing, only: picture_drawing_suite
       use dg_test_picture_runs, only: picture_runs_suite
       use dg_test_stuck_runs, only: stuck_runs_suite
@@ -87,6 +88,7 @@ contains
       call suite%addTest(calibration_runs_suite())
       call suite%addTest(rig_runs_suite())
       call suite%addTest(bent_runs_suite())
+      call suite%addTest(ways_down_suite())
       call suite%addTest(path_runs_suite())
       call suite%addTest(survey_runs_suite())
       call suite%addTest(applied_friction_suite())

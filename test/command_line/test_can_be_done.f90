@@ -108,7 +108,7 @@ contains
       real(wp) :: found, promised, turned, factor
       run = run_deck_text(deck(loads//'0.5', .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      hookload = number_after(run%output, 'its weight is enough then, hook load about ')
+      hookload = number_after(run%output, 'its weight is enough then, hook load at most about ')
       read (hookload, *) promised
       call assertTrue(index(unwrapped(run%output), ' without bit torque, by the soft string. Check it by') > 0, message=run%output)
       hookload = number_after(run%output, ', torque about ')
@@ -248,7 +248,7 @@ contains
       real(wp) :: found, promised
       run = run_deck_text(deck("operation = 'down', friction = 0.6", .false.))
       call assertTrue(index(unwrapped(run%output), advice) > 0, message=run%output)
-      hookload = number_after(run%output, 'its weight is enough then, hook load about ')
+      hookload = number_after(run%output, 'its weight is enough then, hook load at most about ')
       read (hookload, *) promised
       run = run_deck_text(deck("operation = 'reaming', rpm = 20, trip_speed = 3, friction = 0.6", .false.))
       call assertTrue(index(unwrapped(run%output), '. Move the string more slowly, or rotate it faster: drag falls with '// &

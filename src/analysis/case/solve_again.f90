@@ -7,7 +7,7 @@ module dg_solve_again
    use dg_stopping, only: stop_type
    implicit none
    private
-   public :: solve_again
+   public :: solve_again, solve_limit
 
 contains
 
@@ -25,4 +25,18 @@ contains
       result%seconds = result%seconds + found%seconds
       if (allocated(error)) found%status = result_not_converged
    end subroutine solve_again
+
+   !> The same for a limit of a case. Iterations count as those of the limits.
+   subroutine solve_limit(other, case_index, stop, result, found)
+      type(model_type), intent(in) :: other
+      integer, intent(in) :: case_index
+      type(stop_type), intent(in) :: stop
+      type(case_result_type), intent(inout) :: result
+      type(case_result_type), intent(out) :: found
+      integer :: before
+      before = result%iterations
+      call solve_again(other, case_index, stop, result, found)
+      result%iterations = before
+      result%weight_limits%iterations = result%weight_limits%iterations + found%iterations
+   end subroutine solve_limit
 end module dg_solve_again

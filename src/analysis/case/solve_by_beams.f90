@@ -14,6 +14,7 @@ module dg_solve_by_beams
    use dg_drillstring, only: component_tops, joint_ends
    use dg_error, only: error_type
    use dg_model, only: model_type, string_index
+   use dg_reach_by_beams, only: find_reach_by_beams
    use dg_static_analysis, only: solve_static_analysis
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_type
@@ -78,6 +79,7 @@ contains
       if (totals_only .or. allocated(error)) return
       call confirm_lock_up(model, case_index, stop, result)
       call solve_without_load(model, case_index, stop, result)
+      call find_reach_by_beams(model, case_index, stop, result)
       call note_joint_at_step(model, case_index, result)
    end subroutine solve_one_way
 

@@ -20,15 +20,15 @@ module dg_find_verdict
    use dg_model, only: model_type, string_index
    use dg_passed_pressure, only: find_passed_pressure, find_pump_pressure
    use dg_string_weight, only: judge_weight
-   use dg_turning_loads, only: find_turning_loads, judge_bit_torque
    use dg_upper_friction, only: raise_friction
    use dg_unrated_limits, only: note_unrated
-   use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_von_mises, utilisation_type
+   use dg_utilisation, only: as_much, find_utilisation, limit_count, limit_top_drive, limit_von_mises, utilisation_type
    use dg_verdict, only: answer_no, answer_yes, friction_calibrated, friction_upper_end, friction_upper_end_alone, &
                          limit_casing_wear, limit_fatigue, limit_joint_fatigue, limit_lock_up, limit_string_weight, &
                          limit_wob_yield, limit_worn_casing, limits_by_hours, is_most, note_left_out, note_uncertain, set_name, &
                          verdict_type
-   use dg_weight_on_bit, only: find_reach, friction_by_beams, locks_up, matching_friction, most_weight_on_bit, weight_that_arrives
+   use dg_ways_down, only: find_turning_loads, find_ways_down
+   use dg_weight_on_bit, only: locks_up, most_weight_on_bit, weight_that_arrives
    use dg_whole_string, only: whole_string_type
    implicit none
    private
@@ -57,9 +57,8 @@ contains
             verdict%max_push = model%rig%max_push
             call find_passed_pressure(model, result%case_index, design, verdict%also, verdict%also_load, verdict%also_allowed, &
                                       verdict%pressures_judged)
-            if (block_way(load_case%operation) <= 0) then
+            if (block_way(load_case%operation) <= 0) &
                verdict%most_wob = given(weight_that_arrives(model, result))
-            end if
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
             if (.not. is_hung(model, load_case)) verdict%most_wob = whole%wob_lockup
@@ -151,31 +150,6 @@ contains
       lacks = verdict%answer == answer_no .and. any(verdict%limit == [limit_lock_up, limit_string_weight]) .and. &
               moves_axially(load_case%operation) .and. .not. rotates(load_case%operation)
    end function lacks_weight
-
-   !> Find weight on bit, bit depth and friction with which string weight and push are just enough, by the soft string. Its
-   !> friction includes helical buckling. A factor on that friction gives the hook load of the beams. It comes from the case without
-   !> weight on bit, if that was solved, else from the case itself.
-   pure subroutine find_ways_down(model, result, verdict)
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: result
-      type(verdict_type), intent(inout) :: verdict
-      real(wp) :: scale, part
-      associate (wob => model%cases(result%case_index)%wob, bare => result%without_load, i => result%case_index)
-         scale = friction_by_beams(model, result)
-         if (bare%status == result_converged) then
-            verdict%excess_without_load = -bare%hookload - model%rig%max_push
-            verdict%limit_without_load = merge(limit_string_weight, 0, verdict%excess_without_load > 0.0_wp)
-         else if (bare%status == result_locked_up) then
-            verdict%limit_without_load = limit_lock_up
-         end if
-         if (wob > 0.0_wp .and. .not. verdict%most_wob%present) verdict%most_wob = given(weight_that_arrives(model, result))
-         if (verdict%also > 0) return       ! weight is not the only shortage
-         call find_reach(model, i, verdict%reach, scale)
-         part = matching_friction(model, i, wob, -model%rig%max_push)/scale
-         if (result%weight_limits%friction%present) part = result%weight_limits%friction%value
-         verdict%possible_friction = optional_real(part > 0.0_wp .and. part < 1.0_wp, part)
-      end associate
-   end subroutine find_ways_down
 
    !> Judge the case once more, with calibrated friction at the upper end of its interval.
    pure subroutine judge_upper_end(model, result, design, rig_limit, upper, verdict)
@@ -375,4 +349,22 @@ contains
       verdict%load = given(hours*hour)
       verdict%allowed = given(hours*hour/used)
    end subroutine judge_hours
+
+   !> Judge a rotating case without a solution. It is impossible if torque on bit alone is more than the top drive has, as
+   !> friction adds to it.
+   pure subroutine judge_bit_torque(model, case_index, verdict)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: case_index
+      type(verdict_type), intent(inout) :: verdict
+      associate (load_case => model%cases(case_index), most => model%rig%max_torque)
+         if (.not. (most%present .and. rotates(load_case%operation))) return
+         if (.not. load_case%tob > most%value) return
+         verdict%answer = answer_no
+         verdict%limit = limit_top_drive
+         verdict%used = given(load_case%tob/most%value)
+         verdict%load = given(load_case%tob)
+         verdict%allowed = most
+         verdict%alone = .true.
+      end associate
+   end subroutine judge_bit_torque
 end module dg_find_verdict

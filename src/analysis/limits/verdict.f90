@@ -2,13 +2,14 @@
 module dg_verdict
    use dg_kinds, only: wp
    use dg_component, only: component_type
+   use dg_constants, only: pi
    use dg_missing, only: optional_real
    use dg_text, only: lower_case
    use dg_utilisation, only: limit_count, limit_name
    implicit none
    private
    public :: verdict_type, note_uncertain, note_left_out, set_name, &
-             is_most, is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, &
+             is_most, is_near_by_friction, is_uncertain, is_without_check, nearness, little_reserve, slow_turning, &
              answer_unknown, answer_no, answer_yes, answer_name, every_limit_count, &
              limit_string_weight, limit_lock_up, limit_fatigue, limit_joint_fatigue, limit_wob_yield, limit_seal_travel, &
              limit_packer_force, limit_casing_wear, limit_worn_casing, limit_bend, limits_by_hours, &
@@ -47,7 +48,9 @@ module dg_verdict
    integer, parameter :: friction_given = 0, friction_calibrated = 1, friction_upper_end = 2, friction_upper_end_alone = 3
 
    !> Friction reserve below which the answer is near its limit [-].
-   real(wp), parameter :: little_reserve = 1.1_wp
+   real(wp), parameter :: little_reserve = 1.2_wp
+   !> Speed of rotation for which a remedy names a speed along the hole: 20 rpm, as casing is turned [rad/s].
+   real(wp), parameter :: slow_turning = 20.0_wp*2.0_wp*pi/60.0_wp
    !> Ratio of the friction that smeared joints leave out, by beams with joints one by one, to its rough number [-]. Near lock-up
    !> it may be 20, where a friction reserve below `joints_reserve` tells of it.
    real(wp), parameter :: roughest = 5.0_wp, joints_reserve = 1.15_wp
@@ -70,6 +73,8 @@ module dg_verdict
       integer :: friction = friction_given          !< friction of the answer
       real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that exceeds what is left; else 0 [-]
       logical :: joints_uncertain = .false.         !< yes: friction that smeared joints leave out may exceed what is left
+      real(wp) :: fatigue_used = 0.0_wp             !< yes: bending over that of endless life, hours not judged; else 0 [-]
+      real(wp) :: fatigue_md = 0.0_wp               !< depth there [m]
       real(wp) :: buckled_length = 0.0_wp           !< of string in helical buckling [m]
       logical :: pressure_pushes = .false.          !< pressure of the annulus also takes string weight
       logical :: packer_pushes = .false.            !< pressures at a packer also take it
@@ -92,6 +97,7 @@ module dg_verdict
       real(wp) :: excess_without_load = 0.0_wp      !< load beyond that limit, except for lock-up [N, N.m or Pa]
       !> Hook load and torque at surface if the string were turned, if that would help [N, N.m].
       type(optional_real) :: turning_hookload, turning_torque
+      type(optional_real) :: turning_speed          !< along the hole, at `slow_turning`, up to which that helps [m/s]
    end type verdict_type
 
 contains
@@ -152,7 +158,8 @@ contains
    elemental function is_uncertain(verdict) result(uncertain)
       type(verdict_type), intent(in) :: verdict
       logical :: uncertain
-      uncertain = verdict%answer == answer_yes .and. (verdict%uncertain > 0.0_wp .or. verdict%joints_uncertain)
+      uncertain = verdict%answer == answer_yes .and. &
+                  (verdict%uncertain > 0.0_wp .or. verdict%joints_uncertain .or. verdict%fatigue_used > 0.0_wp)
    end function is_uncertain
 
    !> True for a yes without any limit.

@@ -8,7 +8,8 @@ module dg_verdict_text
    use dg_readable, only: capital, spaced
    use dg_rounding, only: rounded_down, rounded_up
    use dg_text, only: either, to_text
-   use dg_unit_kind, only: at_most, in_units, unit_factor, unit_force, unit_length, unit_moment, unit_pressure
+   use dg_unit_kind, only: at_most, in_units, unit_factor, unit_force, unit_length, unit_moment, unit_pressure, &
+                           unit_speed
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_von_mises
@@ -23,8 +24,8 @@ module dg_verdict_text
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
 
-   !> Digits of loads, depths and factors.
-   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3, shown_error = 2
+   !> Digits of loads, depths, factors, and of what is rough.
+   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3, few_digits = 2
    !> Digits of a factor next to 1, and the most of a share below 1.
    integer, parameter :: close_factor = 4, most_digits = 7
    real(wp), parameter :: percent = 0.01_wp
@@ -110,9 +111,12 @@ contains
       else if (verdict%answer == answer_yes) then
          text = ''
          if (verdict%uncertain > 0.0_wp) text = 'UNCERTAIN: contact force may be off by '// &
-            to_text(rounded_up(verdict%uncertain/percent, shown_error), shown_error)//' %, more than is left of a limit. '
+            to_text(rounded_up(verdict%uncertain/percent, few_digits), few_digits)//' %, more than is left of a limit. '
          if (verdict%joints_uncertain) text = text//'UNCERTAIN: smeared tool joints leave out friction, perhaps more than '// &
             'is left, see Warnings. '
+         if (verdict%fatigue_used > 0.0_wp) text = text//'UNCERTAIN: bending at '//depth_text(units, verdict%fatigue_md)// &
+            ' is '//used_text(verdict%fatigue_used)//' % of the fatigue limit. Hours of rotation are limited, how many is not '// &
+            'known. '
          if (is_near_by_friction(verdict)) text = text//'Close to its limit: the answer '//reserve_text(verdict)//'. '
          text = text//nearest_text(units, load_case, verdict)
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
@@ -150,7 +154,7 @@ contains
       if (verdict%reserve_buckles) text = text//', perhaps sooner, as pipe buckles then'
    end function reserve_text
 
-   !> A factor of friction, rounded down: with the factor as it stands there the answer is yes.
+   !> A factor of friction, rounded down: with it the answer is yes.
    pure function times_text(verdict, factor) result(text)
       type(verdict_type), intent(in) :: verdict
       real(wp), intent(in) :: factor       !< > 0 [-]
@@ -208,8 +212,11 @@ contains
       if (verdict%pump_pressure%present) text = text//'. The answer becomes yes with a pump_pressure of at '// &
          pump_text(units, verdict)
       if (verdict%turning_hookload%present) &
-         text = text//'. Rotate the string and move it slowly, if that is allowed: its weight is enough then, hook load about '// &
-                force_text(units, verdict%turning_hookload%value)//', torque about '// &
+         text = text//'. Rotate the string and move it slowly'// &
+                either(' (at 20 rpm at most about '//in_units(units, unit_speed, at_most(units, unit_speed, &
+                       verdict%turning_speed%value, few_digits), few_digits)//')', '', verdict%turning_speed%present)// &
+                ', if that is allowed: its weight '// &
+                'is enough then, hook load at most about '//force_text(units, verdict%turning_hookload%value)//', torque about '// &
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
                 either(' without bit torque', '', load_case%wob > 0.0_wp)//', by the soft string. '// &
                 'Check it by a case operation = '''//either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
@@ -375,7 +382,7 @@ contains
       text = in_units(units, unit_length, md, shown_depth)
    end function depth_text
 
-   !> Where a limit is used most: ' at 2300 ft in 'HWDP''; '' for the whole string, and for what is measured at surface alone.
+   !> Where a limit is used most: ' at 2300 ft in 'HWDP''; '' for the whole string and for loads at surface.
    pure function place_text(units, verdict) result(text)
       type(unit_system_type), intent(in) :: units
       type(verdict_type), intent(in) :: verdict
