@@ -317,6 +317,10 @@ contains
       type(verdict_type), intent(inout) :: verdict
       if (.not. fatigue%present) return
       verdict%not_checked(limit) = fatigue%used > 1.0_wp .and. is_missing(fatigue%damage)
+      if (verdict%not_checked(limit) .and. fatigue%used > verdict%fatigue_used) then
+         verdict%fatigue_used = fatigue%used
+         verdict%fatigue_md = fatigue%md
+      end if
       if (.not. is_missing(fatigue%damage)) call judge_hours(fatigue%damage, fatigue%md, fatigue%part, limit, hours, verdict)
    end subroutine judge_fatigue
 

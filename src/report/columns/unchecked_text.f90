@@ -110,5 +110,6 @@ contains
       character(:), allocatable :: text
       text = either('contact_force', '', verdict%uncertain > 0.0_wp)
       if (verdict%joints_uncertain) text = text//either(' ', '', text /= '')//'tool_joints'
+      if (verdict%fatigue_used > 0.0_wp) text = text//either(' ', '', text /= '')//'fatigue'
    end function uncertain_codes
 end module dg_unchecked_text

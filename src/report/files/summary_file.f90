@@ -112,9 +112,9 @@ contains
                'buckling', verdict%friction_reserve)
       call add_filled(row, 'uncertain', quantity_text, &
                       'what may turn a yes into a no: contact_force (its error), tool_joints (friction that smeared joints '// &
-                      'leave out); else empty', uncertain_codes(verdict))
-      call add(row, 'limit_iterations', quantity_none, 'Newton iterations to the friction and the wob at which the weight of '// &
-               'a buckled string is just enough', result%weight_limits%iterations)
+                      'leave out), fatigue (its limit is passed, hours unknown); else empty', uncertain_codes(verdict))
+      call add(row, 'limit_iterations', quantity_none, 'Newton iterations to the friction, the wob or the bit depth at which '// &
+               'string weight is just enough', result%weight_limits%iterations)
    contains
       !> A number of the result, if there is one.
       pure function of(value) result(number)
