@@ -5,9 +5,10 @@ module dg_buckled_shape
    use dg_kinds, only: wp
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_constants, only: pi
+   use dg_missing, only: given, optional_real
    implicit none
    private
-   public :: find_buckled_shape
+   public :: find_buckled_shape, span_of
 
    !> Least distance from the axis, over the clearance, at which a node has an angle about it [-].
    real(wp), parameter :: off_axis = 0.2_wp
@@ -145,4 +146,14 @@ contains
       end do
       yes = held >= 0.5_wp*way
    end function mostly
+
+   !> First and last depth where something is true.
+   pure function span_of(true_there, md) result(span)
+      logical, intent(in) :: true_there(:)
+      real(wp), intent(in) :: md(:)          !< as many [m]
+      type(optional_real) :: span(2)
+      if (.not. any(true_there)) return
+      span(1) = given(minval(md, mask=true_there))
+      span(2) = given(maxval(md, mask=true_there))
+   end function span_of
 end module dg_buckled_shape

@@ -3,7 +3,7 @@ module dg_whole_string
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
-   use dg_buckled_shape, only: find_buckled_shape
+   use dg_buckled_shape, only: find_buckled_shape, span_of
    use dg_buckling_limits, only: buckling_helical, buckling_none, buckling_sinusoidal
    use dg_case_result, only: case_result_type
    use dg_casing_wear, only: find_casing_wear, groove_type, worst_groove
@@ -41,6 +41,7 @@ module dg_whole_string
       integer :: buckling = buckling_none           !< worst state along the string
       real(wp) :: sinusoidal_length = 0.0_wp        !< above the sinusoidal, below the helical limit [m]
       real(wp) :: helical_length = 0.0_wp           !< above the helical limit [m]
+      type(optional_real) :: buckled_span(2)        !< first and last depth above the sinusoidal limit [m]
       real(wp) :: bending = 0.0_wp                  !< largest moment [N.m]
       real(wp) :: bending_md = 0.0_wp               !< its depth [m]
       type(optional_real) :: bending_error          !< error of moments, over the largest one [-]
@@ -57,6 +58,7 @@ module dg_whole_string
       real(wp) :: snaking_length = 0.0_wp           !< length in sinusoidal buckling by beams [m]
       real(wp) :: coiled_length = 0.0_wp            !< length in helical buckling by beams [m]
       real(wp) :: coil_turns = 0.0_wp               !< turns of the coils [-]
+      type(optional_real) :: shape_span(2)          !< first and last depth that is buckled by beams [m]
       type(optional_real) :: stability_margin       !< as the result has it [-]
       type(optional_real) :: bit_side_force         !< of the bit on the formation, gap elements with the bit held only [N]
       type(optional_real) :: bit_side_clock         !< its direction [rad]
@@ -115,6 +117,7 @@ contains
          call least_of(along%buckling_margin, profile%md, whole%buckling_margin, whole%buckling_margin_md)
          call least_of(along%standoff, profile%md, whole%least_standoff, whole%least_standoff_md)
          whole%buckling = maxval(along%buckling)
+         whole%buckled_span = span_of(along%buckling > buckling_none, profile%md)
          do i = 2, size(profile%md)
             length = profile%md(i) - profile%md(i - 1)
             coiled = length*share_beyond(along%helical(i - 1:i), profile%axial(i - 1:i))
@@ -257,6 +260,7 @@ contains
                                  profile%displacement/room_of(0.5_wp*(along%hole_diameter - along%od)), profile%clock, ei, &
                                  along%sinusoidal, shape, whole%coil_turns)
          whole%shape = maxval(shape)
+         whole%shape_span = span_of(shape > buckling_none, profile%md)
          do i = 2, size(shape)
             length = profile%md(i) - profile%md(i - 1)
             if (minval(shape(i - 1:i)) == buckling_sinusoidal) whole%snaking_length = whole%snaking_length + length

@@ -111,8 +111,8 @@ contains
                'make-up torque - torque, least along the string; empty without make-up torque', whole%makeup_margin)
       call add(row, 'makeup_margin_md', quantity_length, 'measured depth of this value', whole%makeup_margin_md)
       call add(row, 'wob_lockup', quantity_force, &
-               'the same with friction of helical buckling and max_push of &rig: by beams where a buckled string slides near '// &
-               'it, else with all friction times the factor that gives the hook load of mcge', &
+               'weight on bit at zero hook load, with friction of helical buckling and max_push of &rig: by beams where a '// &
+               'buckled string slides near it, else with all friction times the factor that gives the hook load of mcge', &
                whole%wob_lockup)
    end subroutine add_margins
 
@@ -273,5 +273,7 @@ contains
          call add(row, 'joint_fatigue_dogleg', quantity_curvature, &
                   'largest dogleg at that depth for rotation without fatigue of the connection', fatigue%dogleg)
       end associate
+      call add(row, 'shape_from', quantity_length, 'first depth that is buckled by mcge', whole%shape_span(1))
+      call add(row, 'shape_to', quantity_length, 'last depth that is buckled by mcge', whole%shape_span(2))
    end subroutine add_ratings
 end module dg_limits_file

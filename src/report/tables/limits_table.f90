@@ -121,13 +121,13 @@ contains
       call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
          if (wholes(i)%buckling == buckling_none) cycle
-         call append_text(lines, '  By formula, buckled in '//names(i)%text//': '// &
+         call append_text(lines, '  By formula, buckled in '//names(i)%text//span_text(units, wholes(i)%buckled_span)//': '// &
                           lengths_text(units, wholes(i)%sinusoidal_length, wholes(i)%helical_length))
       end do
       do i = 1, size(results)
          if (wholes(i)%shape == buckling_none) cycle
          turns = wholes(i)%coil_turns
-         call append_text(lines, '  By mcge, buckled in '//names(i)%text//': '// &
+         call append_text(lines, '  By mcge, buckled in '//names(i)%text//span_text(units, wholes(i)%shape_span)//': '// &
                           lengths_text(units, wholes(i)%snaking_length, wholes(i)%coiled_length)// &
                           either(' ('//to_text(turns, merge(2, 3, turns < many_turns))//' turns)', '', turns > 0.0_wp))
       end do
@@ -185,6 +185,14 @@ contains
       character(:), allocatable :: text
       text = 'sinusoidal '//whole_depth(units, sinusoidal)//', helical '//whole_depth(units, helical)
    end function lengths_text
+
+   !> First and last depth of a part of the string.
+   pure function span_text(units, span) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(optional_real), intent(in) :: span(2)      !< [m]
+      character(:), allocatable :: text
+      text = ', '//whole_depth(units, span(1)%value)//' to '//whole_depth(units, span(2)%value)
+   end function span_text
 
    !> Pull that may be added at the top of each case, and its limit: the smaller of the rig's capacity and the pipe's.
    pure subroutine find_overpull(wholes, pulls, deciders)
