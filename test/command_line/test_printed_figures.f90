@@ -461,7 +461,7 @@ contains
 
    !> Weight below the drill pipe: wash pipe is none, and casing alone has none.
    subroutine test_below_pipe()
-      character(*), parameter :: words = ' of it below the drill pipe'
+      character(*), parameter :: words = ' in mud below the drill pipe'
       type(run_type) :: run
       type(text_type), allocatable :: rows(:)
       character(:), allocatable :: text, washing

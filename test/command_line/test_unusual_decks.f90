@@ -461,7 +461,7 @@ contains
    !> A limit with a block that is not given, an efficiency of the whole block, friction swapped or 0, wear, a survey in ft.
    subroutine test_rig()
       type(run_type) :: run
-      call mistake('&fluid', '&rig max_hookload = 500 / &fluid', 'group &rig: max_hookload counts the block in, and '// &
+      call mistake('&fluid', '&rig max_hookload = 500 / &fluid', 'group &rig: max_hookload includes the block, and '// &
                    'block_weight is not given. Give it, or 0 for a limit without block')
       call usual('&fluid', '&rig max_hookload = 500, block_weight = 0 / &fluid')
       call mistake('&fluid', '&rig lines = 12, sheave_efficiency = 0.5 / &fluid', 'sheave_efficiency = 0.5 is unusual. Usual '// &

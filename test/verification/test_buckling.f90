@@ -309,7 +309,8 @@ contains
          call assertEqual(result_locked_up, result%status, message=result%message)
          call note('stated load [N]', result%lock_up_load)
          call assertEqual(i == 4, result%lock_up_load < 0.0_wp, message='pulled')
-         call assertEqual(i == 4, index(result%message, 'A pull at the bit would: ') > 0, message=result%message)
+         call assertEqual(i == 4, index(result%message, ' are missing at the bit with all the push that ') > 0, &
+                          message=result%message)
          do j = 1, 2
             model%cases(1)%wob = result%lock_up_load + less(j)*abs(result%lock_up_load)
             call solve_case(model, model_mcge, 1, other, error)

@@ -74,13 +74,12 @@ contains
       call find_load(model, case_index, soft, size(less), stop, result, load, found)
       if (found) then
          if (load >= soft) return
-         call add_sentence(result%message, 'These loads are by the soft string. By beams '//load_text(model, load)// &
-                           ': use this load')
+         call add_sentence(result%message, 'By beams '//load_text(model, load)//': use this load')
          result%lock_up_load = load
          return
       end if
       if (.not. is_stopped(stop)) &
-         call add_sentence(result%message, 'These loads are by the soft string. Beams found no equilibrium near them')
+         call add_sentence(result%message, 'This load is by the soft string. Beams found no equilibrium near it')
    end subroutine confirm_load
 
    !> Mark a lowered string without equilibrium as locked up where beams bring less to its bit than the load case asks for.
@@ -160,14 +159,14 @@ contains
       load = merge(solved%weight_on_bit, solved%lock_up_load, found)
    end subroutine try_load
 
-   !> Text of a load: '35 kN reach the bit', 'the bit must be pulled with 12 kN under such a push'.
+   !> Text of a load: '35 kN reach the bit', '12 kN are missing at the bit'.
    function load_text(model, load) result(text)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: load         !< [N], < 0: a pull
       character(:), allocatable :: text
       text = in_units(model%units, unit_force, abs(load), shown)
       if (load < 0.0_wp) then
-         text = 'the bit must be pulled with '//text//' under such a push'
+         text = text//' are missing at the bit'
       else
          text = text//' reach the bit'
       end if

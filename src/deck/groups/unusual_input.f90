@@ -88,7 +88,7 @@ contains
       call note_twice(draft, notes)
       call note_joint(draft, notes)
       if (draft%rig%given .and. draft%rig%max_hookload%present .and. .not. draft%block_given) &
-         call append_text(notes, 'group &rig: max_hookload counts the block in, and block_weight is not given. Give it, or 0 '// &
+         call append_text(notes, 'group &rig: max_hookload includes the block, and block_weight is not given. Give it, or 0 '// &
                           'for a limit without block')
       call note_range(draft%units, 'group &rig', usual_block, draft%rig%block_weight, notes)
       if (draft%rig%max_hookload%present) call note_range(draft%units, 'group &rig', usual_hookload, draft%rig%max_hookload%value, &

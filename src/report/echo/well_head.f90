@@ -54,9 +54,9 @@ contains
             in_units(units, unit_force, air, few)//' in air'
          if (abs(air - mud) > round_off*air) line = line//', '//in_units(units, unit_force, mud, few)//' in mud'
          if (abs(mud - along) > round_off*air) line = line//', '//in_units(units, unit_force, along, digits - 1)// &
-            ' of it along the hole'
+            ' along the hole'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
-            in_units(units, unit_force, collars, few)//' of it below the drill pipe'
+            in_units(units, unit_force, collars, few)//' in mud below the drill pipe'
          call append_text(lines, line)
          line = clearance_line(units, model, model%strings(i), deepest)
          if (line /= '') call append_text(lines, 'Least radial clearance'//name_of(i, ' of ')//' '//line)

@@ -66,7 +66,7 @@ module dg_deck_keys
       key_rule_type('job', 'title', kind_text, meaning='printed above tables'), &
       key_rule_type('job', 'units', kind_text, default='SI', choices=deck_systems, meaning='unit system of deck and results'), &
       key_rule_type('job', 'models', kind_text, array=.true., default='mcge', choices='mcge soft rigid mixed', &
-         meaning='models to run, compared in input/README.md'), &
+         meaning='models to run, compared below this table'), &
       key_rule_type('job', 'output_dir', kind_text, meaning='folder of results; default output/<deck name>'), &
       key_rule_type('job', 'gravity', unit=unit_gravity, default='9.80665', low=0.0_wp, high=100.0_wp, &
          meaning='acceleration of gravity'), &
@@ -131,7 +131,7 @@ module dg_deck_keys
       key_rule_type('hole', 'diameter', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
          meaning='inside diameter'), &
       key_rule_type('hole', 'friction', low=0.0_wp, high=roughest, default='0', &
-         meaning='friction factor, axial and rotary'), &
+         meaning='friction factor, axial and rotary; often 0.15 to 0.25 in casing, 0.2 to 0.4 in open hole'), &
       key_rule_type('hole', 'friction_axial', low=0.0_wp, high=roughest, meaning='friction factor along the hole; default '// &
       'friction'), &
       key_rule_type('hole', 'friction_rotary', low=0.0_wp, high=roughest, meaning='friction factor around the hole; default '// &
@@ -161,7 +161,7 @@ module dg_deck_keys
       key_rule_type('fluid', 'tvd_top', unit=unit_length, low=0.0_wp, high=deepest, &
          meaning='in place of md_top: true vertical depth of the upper end'), &
       key_rule_type('fluid', 'above_bit', unit=unit_length, low=0.0_wp, open=.true., high=deepest, &
-         meaning='in place of md_top: distance of the upper end from the bit; it moves with the string'), &
+         meaning='in place of md_top: distance of the upper end from the bit, with which it moves; fills a shorter string'), &
       key_rule_type('fluid', 'float_collar', kind_text, default='none', choices='none closed open_below', &
          meaning='float collar at above_bit; open_below: collar closed, string below it open to the hole'), &
       key_rule_type('fluid', 'surface_pressure', unit=unit_pressure, low=0.0_wp, high=highest_pump, default='0', &
@@ -194,7 +194,7 @@ module dg_deck_keys
       key_rule_type('component', 'length', unit=unit_length, low=0.0_wp, high=deepest, default='0', &
          meaning='length, 1 mm or more; 0 on the last component: to surface'), &
       key_rule_type('component', 'od', unit=unit_diameter, required=.true., low=narrowest, high=widest, &
-         meaning='outside diameter of the body; of a bit, of the body above its cutters, which have joint_od'), &
+         meaning='outside diameter of the body; of a bit, of its shank'), &
       key_rule_type('component', 'id', unit=unit_diameter, low=0.0_wp, high=widest, default='0', meaning='inside diameter'), &
       key_rule_type('component', 'mass', unit=unit_mass, low=0.0_wp, high=heaviest, &
          meaning='mass in air per length; default from od, id and density'), &
@@ -206,7 +206,7 @@ module dg_deck_keys
       key_rule_type('component', 'expansion', unit=unit_expansion, low=0.0_wp, high=100.0_wp, default='12.42', &
          meaning='thermal expansion; 12.42 (6.9 per degF): steel'), &
       key_rule_type('component', 'joint_od', unit=unit_diameter, low=0.0_wp, high=widest, default='0', &
-         meaning='diameter of tool joints, blades or the cutters of a bit; touches the wall, sets the torque radius; 0: none'), &
+         meaning='diameter of tool joints or blades, of a bit that of its hole; touches the wall, radius of torque; 0: none'), &
       key_rule_type('component', 'joint_length', unit=unit_length, low=0.0_wp, high=1.0e3_wp, default='0', &
          meaning='length of one tool joint, 1 mm or more; 0: 0.5 m'), &
       key_rule_type('component', 'joint_spacing', unit=unit_length, low=0.0_wp, open=.true., high=1.0e3_wp, default='9.5', &
@@ -352,7 +352,7 @@ module dg_deck_keys
       key_rule_type('load_case', 'tob', unit=unit_moment, low=0.0_wp, high=strongest, default='0', meaning='torque on bit'), &
       key_rule_type('load_case', 'string', kind_text, default='main', meaning='name of the drillstring'), &
       key_rule_type('load_case', 'friction', low=0.0_wp, high=roughest, &
-         meaning='friction factor in place of the hole''s, axial and rotary'), &
+         meaning='friction factor of the whole hole, axial and rotary, in place of those of &hole'), &
       key_rule_type('load_case', 'friction_axial', low=0.0_wp, high=roughest, &
          meaning='friction factor along the hole, in place of the hole''s'), &
       key_rule_type('load_case', 'friction_rotary', low=0.0_wp, high=roughest, &

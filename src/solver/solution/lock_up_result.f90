@@ -65,10 +65,8 @@ contains
                           in_units(model%units, unit_force, most, shown)//' to the bit'
       else
          result%message = result%message//'No push at surface brings the string down to this depth'
-         if (most < 0.0_wp) result%message = result%message//'. A pull at the bit would: '//in_units(model%units, &
-            unit_force, -most_load_at_bit(model, case_index, coiled=.true., pushed=.false.), shown)// &
-            ' with its weight alone, '//in_units(model%units, unit_force, -most, shown)// &
-            ' if it is also pushed at surface with all that pipe bears'
+         if (most < 0.0_wp) result%message = result%message//': '//in_units(model%units, unit_force, -most, shown)// &
+            ' are missing at the bit with all the push that pipe bears'
       end if
    end subroutine result_of_lock_up
 end module dg_lock_up_result

@@ -114,10 +114,9 @@ contains
              is_pushed(model%rig%max_push - needed_push(model, case_index, result%hookload), work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
          if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
-            call add_message(result, 'Up to '//to_text(rounded_up(100.0_wp*maxval(abs(work%held)), shown_clearances), &
-                                                       shown_clearances)//' % of the friction of a contact acts sideways, '// &
-                             'which keeps the helically buckled string from turning round the hole. '// &
-                             'Drag is at most 0.13 % lower for it')
+            call add_message(result, 'Drag may be up to 0.13 % too low: up to '//to_text(rounded_up(100.0_wp*maxval( &
+                             abs(work%held)), shown_clearances), shown_clearances)//' % of the friction of a contact acts '// &
+                             'sideways, which keeps the helically buckled string from turning round the hole')
          if (outcome == outcome_converged .and. equations%gaps_taken_back) &
             call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
          if (outcome == outcome_converged) then
@@ -213,8 +212,8 @@ contains
       character(:), allocatable :: text
       real(wp) :: largest, moment, other_moment
       if (other%status /= result_converged) then
-         call add_message(result, 'A helically buckled string can stop at several hook loads. Two other starts found '// &
-                          'no solution, so the range of hook load and moments is unknown')
+         call add_message(result, 'A helically buckled string can be at rest at several hook loads. Two other starts '// &
+                          'found no solution, so the range of hook load and moments is unknown')
          return
       end if
       text = ''
@@ -231,7 +230,8 @@ contains
             text = text//' the largest bending moment is '//in_units(units, unit_moment, other_moment, shown)
          end if
       end if
-      if (text /= '') call add_message(result, 'A helically buckled string can stop at several hook loads. From another start, '// &
+      if (text /= '') call add_message(result, 'A helically buckled string can be at rest at several hook loads. From '// &
+                                       'another start, '// &
                                        either('with coils that turn the other way,', 'on the low side of the hole,', &
                                               mirrored)//text)
    end subroutine warn_of_range
@@ -267,7 +267,7 @@ contains
          if (found%md(2) - found%md(1) < nearly_all*(md(size(md)) - md(1))) place = ', mostly between '// &
             in_units(units, unit_length, found%md(1), shown_depth)//' and '//in_units(units, unit_length, found%md(2), shown_depth)
          percents = to_text(rounded_up(100.0_wp*share, shown_clearances), shown_clearances)//' %'
-         call add_message(result, 'Contact force uncertain by '//percents//place//': in all '// &
+         call add_message(result, 'Contact force uncertain by '//percents//place//': its sum is '// &
                           in_units(units, unit_force, found%by_analysis, shown)//' by the usual elements, '// &
                           in_units(units, unit_force, found%by_beam, shown)//' by shorter ones. '// &
                           either('Side forces and moments'//either('', ' there', place == ''), 'Drag', result%coiled)// &

@@ -55,7 +55,8 @@ contains
                'max_hookload of the rig (rig_limit) - hook load - block_weight', result%rig_margin)
       call add(row, 'torque_margin', quantity_moment, 'max_torque of the rig - torque', result%torque_margin)
       call add(row, 'overpull_margin', quantity_force, &
-               'pull that may be added until a part yields, design factors included, by the soft string; empty without yield', &
+               'pull that may be added until the weakest part yields, if all of it came there; design factors included, by the '// &
+               'soft string; empty without yield', &
                result%overpull_margin)
       call add(row, 'settings', quantity_text, &
                'settings of the solver; empty: those of the deck; earlier: solved before --again', &
