@@ -332,7 +332,7 @@ contains
          model%numerics%max_iterations = 2
          call solve_case(model, model_mcge, 1, other, error)
          call assertEqual(result_locked_up, other%status, message=other%message)
-         call assertTrue(index(other%message, 'Beams found no equilibrium near them') > 0, message=other%message)
+         call assertTrue(index(other%message, 'Beams found no equilibrium near it') > 0, message=other%message)
       end do
    end subroutine test_lock_up_confirmed
 
