@@ -28,7 +28,7 @@ HEADINGS = {"depth of most used limit": "governing_md", "largest bending moment"
             "neutral point": "neutral_top", "depth of least safety factor": "least_safety_md", "depth of buckling margin": "buckling_margin_md", "depth of largest mean side force": "largest_side_force_md", "WOB at buckling": "wob_buckling", "WOB at zero hook load": "wob_no_hookload",
             "WOB at lock-up": "wob_lockup", "margin to rig limit": "rig_margin", "length of sinusoidal buckling": "snaking_length",
             "length of helical buckling": "coiled_length"}
-THINNED = 0.03              # % of their range, to which all curves are thinned but those that say more
+BAND = 1.06                 # a band has two digits
 CASES = ("sliding_3190", "rotary_2075")
 MODELS = ("mcge", "soft")
 PARTS = (0.05, 0.31, 0.5, 0.72, 0.97)       # of the depth
@@ -155,7 +155,7 @@ setTimeout(() => {
    const read = (p, name) => depths(D.cases[p.case].depth).map(d => [d, value_at(p, name, d)])
    const owner = (p, name) => D.profiles.find(o => o.case === p.case && o.curves[name] === p.curves[name]).model
    const each = (p, of) => Object.fromEntries(numbers(p).map(name => [name, of(p, name)]))
-   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, each(p, read), each(p, (p, name) => p.beyond?.[name] ?? p.within ?? 0), each(p, owner)]))
+   document.title = 'FOUND' + JSON.stringify((D.profiles ?? []).map(p => [D.cases[p.case].name, p.model, each(p, read), each(p, (p, name) => p.bands?.[name] ?? 0), each(p, owner)]))
 }, 300)
 """
 # Curves that are no column of the file, or angles, which are thinned to a degree and turn.
@@ -310,13 +310,13 @@ def faults_of_curves(folder, told, complaints):
     faults, compared = [f"curves: the browser complains: {c}" for c in complaints], 0
     if told and not any(folder.glob("profile_*.csv")):
         return faults                   # a deck may leave these files out
-    for case, model, curves, within, owners in told or []:
+    for case, model, curves, bands, owners in told or []:
         profiles = {owner: Profile(folder, case, owner) for owner in {model, *owners.values()}}
         for name in (name for name in curves if name not in OTHER_CURVES):
             # a curve of the hole may be that of another model, which has more rows
             ways = [[(part, profiles[owners[part]]) for part in parts] for parts in ([name], *SUMS.get(name, []))]
             turned = (lambda value: 1.0 / value) if name in INVERSE else (lambda value: value)      # a safety factor is as close as its inverse
-            close = CLOSE * max(1.0, within.get(name, 0.0) / THINNED) * extent([turned(v) for v in profiles[model].column(name) if v is not None])
+            close = max(CLOSE * extent([turned(v) for v in profiles[model].column(name) if v is not None]), BAND * bands.get(name, 0.0))
             for depth, shown in curves[name]:
                 found = [values_near(parts, depth) for parts in ways] if shown is not None else []
                 found = [[turned(value) for value in near] for near in found if near]

@@ -5,9 +5,10 @@ module dg_test_page_curves
    use dg_case_result, only: case_result_type
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
-   use dg_page_curves, only: curve_series, profile_curves, share_type
+   use dg_page_curves, only: accuracy_type, curve_series, profile_curves, share_type
    use dg_page_relations, only: part_for_others, rows_for_others, write_by_first, write_by_others, written_type
    use dg_page_thinning, only: finest, kept_values, line_at, read_at, thin_curve, thinned_type
+   use dg_profile, only: new_profile, profile_type
    use dg_series, only: series_list_type
    use dg_test_report_sample, only: sample_results
    use dg_text, only: text_type
@@ -29,6 +30,7 @@ contains
       call suite%addTest(TestMethod('by_two', test_two))
       call suite%addTest(TestMethod('by_first', test_first))
       call suite%addTest(TestMethod('side_force_on_joint', test_joint))
+      call suite%addTest(TestMethod('longest_curve', test_longest))
    end function page_curves_suite
 
    pure function depths() result(md)
@@ -83,7 +85,7 @@ contains
       type(written_type) :: first
       type(text_type), allocatable :: texts(:), again(:)
       type(text_type) :: rows
-      real(wp), allocatable :: within(:)
+      type(accuracy_type), allocatable :: accuracy(:)
       allocate (results, source=sample_results())
       along = new_along_string(2)
       along%pipe_joint = 10.0_wp
@@ -91,16 +93,43 @@ contains
       results(1)%profile%side_force = [100.0_wp, 300.0_wp]
       list = curve_series(results(1)%profile, along)
       associate (joint => list%count)
-         allocate (texts(joint), again(joint), within(joint))
-         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, texts, within, rows)
+         allocate (texts(joint), again(joint), accuracy(joint))
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, texts, accuracy, rows)
          along%pipe_joint = 5.0_wp
-         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, within, rows)
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, accuracy, rows)
          call assertTrue(again(joint)%text /= texts(joint)%text, message='half the length, half the force')
          results(1)%profile%side_force = [200.0_wp, 600.0_wp]
-         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, within, rows)
+         call profile_curves(results(1)%profile, along, si_units(), share_type(), first, again, accuracy, rows)
          call assertEqual(texts(joint)%text, again(joint)%text)
       end associate
    end subroutine test_joint
+
+   !> Where room is short the curve that oscillates is thinned more and says how far it is off. The smooth one keeps the finest
+   !> tolerance.
+   subroutine test_longest()
+      type(profile_type) :: profile
+      type(along_string_type) :: along
+      type(series_list_type) :: list
+      type(written_type) :: first
+      type(text_type), allocatable :: texts(:)
+      type(text_type) :: rows
+      type(accuracy_type), allocatable :: accuracy(:)
+      integer :: i, axial, bending
+      profile = new_profile(n)
+      along = new_along_string(n)
+      profile%md = depths()
+      profile%axial = 1.0e3_wp*depths()
+      profile%bending = 1.0e3_wp*sin(0.7_wp*depths())
+      list = curve_series(profile, along)
+      do i = 1, list%count
+         if (list%items(i)%column%name == 'axial') axial = i
+         if (list%items(i)%column%name == 'bending') bending = i
+      end do
+      allocate (texts(list%count), accuracy(list%count))
+      call profile_curves(profile, along, si_units(), share_type(letters=100.0_wp), first, texts, accuracy, rows)
+      call assertTrue(accuracy(axial)%within <= finest)
+      call assertTrue(accuracy(bending)%within > finest .and. accuracy(bending)%band > finest*2.0_wp)
+   end subroutine test_longest
 
    !> A stress is written by its moment: its peaks, then points, factor and addend of each component. The moment is close enough for
    !> it. One that does not go with the moment stays alone.
@@ -149,7 +178,7 @@ contains
       call assertEqual('["axial","sinusoidal_load",', text(:27))
       call assertTrue(within > 0.003_wp .and. within <= 0.009_wp)
       call assertEqual([minval(margin), maxval(margin)], [minval(curves(3)%read), maxval(curves(3)%read)], 1.0e-9_wp)
-      call assertTrue(all(abs(curves(3)%read - margin) <= within/0.003_wp*curves(3)%band*1.001_wp))
+      call assertTrue(all(abs(curves(3)%read - margin) <= curves(3)%band*1.001_wp))
    end subroutine test_two
 
    !> A curve of the hole is that of the profile that is written first; one with another peak is not.
@@ -157,18 +186,22 @@ contains
       type(thinned_type) :: curve
       type(written_type) :: first
       character(:), allocatable :: text
-      real(wp) :: values(n)
+      real(wp) :: values(n), within
       values = sin(0.05_wp*depths())
       first%md = depths()
       first%curves = [thinned('dogleg', values, finest)]
       first%place = 4
       curve = thinned('dogleg', values, finest)
+      first%curves(1)%band = 3.0_wp*curve%band
+      first%curves(1)%within = 3.0_wp*finest
+      within = finest
       text = ''
-      call write_by_first(first, curve, depths(), text)
+      call write_by_first(first, curve, depths(), text, within)
       call assertEqual('4', text)
+      call assertTrue(abs(within - 3.0_wp*finest) < 1.0e-9_wp, message='as exact as the first one')
       first%curves(1)%values(7) = 2.0_wp
       text = ''
-      call write_by_first(first, curve, depths(), text)
+      call write_by_first(first, curve, depths(), text, within)
       call assertEqual('', text)
    end subroutine test_first
 end module dg_test_page_curves

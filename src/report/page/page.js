@@ -225,10 +225,10 @@ function block(S, address) {
       const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)
       const row_of = n => {
          const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)
-         const beyond = Math.max(0, ...list.map(p => p.beyond?.[n] ?? 0))      // thinned more than others
-         const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? ' of its inverse' : ''})` : '')
-         return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),
-            ...pairs.map(([a, b]) => words ? '' : text_of(at(b) - at(a), quantity))]
+         const band = p => (p.bands?.[n] ?? 0) * (inverse ? at(p) ** 2 : 1) * factor(quantity)      // within which a value is known
+         const told = (value, b) => text_of(value, quantity) + (b > 0 ? ` \u00b1${+b.toPrecision(2)}` : '')
+         return [label, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), band(p))),
+            ...pairs.map(([a, b]) => words ? '' : told(at(b) - at(a), band(a) + band(b)))]
       }
       return [
          ['quantity', 'unit', ...list.map(p => p.key.text), ...heads],
@@ -250,9 +250,7 @@ function block(S, address) {
    }
    function draw_readout() {                                    // a table; a screen reader has its words from the slider
       const table = make(null, 'h:table', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()
-      const within = S.charts ? Math.max(...shown().map(p => p.within ?? 0)) : 0        // of load cases with many points
-      const close = within > 0 ? `, \u00b1${within} % of range` : ''
-      make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}${close}`)
+      make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)
       rows.forEach((row, k) => {
          const line = make(table, 'h:tr', {})
          row.forEach((text, i) => make(line, k ? 'h:td' : 'h:th', {class: i ? '' : 'text', title: meanings[text] ?? ''}, text))

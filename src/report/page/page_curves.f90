@@ -20,14 +20,22 @@ module dg_page_curves
    use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: curve_series, curve_text, profile_curves, share_type, stands_alone
+   public :: accuracy_type, curve_series, curve_text, profile_curves, share_type, stands_alone
 
    !> Columns of a profile to write, and the room for each.
    type :: share_type
       logical, allocatable :: columns(:)          !< those of `curve_series` that are written; not allocated: all
-      real(wp) :: within = finest                 !< of a column's range, to which curves are thinned [-]
+      real(wp) :: letters = huge(1.0_wp)          !< of a curve. One that needs more is thinned more
    end type share_type
 
+   !> Distance of a written curve from its rows, at most.
+   type :: accuracy_type
+      real(wp) :: within = finest                 !< over the range of the column [-]
+      real(wp) :: band = 0.0_wp                   !< in units of the page
+   end type accuracy_type
+
+   !> Factor by which the tolerance of a curve with too many letters grows, and its largest value [-].
+   real(wp), parameter :: coarser = 1.25_wp, most_within = 0.3_wp
    character(*), parameter :: joint_force = 'side_force_on_joint'
    !> Places of the additional curve of side force.
    integer, parameter :: joint_places = 1000
@@ -61,14 +69,14 @@ contains
 
    !> A text for each of `curve_series`; '' where a column has no value or is left out. `rows`: depths that curves share; '' where
    !> no curve has them.
-   pure subroutine profile_curves(profile, along, units, share, first, texts, within, rows)
+   pure subroutine profile_curves(profile, along, units, share, first, texts, accuracy, rows)
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
       type(unit_system_type), intent(in) :: units
       type(share_type), intent(in) :: share
       type(written_type), intent(inout) :: first !< first written profile of the load case; set to this one if not set
       type(text_type), intent(out) :: texts(:)   !< as many
-      real(wp), intent(out) :: within(:)         !< of a column's range, to which each is thinned [-]
+      type(accuracy_type), intent(inout) :: accuracy(:)   !< of each, at least
       type(text_type), intent(out) :: rows
       type(series_list_type) :: list
       type(thinned_type), allocatable :: curves(:)
@@ -78,7 +86,6 @@ contains
       list = curve_series(profile, along)
       md = profile%md/units%length
       starts = starts_of(profile, along)
-      within = share%within
       allocate (curves(list%count))
       do k = 1, list%count
          texts(k)%text = ''
@@ -92,7 +99,7 @@ contains
                curves(k)%values = real(series%states, wp)
                curves(k)%scale = scale_type(levels=maxval(series%states) + 2)
             else if (curves(k)%name == joint_force) then
-               call write_joints(profile, along%pipe_joint, units, share%within, texts(k)%text)
+               call write_joints(profile, along%pipe_joint, units, share%letters, accuracy(k), texts(k)%text)
             else if (.not. all(is_missing(series%numbers))) then
                numbers = series%numbers
                if (is_inverse(curves(k)%name)) call invert(along%envelope_margin, numbers)
@@ -102,12 +109,18 @@ contains
       end do
       do k = 1, list%count
          if (.not. allocated(curves(k)%values)) cycle
-         if (.not. allocated(curves(k)%kept)) &
-            call thin_curve(curves(k), md, rows_for_others(curves, k, starts), units%angle, &
-                            share%within*part_for_others(curves, k, starts))
-         call write_by_others(curves, k, md, starts, share%within > finest, texts(k)%text, within(k))
-         if (texts(k)%text == '') call write_by_first(first, curves(k), md, texts(k)%text)
-         curves(k)%own = texts(k)%text == ''
+         do
+            if (.not. allocated(list%items(k)%states)) &
+               call thin_curve(curves(k), md, rows_for_others(curves, k, starts), units%angle, &
+                               accuracy(k)%within*part_for_others(curves, k, starts))
+            call write_by_others(curves, k, md, starts, accuracy(k)%within > finest, texts(k)%text, accuracy(k)%within)
+            if (texts(k)%text == '') call write_by_first(first, curves(k), md, texts(k)%text, accuracy(k)%within)
+            curves(k)%own = texts(k)%text == ''
+            if (.not. curves(k)%own .or. fits(curves(k), share%letters, accuracy(k)%within)) exit
+            call thin_more(accuracy(k)%within)
+         end do
+         curves(k)%within = accuracy(k)%within
+         accuracy(k)%band = curves(k)%band
          if (curves(k)%own) curves(k)%read = read_at(curves(k), md, md)
       end do
       call write_curves(curves, md, texts, rows)
@@ -115,6 +128,21 @@ contains
       first%md = md
       first%curves = curves
    end subroutine profile_curves
+
+   !> True if a thinned curve has no more letters than wanted, or cannot have fewer.
+   pure function fits(curve, letters, within)
+      type(thinned_type), intent(in) :: curve
+      real(wp), intent(in) :: letters
+      real(wp), intent(in) :: within             !< of its range [-]
+      logical :: fits
+      fits = curve%letters <= letters .or. within >= most_within
+   end function fits
+
+   !> The next larger tolerance.
+   elemental subroutine thin_more(within)
+      real(wp), intent(inout) :: within          !< of a range [-]
+      within = min(coarser*within, most_within)
+   end subroutine thin_more
 
    !> Parts of the yield strength in use, from what is left; missing where none is given.
    pure subroutine invert(left, numbers)
@@ -182,11 +210,12 @@ contains
    end function stands_alone
 
    !> Contact force on a joint, at equal steps of depth.
-   pure subroutine write_joints(profile, joint, units, within, text)
+   pure subroutine write_joints(profile, joint, units, letters, accuracy, text)
       type(profile_type), intent(in) :: profile
       real(wp), intent(in) :: joint                 !< its length [m]
       type(unit_system_type), intent(in) :: units
-      real(wp), intent(in) :: within                !< of its range [-]
+      real(wp), intent(in) :: letters               !< of its text
+      type(accuracy_type), intent(inout) :: accuracy
       character(:), allocatable, intent(out) :: text
       real(wp), dimension(0:joint_places) :: places, values
       character(:), allocatable :: ends
@@ -198,7 +227,12 @@ contains
       places = places/units%length
       curve%name = joint_force
       curve%values = values
-      call thin_curve(curve, places, [integer ::], units%angle, within)
+      do
+         call thin_curve(curve, places, [integer ::], units%angle, accuracy%within)
+         if (fits(curve, letters, accuracy%within)) exit
+         call thin_more(accuracy%within)
+      end do
+      accuracy%band = curve%band
       if (all(curve%kept)) then
          ends = '['//to_text(places(0), digits)//','//to_text(places(joint_places), digits)//','//to_text(joint_places)//']'
       else

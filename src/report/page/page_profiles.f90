@@ -8,10 +8,11 @@ module dg_page_profiles
    use dg_job, only: job_type, model_name
    use dg_json, only: json_string
    use dg_line_list, only: add_line, line_list_type
+   use dg_merge_sort, only: sorted_places
    use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_page_code, only: letters_of
-   use dg_page_curves, only: profile_curves, share_type, stands_alone
+   use dg_page_curves, only: accuracy_type, profile_curves, share_type, stands_alone
    use dg_page_relations, only: written_type
    use dg_page_figures, only: look_text
    use dg_page_thinning, only: finest
@@ -43,12 +44,12 @@ module dg_page_profiles
       '{"label":"dogleg","curves":[{"column":"dogleg"}]},{"label":"true vertical depth","curves":[{"column":"tvd"}]}]}']
    !> Columns that the well is drawn from, besides those of charts.
    character(*), parameter :: well_columns(6) = [character(9) :: 'north', 'east', 'od', 'hole', 'gap_state', 'buckling']
-   !> Letters of the curves of a load case. Where it has more, columns without a chart are left out. Where it has still more, its
-   !> curves are thinned more, all to the same part of their range: `coarser` by `coarser`, but not beyond `most_within` [-].
-   integer, parameter :: case_letters = 38000
-   real(wp), parameter :: coarser = 1.25_wp, most_within = 0.3_wp
-   !> Letters of the curves of all load cases together.
-   integer, parameter :: most_letters = 4000000
+   !> Letters of the curves of a run: of few load cases together, for each of more, of all together at most. A load case leaves what
+   !> it does not need to others. One that needs more than the rest leaves columns without a chart out. Then its longest curves,
+   !> which oscillate, are thinned more, until all fit. Smooth curves are short and keep the finest tolerance.
+   integer, parameter :: few_letters = 300000, case_letters = 36000, most_letters = 4000000
+   !> Factor by which the room of a curve shrinks, and its least value [letters].
+   real(wp), parameter :: shorter = 0.75_wp, shortest = 100.0_wp
    !> Length from the bit upwards that the script draws with its contacts (shown_length of page.js) [m].
    real(wp), parameter :: assembly_length = 40.0_wp
    integer, parameter :: digits = 7, contact_digits = 4, tolerance_digits = 2
@@ -58,7 +59,7 @@ module dg_page_profiles
    type :: curves_type
       type(text_type), allocatable :: texts(:, :)   !< by column and result
       type(text_type), allocatable :: rows(:)       !< depths that curves of a result share; '': none
-      real(wp), allocatable :: within(:, :)         !< by column and result, to which they are thinned [-]
+      type(accuracy_type), allocatable :: accuracy(:, :)   !< by column and result
       integer :: reduced = 0                        !< load cases without all columns
    end type curves_type
 
@@ -79,34 +80,61 @@ contains
       type(series_list_type), intent(in) :: list                !< names of the columns
       type(curves_type), intent(out) :: curves
       type(share_type) :: share
-      type(written_type) :: first
-      integer, allocatable :: rows(:)
-      integer :: i, k, n, letters, cases
-      allocate (curves%texts(list%count, size(results)), curves%within(list%count, size(results)), curves%rows(size(results)))
-      curves%within = finest
-      cases = count([(any(results%case_index == i .and. has_curves(results)), i=1, maxval(results%case_index))])
-      do i = 1, maxval(results%case_index)
-         rows = pack([(k, k=1, size(results))], results%case_index == i .and. has_curves(results))
-         if (size(rows) == 0) cycle
-         share = share_type()
-         do
-            first = written_type(place=count(has_curves(results(:rows(1)))) - 1)
-            do k = 1, size(rows)
-               n = rows(k)
-               call profile_curves(results(n)%profile, alongs(n), job%units, share, first, curves%texts(:, n), &
-                                   curves%within(:, n), curves%rows(n))
-            end do
-            letters = letters_of(curves%rows(rows)) + sum([(letters_of(curves%texts(:, rows(k))), k=1, size(rows))])
-            if (letters <= min(case_letters, most_letters/cases) .or. share%within >= most_within) exit
-            if (allocated(share%columns)) then
-               share%within = coarser*share%within
-            else
-               share%columns = [(has_chart(trim(list%items(k)%column%name)), k=1, list%count)]
-            end if
-         end do
-         if (allocated(share%columns)) curves%reduced = curves%reduced + 1
+      integer, allocatable :: letters(:)
+      integer :: i, k, room, cases
+      allocate (curves%texts(list%count, size(results)), curves%accuracy(list%count, size(results)), curves%rows(size(results)))
+      allocate (letters(maxval(results%case_index)), source=0)
+      do i = 1, size(letters)
+         call write_case(share_type(), i, letters(i))
       end do
+      cases = count(letters > 0)
+      room = room_in(min(max(few_letters, cases*case_letters), most_letters), letters)
+      do i = 1, size(letters)
+         if (letters(i) <= room) cycle
+         share = share_type([(has_chart(trim(list%items(k)%column%name)), k=1, list%count)])
+         call write_case(share, i, letters(i))
+         share%letters = room
+         do while (letters(i) > room .and. share%letters > shortest)
+            share%letters = shorter*share%letters
+            call write_case(share, i, letters(i))
+         end do
+         curves%reduced = curves%reduced + 1
+      end do
+   contains
+      !> Write the curves of a load case by all models.
+      subroutine write_case(share, number, letters)
+         type(share_type), intent(in) :: share
+         integer, intent(in) :: number             !< of the load case
+         integer, intent(out) :: letters
+         type(written_type) :: first
+         integer :: n
+         letters = 0
+         do n = 1, size(results)
+            if (results(n)%case_index /= number .or. .not. has_curves(results(n))) cycle
+            if (letters == 0) first%place = count(has_curves(results(:n))) - 1
+            call profile_curves(results(n)%profile, alongs(n), job%units, share, first, curves%texts(:, n), &
+                                curves%accuracy(:, n), curves%rows(n))
+            letters = letters + letters_of(curves%rows(n:n)) + letters_of(curves%texts(:, n))
+         end do
+      end subroutine write_case
    end subroutine find_curves
+
+   !> Most letters that each load case may have, so that all together have no more than a total.
+   pure function room_in(total, letters) result(room)
+      integer, intent(in) :: total
+      integer, intent(in) :: letters(:)     !< that each one needs
+      integer :: room
+      integer :: rest, i
+      rest = total
+      associate (ascending => letters(sorted_places(real(letters, wp))))
+         do i = 1, size(letters)
+            room = rest/(size(letters) - i + 1)
+            if (ascending(i) > room) return
+            rest = rest - ascending(i)
+         end do
+      end associate
+      room = maxval(letters)
+   end function room_in
 
    !> True if a column is in a chart or in the well.
    pure function has_chart(name) result(has)
@@ -129,8 +157,8 @@ contains
       if (curves%reduced == 0) return
       text = ' '//to_text(curves%reduced)//either(' load case has', ' load cases have', curves%reduced == 1)// &
              ' many points: only the columns of charts are here.'
-      if (any(curves%within > finest)) text = text//' Their curves are thinned more, to '// &
-         to_text(maxval(curves%within)/percent, tolerance_digits)//' % at most. The box of values says how far.'
+      if (any(curves%accuracy%within > finest)) text = text//' Curves that oscillate are '// &
+         'less exact there, as the box of values says.'
    end function reduced_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
@@ -152,7 +180,7 @@ contains
             if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(job, result)//'],')
          end associate
          call append_depths(lines, curves, places(:i))
-         call append_within(lines, list, curves, places(i))
+         call append_bands(lines, list, curves%accuracy(:, places(i)))
          call add_line(lines, '"curves":{')
          some = .false.
          do k = 1, list%count
@@ -185,25 +213,21 @@ contains
       end associate
    end subroutine append_depths
 
-   !> Part of their range within which the curves of a load case with many points stay [%], and that of columns that need more.
-   subroutine append_within(lines, list, curves, result)
+   !> Distances within which curves stay that are thinned more than others.
+   subroutine append_bands(lines, list, accuracy)
       type(line_list_type), intent(inout) :: lines
       type(series_list_type), intent(in) :: list
-      type(curves_type), intent(in) :: curves
-      integer, intent(in) :: result
+      type(accuracy_type), intent(in) :: accuracy(:)     !< by column
       character(:), allocatable :: text
       integer :: k
-      associate (within => curves%within(:, result))
-         if (all(within <= finest)) return
-         text = ''
-         do k = 1, list%count
-            if (within(k) <= minval(within)) cycle
-            if (text /= '') text = text//','
-            text = text//json_string(trim(list%items(k)%column%name))//':'//to_text(within(k)/percent, tolerance_digits)
-         end do
-         call add_line(lines, '"within":'//to_text(minval(within)/percent, tolerance_digits)//',"beyond":{'//text//'},')
-      end associate
-   end subroutine append_within
+      text = ''
+      do k = 1, list%count
+         if (accuracy(k)%within <= finest) cycle
+         text = text//either(',', '', text /= '')//json_string(trim(list%items(k)%column%name))//':'// &
+                to_text(accuracy(k)%band, tolerance_digits)
+      end do
+      if (text /= '') call add_line(lines, '"bands":{'//text//'},')
+   end subroutine append_bands
 
    !> A curve of the last of some results, or the place of the first result that has the same.
    pure function curve_or_place(curves, column, results) result(json)

@@ -78,7 +78,7 @@ contains
          if (any(is_missing(made) .neqv. is_missing(curve%values))) return
          apart = maxval(abs(made - curve%values), mask=.not. is_missing(made))
          if (apart > curve%band .and. .not. (loose .and. apart <= most_loose*curve%band)) return
-         if (apart > curve%band) within = within*apart/curve%band
+         call widen(curve, apart, within)
          curve%read = made
       end associate
       text = found%text
@@ -94,6 +94,16 @@ contains
          end do
       end function place_of
    end subroutine write_by_others
+
+   !> Give a curve the band in which it is written by others, if that is wider.
+   pure subroutine widen(curve, band, within)
+      type(thinned_type), intent(inout) :: curve
+      real(wp), intent(in) :: band
+      real(wp), intent(inout) :: within           !< of its range [-]
+      if (band <= curve%band) return
+      if (curve%band > 0.0_wp) within = within*band/curve%band
+      curve%band = band
+   end subroutine widen
 
    !> A curve that is the sum of two, in JSON: their names, then its peaks. `made`: the values as the page reads them.
    pure subroutine make_by_two(one, other, curve, md, made, text)
@@ -264,11 +274,12 @@ contains
    end function peak_of
 
    !> Write a curve as the place of the profile that is written first, if it has the same curve, with the same peak.
-   pure subroutine write_by_first(first, curve, md, text)
+   pure subroutine write_by_first(first, curve, md, text, within)
       type(written_type), intent(in) :: first
       type(thinned_type), intent(inout) :: curve
       real(wp), intent(in) :: md(:)
       character(:), allocatable, intent(inout) :: text
+      real(wp), intent(inout) :: within           !< of its range [-]
       real(wp) :: read(size(md)), ends(2)
       integer :: i
       if (.not. allocated(first%md)) return
@@ -281,6 +292,7 @@ contains
          if (any(is_missing(read) .neqv. is_missing(curve%values))) return
          if (any(.not. is_missing(read) .and. abs(read - curve%values) > curve%band)) return
          if (abs(peak_of(first%curves(i)) - peak_of(curve)) > alike*peak_of(curve)) return
+         if (first%curves(i)%within > within) call widen(curve, first%curves(i)%band, within)      ! between its rows, too
          text = to_text(first%place)
          curve%read = read
       end do

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'BsVWH7oU56l9gZTcZoVnKvaZLVntpHJDnQNqIexrQ2w='
+   character(*), parameter :: script_hash = 'R315IouplptUpFA28BWrfxUppX7kiJH7GNnK78Wf5js='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -252,10 +252,10 @@ module dg_page_script
       'const there = p => D.cases[p.case].parts.find(({from, to}) => from <= above(p) && above(p) <= to)', &
       'const row_of = n => {', &
       'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)', &
-      'const beyond = Math.max(0, ...list.map(p => p.beyond?.[n] ?? 0))', &
-      'const said = label + (beyond ? ` (\u00b1${beyond} % of range${inverse ? '' of its inverse'' : ''''})` : '''')', &
-      'return [said, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : text_of(at(p), quantity)),', &
-      '...pairs.map(([a, b]) => words ? '''' : text_of(at(b) - at(a), quantity))]', &
+      'const band = p => (p.bands?.[n] ?? 0) * (inverse ? at(p) ** 2 : 1) * factor(quantity)', &
+      'const told = (value, b) => text_of(value, quantity) + (b > 0 ? ` \u00b1${+b.toPrecision(2)}` : '''')', &
+      'return [label, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), band(p))),', &
+      '...pairs.map(([a, b]) => words ? '''' : told(at(b) - at(a), band(a) + band(b)))]', &
       '}', &
       'return [', &
       '[''quantity'', ''unit'', ...list.map(p => p.key.text), ...heads],', &
@@ -278,9 +278,7 @@ module dg_page_script
       '}', &
       'function draw_readout() {', &
       'const table = make(null, ''h:table'', {}), rows = S.charts ? cells_of_profiles() : cells_of_lines()', &
-      'const within = S.charts ? Math.max(...shown().map(p => p.within ?? 0)) : 0', &
-      'const close = within > 0 ? `, \u00b1${within} % of range` : ''''', &
-      'make(table, ''h:caption'', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}${close}`)', &
+      'make(table, ''h:caption'', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)', &
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
@@ -338,10 +336,10 @@ module dg_page_script
       'if (isNaN(y)) return', &
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
-      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))']
-   character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))', &
       '}', &
-      'const spread = e => {', &
+      'const spread = e => {']
+   character(169), parameter :: script_lines_4(100) = [character(169) :: &
       'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
@@ -447,10 +445,10 @@ module dg_page_script
       '}', &
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
-      'e.textContent = e.dataset[units.toLowerCase()] ?? own']
-   character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
       '}', &
-      'document.querySelector(''.switched'').hidden = units === D.units', &
+      'document.querySelector(''.switched'').hidden = units === D.units']
+   character(169), parameter :: script_lines_5(100) = [character(169) :: &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
       'function follow_address() {', &
@@ -558,10 +556,10 @@ module dg_page_script
       'const made = new Float64Array(v.length)', &
       'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
       'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
+      '}', &
+      'return with_peaks(d, made, peaks)', &
       '}']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
-      'return with_peaks(d, made, peaks)', &
-      '}', &
       'function sum_of(a, b, peaks) {', &
       'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
@@ -671,10 +669,10 @@ module dg_page_script
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
-   character(169), parameter :: script_lines_7(91) = [character(169) :: &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
-      'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)', &
+      'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)']
+   character(169), parameter :: script_lines_7(89) = [character(169) :: &
       '}', &
       '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
@@ -775,7 +773,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(691) = [ &
+   character(169), parameter :: script_lines(689) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

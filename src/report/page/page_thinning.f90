@@ -22,6 +22,8 @@ module dg_page_thinning
       logical, allocatable :: kept(:)             !< rows that are written; not allocated: none
       type(scale_type) :: scale
       real(wp) :: band = 0.0_wp                   !< within which the curve stays
+      real(wp) :: within = finest                 !< the band over its range, but for a part left to others [-]
+      real(wp) :: letters = 0.0_wp                !< of its text, about
       logical :: own = .false.                    !< it is written by its points
       real(wp), allocatable :: read(:)            !< at all rows, as the page reads them
    end type thinned_type
@@ -57,7 +59,7 @@ contains
       if (curve%name == clock) curve%band = max(least_turn, within*2.0_wp*pi)/angle
       curve%kept = spread(.true., 1, size(md))
       curve%scale = scale_within(curve%values, curve%band)
-      letters = per_value(curve%scale)*size(md)
+      curve%letters = per_value(curve%scale)*size(md)
       do i = 1, size(rounding)
          if (curve%name == clock) then
             kept = kept_angles(md, angles, within)
@@ -65,8 +67,9 @@ contains
             kept = kept_values(md, curve%values, (1.0_wp - rounding(i))*curve%band, ends)
          end if
          scale = scale_within(pack(curve%values, kept), rounding(i)*curve%band)
-         if ((depth_letters + per_value(scale))*count(kept) >= letters) cycle
          letters = (depth_letters + per_value(scale))*count(kept)
+         if (letters >= curve%letters) cycle
+         curve%letters = letters
          curve%kept = kept
          curve%scale = scale
       end do
