@@ -124,23 +124,23 @@ contains
       points = points_of([(result_converged, i=1, size(points))])
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
       call assertEqual(1, size(lines))
-      call assertEqual('Sweep b, model soft: can be done by string weight. No limits of rig or string are known', lines(1)%text)
+      call assertEqual('Sweep b, model soft: Can be done by string weight. No limits of rig or string are known', lines(1)%text)
       deallocate (lines)
       points(3)%hookload = -1.0e3_wp
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: can be done by string weight and push. No limits of rig or string are known', &
+      call assertEqual('Sweep b, model soft: Can be done by string weight and push. No limits of rig or string are known', &
                        lines(1)%text)
       deallocate (lines)
       points%rig_margin = 1.0_wp
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: can be done. No limit of rig or string is passed', lines(1)%text)
+      call assertEqual('Sweep b, model soft: Can be done. No limit of rig or string is passed', lines(1)%text)
       deallocate (lines)
       points([2, 4])%limit = limit_rig
       points([7, 8])%limit = limit_string_weight
       points(7)%status = result_not_converged
       points(7)%limit = 0
       allocate (lines, source=sweep_sentences(si_units(), sample_sweep(), points))
-      call assertEqual('Sweep b, model soft: Cannot be done from 1100 m, with gaps: up, friction 0.25 (rig). '// &
+      call assertEqual('Sweep b, model soft: Cannot be done at 1100 m, from 1300 m: up, friction 0.25 (rig). '// &
                        'Cannot be done from 1300 m: down, friction 0.25 (string weight)', lines(1)%text)
       deallocate (lines)
       ! the shallowest depth cannot be done, either

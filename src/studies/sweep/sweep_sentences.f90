@@ -7,7 +7,7 @@ module dg_sweep_sentences
    use dg_measured_table, only: factor_text
    use dg_missing, only: is_missing
    use dg_number_text, only: append_wrapped
-   use dg_readable, only: squeezed
+   use dg_readable, only: first_names, squeezed
    use dg_sweep, only: model_of, point_at, point_count, point_number, point_type, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
    use dg_text, only: append_text, either, text_type, to_text
@@ -16,10 +16,12 @@ module dg_sweep_sentences
    use dg_verdict, only: answer_no, answer_yes, limit_title
    implicit none
    private
-   public :: append_passed, append_warned, friction_text, sweep_sentences
+   public :: append_answers, append_warned, friction_text, sweep_sentences
 
    !> Limits that a sentence tells.
    integer, parameter :: most_passed = 6
+   !> Ranges of depth in a sentence.
+   integer, parameter :: most_ranges = 5
    integer, parameter :: depth_digits = 7
    !> Letters in which warnings of one kind may differ.
    character(*), parameter :: digits_and_point = '0123456789.'
@@ -39,28 +41,21 @@ contains
          text = 'Sweep '//sweep%name//', model '//trim(model_name(sweep%models(m)))//': '
          if (allocated(passed)) deallocate (passed)
          allocate (passed(0))
-         call append_passed(passed, units, sweep, points, m)
-         if (size(passed) > 0) then
-            text = text//passed(1)%text
-            do i = 2, min(size(passed), most_passed)
-               text = text//'. '//passed(i)%text
-            end do
-            if (size(passed) > most_passed) text = text//'. '//to_text(size(passed) - most_passed)//' more in its table'
-         else if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
-                             is_missing(points%overpull_margin))) then
-            text = text//'can be done. No limit of rig or string is passed'
-         else
-            text = text//'can be done by string weight'//either(' and push', '', &
-               any(has_numbers(points%status) .and. points%hookload < 0.0_wp))//'. No limits of rig or string are known'
-         end if
+         call append_answers(passed, units, sweep, points, m)
+         text = text//passed(1)%text
+         do i = 2, min(size(passed), most_passed)
+            text = text//'. '//passed(i)%text
+         end do
+         if (size(passed) > most_passed) text = text//'. '//to_text(size(passed) - most_passed)//' more in its table'
          warned = count(is_warned(points) .and. points_of_model(sweep, m))
          if (warned > 0) text = text//'. Points with a warning: '//to_text(warned)//', see column message of its file'
          call append_text(lines, text)
       end do
    end function sweep_sentences
 
-   !> Depth from which an operation of a model cannot be done at a friction factor, and the limit that is passed there.
-   pure subroutine append_passed(lines, units, sweep, points, model)
+   !> Depths at which an operation of a model cannot be done at a friction factor, and the limit that is passed there. If
+   !> there is none, one sentence on all points of the model.
+   pure subroutine append_answers(lines, units, sweep, points, model)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(sweep_type), intent(in) :: sweep
@@ -68,25 +63,68 @@ contains
       integer, intent(in) :: model
       character(:), allocatable :: place
       logical :: there(size(sweep%depths))
-      integer :: o, f, first, upper, lower
+      integer :: o, f, first, upper
+      logical :: impossible
+      impossible = .false.
       do o = 1, size(sweep%operations)
          do f = 1, size(sweep%frictions)
             first = point_number(sweep, point_type(model, o, f, 1))
             there = answer_of(points(first:first + size(there) - 1)) == answer_no
             if (.not. any(there)) cycle
+            impossible = .true.
             upper = findloc(there, .true., dim=1)
-            lower = findloc(there, .true., dim=1, back=.true.)
-            place = 'from '//depth_text(units, sweep, upper)
-            if (upper == 1) place = place//', the least depth of the sweep'
-            if (lower < size(there)) place = place//either(',', '', upper == 1)//' to '//depth_text(units, sweep, lower)
-            if (.not. all(there(upper:lower))) place = place//', with gaps'
-            if (all(there)) place = 'at any depth from '//depth_text(units, sweep, upper)//' to '//depth_text(units, sweep, lower)
-            if (lower == upper .and. (lower < size(there) .or. upper == 1)) place = 'at '//depth_text(units, sweep, upper)
+            place = ranges_text(units, sweep, there)
             call append_text(lines, 'Cannot be done '//place//': '//trim(operation_label(sweep%operations(o)))//', '// &
                              friction_text(sweep, f)//' ('//trim(limit_title(points(first + upper - 1)%limit))//')')
          end do
       end do
-   end subroutine append_passed
+      if (.not. impossible) call append_text(lines, possible_text(pack(points, points_of_model(sweep, model))))
+   end subroutine append_answers
+
+   !> Answer of points that pass no limit.
+   pure function possible_text(points) result(text)
+      type(sweep_result_type), intent(in) :: points(:)
+      character(:), allocatable :: text
+      integer :: solved
+      solved = count(answer_of(points) == answer_yes)
+      text = 'Can be done'
+      if (solved < size(points)) text = text//' at '//to_text(solved)//' of '//to_text(size(points))// &
+                                        ' points, the others have no solution'
+      if (.not. all(is_missing(points%rig_margin) .and. is_missing(points%torque_margin) .and. &
+                    is_missing(points%overpull_margin))) then
+         text = text//'. No limit of rig or string is passed'
+      else
+         text = text//either(', ', ' ', solved < size(points))//'by string weight'//either(' and push', '', &
+            any(has_numbers(points%status) .and. points%hookload < 0.0_wp))//'. No limits of rig or string are known'
+      end if
+   end function possible_text
+
+   !> Depths that count, one range after the other: 'from 1000 m to 1200 m and from 1500 m'.
+   pure function ranges_text(units, sweep, there) result(text)
+      type(unit_system_type), intent(in) :: units
+      type(sweep_type), intent(in) :: sweep
+      logical, intent(in) :: there(:)      !< one a depth; some are true
+      character(:), allocatable :: text
+      type(text_type), allocatable :: ranges(:)
+      character(:), allocatable :: range
+      integer :: upper, lower
+      if (all(there) .and. size(there) > 1) then
+         text = 'at any depth from '//depth_text(units, sweep, 1)//' to '//depth_text(units, sweep, size(there))
+         return
+      end if
+      allocate (ranges(0))
+      lower = 0
+      do while (any(there(lower + 1:)))
+         upper = lower + findloc(there(lower + 1:), .true., dim=1)
+         lower = upper - 1 + findloc([there(upper:), .false.], .false., dim=1) - 1
+         range = 'from '//depth_text(units, sweep, upper)
+         if (upper == 1) range = range//', the least depth of the sweep'
+         if (lower < size(there)) range = range//either(',', '', upper == 1)//' to '//depth_text(units, sweep, lower)
+         if (lower == upper .and. (lower < size(there) .or. upper == 1)) range = 'at '//depth_text(units, sweep, upper)
+         call append_text(ranges, range)
+      end do
+      text = first_names(ranges, most_ranges)
+   end function ranges_text
 
    !> Warnings of the points of a model that can be done. Warnings are of one kind if they are alike but for their numbers. Each
    !> kind has one line, with the warning of its deepest point.

@@ -11,7 +11,7 @@ module dg_sweep_table
    use dg_number_text, only: fixed_cell, left_aligned, page_width, right_aligned
    use dg_sweep, only: at_operation, point_at, point_number, point_type, shown_depths, sweep_type
    use dg_sweep_result, only: answer_of, sweep_result_type
-   use dg_sweep_sentences, only: append_passed, append_warned
+   use dg_sweep_sentences, only: append_answers, append_warned
    use dg_text, only: append_text, either, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
@@ -56,7 +56,7 @@ contains
                                   curves(first:min(first + most - 1, size(curves))))
             end do
          end do
-         call append_passed(lines, units, sweep, points, m)
+         call append_answers(lines, units, sweep, points, m)
          call append_measured(lines, units, sweep, points, m)
       end do
       if (any(answer_of(points) /= answer_yes)) call append_text(lines, mark_meaning// &
