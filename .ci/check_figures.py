@@ -79,7 +79,7 @@ MEASURED = {("up", 1250): 620, ("up", 1750): 660, ("up", 2400): 760, ("down", 24
 DEPTHS = (300, 850, 1250, 1500, 1700, 2000, 2400)   # between points, beside a measurement, where a point fails, where some lock up
 FIELD = {"m": 1 / 0.3048, "kN": 0.2248089431, "kN.m": 0.7375621493}
 DASH = "\u2013"
-IMPOSSIBLE, LOCKED = ", cannot be done", ", locked up, or push off the axis"
+IMPOSSIBLE, LOCKED = ", cannot be done", ", locked up, or value outside the chart"
 SPREAD, SPREAD_DEPTHS = "Uncertainty spread, model soft", (600, 1000, 1500, 2000, 2400)
 CALIBRATION, LOADS = f"Calibration {HOSTILE}, model soft", "Hook load of all cases"
 SWEEPS = (("beams", "mcge"), ("locked", "soft"))
@@ -250,7 +250,7 @@ def faults_of_sweep(folder, name, model, shown_at, count):
                 if differs(text, value, extent, factor):
                     faults.append(f"{title} at {depth}: {line} is shown as {text}, the file has {value}")
         extra = set(told) - set(wanted) - {"curve"}
-        if any(not line.startswith("limit of the string") for line in extra):
+        if any(not line.startswith("pipe yields at ") for line in extra):
             faults.append(f"{title} at {depth}: {extra} should not be told")
     return faults
 

@@ -311,11 +311,11 @@ contains
       end do
       call assertTrue(has_text(lines, "set label 'limit of the rig, 400 klbf' at first 400, graph"), message='its name')
       ! what the rig shows when the string yields: the block's 50 klbf above hook load and overpull
-      call assertFalse(has_text(lines, 'limit of the string'), message='no yield strength')
+      call assertFalse(has_text(lines, 'pipe yields'), message='no yield strength')
       points%overpull_margin = 5.0_wp*units%force
       chart = sweep_chart(units, sweep, 1, model, points)
       call chart_script(chart, lines)
-      call assertTrue(has_text(lines, 'limit of the string, up'))
+      call assertTrue(has_text(lines, 'pipe yields at this hook load (up, '))
       associate (curves => chart%panels(1)%curves)
          call assertEqual(56.0_wp, curves(size(curves))%points(1, 1), 1.0e-9_wp)
          call assertTrue(curves(size(curves))%sets_axis, message='near the others')
@@ -326,7 +326,7 @@ contains
       points(3)%limit = 1
       chart = sweep_chart(units, sweep, 1, model, points)
       call chart_script(chart, lines)
-      call assertTrue(has_text(lines, ': above 5050 klbf'), message='named')
+      call assertTrue(has_text(lines, 'pipe yields at a hook load of 5050 klbf (up, '), message='named')
       call assertTrue(all(abs(chart%panels(1)%x%ends) < 500.0_wp), message='the axis')
       call assertTrue(is_missing(chart%panels(1)%curves(3)%points(1, 1)), message='much push')
       ! sheaves that rub: the indicator shows less or more than the load as blocks move

@@ -24,7 +24,7 @@ module dg_sweep_picture
    public :: sweep_chart
 
    integer, parameter :: few = 3
-   character(*), parameter :: impossible_name = 'cannot be done', edge_name = 'locked up, or push off the axis'
+   character(*), parameter :: impossible_name = 'cannot be done', edge_name = 'locked up, or value outside the chart'
 
 contains
 
@@ -61,10 +61,11 @@ contains
       end do
       call add_measured(chart, sweep)
       call add_rig_limits(chart, sweep, model%rig)
-      ! by the first operation that pulls; other factors put it a hair's breadth beside
-      i = max(1, findloc(block_way(sweep%operations) > 0, .true., dim=1))
+      ! by the first operation that pulls, else one that does not go down; other factors put it a hair's breadth beside
+      i = maxloc(block_way(sweep%operations), dim=1)
       k = size(sweep%frictions)
-      call add_yield(chart, sweep, model, i, k, points(first(i, k):first(i, k) + n - 1))
+      if (block_way(sweep%operations(i)) >= 0) &
+         call add_yield(chart, sweep, model, i, k, points(first(i, k):first(i, k) + n - 1))
       call fit_hookloads(chart)
       if (panel_count(sweep) == 1) return
       call add_broomstick_panel(chart, sweep, model%rig)
@@ -189,8 +190,9 @@ contains
       if (all(is_missing(loads))) return
       least = minval(loads, mask=.not. is_missing(loads))
       ends = range_of(chart%panels(size(chart%panels))%curves)
-      name = 'limit of the string, '//trim(operation_label(sweep%operations(operation)))//', '//friction_text(sweep, friction)
-      if (least > far*ends(2)) name = name//': above '//to_text(least, few)//' '//trim(chart%units%force_label)
+      name = 'pipe yields at this hook load'
+      if (least > far*ends(2)) name = 'pipe yields at a hook load of '//to_text(least, few)//' '//trim(chart%units%force_label)
+      name = name//' ('//trim(operation_label(sweep%operations(operation)))//', '//friction_text(sweep, friction)//')'
       call add_curve(chart, loads, sweep%depths/chart%units%length, "with lines lw 2.2 dt (2,3) lc rgb '#c00000'", name)
       associate (panel => chart%panels(size(chart%panels)))
          panel%curves(size(panel%curves))%sets_axis = maxval(loads, mask=.not. is_missing(loads)) <= far*ends(2)
