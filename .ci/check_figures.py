@@ -56,7 +56,7 @@ ENDS = """&job title = 'Ends', units = 'field', models = 'mcge', 'soft', hdf5 = 
 &load_case name = 'a_long_name_of_a_load_case_that_has_no_blank_1', operation = 'up', bit_depth = 10465.8793 /
 &load_case name = 'half_a_metre', operation = 'down', bit_depth = 1.64 /
 """
-SWEEP_ALONE = "&sweep name = 's', model = 'soft', operations = 'up', bit_depth_from = 2000, bit_depth_step = 2000 /\n"
+SWEEP_ALONE = "&sweep name = 's', model = 'soft', operations = 'down', frictions = 0.1, 0.2, bit_depth_from = 2000, bit_depth_to = 8000, bit_depth_step = 2000 /\n"
 #: A station each 10 m with noise of about 0.3 deg: nearly every row of every curve is a corner.
 STATIONS = range(0, 3010, 10)
 NOISY = f"""&job title = 'Noisy survey', models = 'mcge', 'soft', hdf5 = .false. /
@@ -368,8 +368,12 @@ def faults_of_ends(program, scratch):
         if name != "headings":
             faults += [f"ends, {name}: {what}" for what in set(re.findall(r"\bNaN\b|>-0(?:\.0*)?<", made or "NaN"))]
     deck.write_text(re.sub(r"&load_case.*", "", ENDS) + SWEEP_ALONE, encoding="utf-8")
-    subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
-    levels = [int(level) for level in re.findall(r"<h(\d)>", page.read_text(encoding="utf-8"))]
+    run = subprocess.run([program, deck, "--output", folder], capture_output=True, text=True, check=False)
+    text = page.read_text(encoding="utf-8")
+    levels = [int(level) for level in re.findall(r"<h(\d)>", text)]
+    told = [*re.findall("Can be done", run.stdout), *re.findall("answers stand under In short|bit down to|Friction factor 0.3|friction factor 0.1 to 0.2|Can be done|pipe yields at", text)]
+    if told != ["Can be done", "bit down to", "friction factor 0.1 to 0.2", "answers stand under In short", "Can be done", "Can be done"]:
+        faults.append(f"a sweep without a load case tells {told}")
     if len(levels) < 3 or any(after > before + 1 for before, after in zip(levels, levels[1:])):
         faults.append(f"without a load case headings have the levels {levels}")
     return faults + [f"ends: the heading {text} lies on the next one" for text in headings or []] + ([] if headings is not None else ["ends: headings were not looked at"])

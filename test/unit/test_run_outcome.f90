@@ -76,7 +76,7 @@ contains
       call append_outcome(page, si_units(), outcome)
       call append_lost(page, si_units(), outcome)
       call assertEqual(1, page%count, message='a row')
-      call assertEqual('<p class="note">No solution failed. 1 of 1 solution locks up: the string cannot be brought to that '// &
+      call assertEqual('<p class="note">1 of 1 solution locks up: the string cannot be brought to that '// &
                        'depth or load.</p>', page%lines(1)%text)
       call note_cases(outcome, results(2:))
       call append_lost(failed, si_units(), outcome)

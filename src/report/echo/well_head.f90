@@ -28,10 +28,11 @@ module dg_well_head
 contains
 
    !> The lines. Each string stands with the bit at its deepest load case.
-   pure function well_head(units, model, upper) result(lines)
+   pure function well_head(units, model, upper, own_friction) result(lines)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
+      logical, intent(in), optional :: own_friction              !< friction factors of the hole sections are not used
       type(text_type), allocatable :: lines(:)
       real(wp) :: deepest, air, mud, along, collars
       character(:), allocatable :: line
@@ -39,7 +40,9 @@ contains
       integer :: i
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
-      call append_text(lines, friction_line(model))
+      several = .false.
+      if (present(own_friction)) several = own_friction
+      if (.not. several) call append_text(lines, friction_line(model))
       if (present(upper)) then
          several = size(upper%holes) > 1
          if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &

@@ -4,8 +4,8 @@ module dg_html_outcome
    use dg_error, only: status_not_converged
    use dg_html_text, only: append_rows
    use dg_line_list, only: add_line, line_list_type
-   use dg_run_outcome, only: locked_count, lost_count, lost_row, outcome_type, part_row, solution_count
-   use dg_text, only: to_text
+   use dg_run_outcome, only: case_part, locked_count, lost_count, lost_row, outcome_type, part_row, solution_count
+   use dg_text, only: either, to_text
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -26,14 +26,13 @@ contains
       locked = locked_count(outcome)
       if (lost > 0) then
          call add_line(lines, '<p class="note warn">'//to_text(lost)//' of '//solutions_text(total)//' did not converge '// &
-                       '(exit status '//to_text(status_not_converged)//').'//locked_text()//'</p>')
+                       '(exit status '//to_text(status_not_converged)//').'//either(' ', '', locked > 0)//locked_text()//'</p>')
       else if (locked > 0) then
-         call add_line(lines, '<p class="note">No solution failed.'//locked_text()//'</p>')
+         call add_line(lines, '<p class="note">'//locked_text()//either(' The others were found.', '', locked < total)//'</p>')
       else if (total == 1) then
-         call add_line(lines, '<p class="note">The solution was found. The answer stands under Can it be done?</p>')
+         call add_line(lines, '<p class="note">The solution was found.'//place_text('answer stands')//'</p>')
       else
-         call add_line(lines, '<p class="note">All '//solutions_text(total)//' were found. The answers stand '// &
-                       'under Can it be done?</p>')
+         call add_line(lines, '<p class="note">All '//solutions_text(total)//' were found.'//place_text('answers stand')//'</p>')
       end if
       if (size(outcome%parts) > 1) then
          allocate (rows(size(outcome%parts)))
@@ -43,11 +42,25 @@ contains
          call append_rows(lines, units, rows, spread(.false., 1, size(rows)))
       end if
    contains
+      !> Heading under which answers stand; '' where a part of the run has none.
+      pure function place_text(what) result(text)
+         character(*), intent(in) :: what
+         character(:), allocatable :: text
+         integer :: k
+         text = ''
+         if (any([(outcome%parts(k)%name == case_part .and. outcome%parts(k)%solutions > 0, k=1, size(outcome%parts))])) then
+            text = 'Can it be done?'
+         else if (allocated(outcome%sentences)) then
+            text = 'In short.'
+         end if
+         if (text /= '') text = ' The '//what//' under '//text
+      end function place_text
+
       !> Lock-up is a result of the string, not a failure.
       pure function locked_text() result(text)
          character(:), allocatable :: text
          text = ''
-         if (locked > 0) text = ' '//to_text(locked)//' of '//solutions_text(total)//trim(merge(' locks up', ' lock up ', &
+         if (locked > 0) text = to_text(locked)//' of '//solutions_text(total)//trim(merge(' locks up', ' lock up ', &
             locked == 1))//': the string cannot be brought to that depth or load.'
       end function locked_text
 

@@ -82,7 +82,7 @@ contains
       integer :: shown, i
       shown = governing_case(job, results, wholes)
       call start_page(job, lines)
-      call append_verdicts(lines, job, model, results, wholes, shown)
+      call append_verdicts(lines, job, model, results, wholes, printed%outcome, shown)
       if (size(results) > 0) call append_results(lines, job, model, results, wholes)
       call append_lengths(lines, job, model, results, wholes)
       call append_warnings(lines, job, model, results, wholes)

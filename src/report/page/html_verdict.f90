@@ -10,6 +10,7 @@ module dg_html_verdict
    use dg_merge_sort, only: sorted_places
    use dg_model, only: model_type
    use dg_quantity, only: system_base
+   use dg_run_outcome, only: outcome_type
    use dg_text, only: text_type, to_text
    use dg_units, only: system_of
    use dg_utilisation, only: limit_von_mises
@@ -33,17 +34,18 @@ contains
 
    !> Answers in one sentence, well and string, a table of the leading model, answers of other models that differ. On paper well and
    !> string follow the sentence, on a screen the table.
-   subroutine append_verdicts(lines, job, model, results, wholes, shown)
+   subroutine append_verdicts(lines, job, model, results, wholes, outcome, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(outcome_type), intent(in) :: outcome
       integer, intent(in) :: shown                          !< load case of the string on the first printed page; 0: none
       character(:), allocatable :: other
       integer :: i
       if (size(results) == 0) then
-         call append_well(lines, job, model, shown, 'h2')
+         call append_well(lines, job, model, outcome, shown, 'h2')
          return
       end if
       call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
@@ -51,7 +53,7 @@ contains
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
       other = doubt_of_deck(job, model, results)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
-      call append_well(lines, job, model, shown, 'h3')
+      call append_well(lines, job, model, outcome, shown, 'h3')
       call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
       other = unchecked_line(job, model, results, wholes)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')

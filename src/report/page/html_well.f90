@@ -9,7 +9,8 @@ module dg_html_well
    use dg_markup, only: html_safe
    use dg_model, only: model_type, string_index
    use dg_quantity, only: system_base
-   use dg_text, only: text_type, to_text
+   use dg_run_outcome, only: outcome_type, swept_type
+   use dg_text, only: either, text_type, to_text
    use dg_trajectory, only: bottom_md, top_md
    use dg_unit_kind, only: unit_diameter, unit_factor, unit_label, unit_length, unit_mass
    use dg_units, only: system_of, unit_system_type
@@ -20,23 +21,28 @@ module dg_html_well
 
    integer, parameter :: digits = 5
    !> Rows of a string; the first page has no room for more.
-   integer, parameter :: most_rows = 15
+   integer, parameter :: most_rows = 15, most_swept = 3
 
 contains
 
    !> Sentences on the well and its strings, a table of one string, the place of a chart.
-   subroutine append_well(lines, job, model, shown, level)
+   subroutine append_well(lines, job, model, outcome, shown, level)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(outcome_type), intent(in) :: outcome
       integer, intent(in) :: shown            !< load case of the string and the chart; 0: none
       character(*), intent(in) :: level       !< of the heading
       type(text_type), allocatable :: head(:), in_system(:), systems(:, :)
+      logical :: own, swept
       integer :: i, k
-      allocate (head, source=well_head(job%units, model))
+      swept = allocated(outcome%swept)
+      own = swept .and. size(model%cases) == 0
+      if (own) own = all([(outcome%swept(i)%frictions /= '', i=1, size(outcome%swept))])
+      allocate (head, source=well_head(job%units, model, own_friction=own))
       allocate (systems(system_base - 1, size(head)))
       do k = 1, size(systems, 1)
-         in_system = well_head(system_of(k), model)
+         in_system = well_head(system_of(k), model, own_friction=own)
          do i = 1, size(head)
             systems(k, i)%text = in_system(i)%text//'.'
          end do
@@ -45,14 +51,31 @@ contains
       do i = 1, size(head)
          call add_line(lines, '<p'//said(head(i)%text//'.', systems(:, i))//'>'//html_safe(head(i)%text)//'.</p>')
       end do
+      if (swept) call append_swept(lines, job%units, outcome%swept)
       if (shown > 0) then
          call append_string(lines, job%units, model, string_index(model%strings, model%cases(shown)%string), &
                             model%cases(shown)%bit_depth)
+      else if (swept) then
+         call append_string(lines, job%units, model, string_index(model%strings, outcome%swept(1)%string), &
+                            outcome%swept(1)%deepest)
       else
          call append_string(lines, job%units, model, 1, bottom_md(model%trajectory))
       end if
       call add_line(lines, '</div><div class="first live"></div></div>')
    end subroutine append_well
+
+   !> A sentence on each of the first sweeps: how deep, with which friction.
+   subroutine append_swept(lines, units, swept)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(swept_type), intent(in) :: swept(:)
+      integer :: i
+      do i = 1, min(size(swept), most_swept)
+         call add_line(lines, '<p>Sweep '//html_safe(swept(i)%name)//': bit down to '// &
+                       said_number(units, unit_length, swept(i)%deepest, digits)// &
+                       either('', ', friction factor '//swept(i)%frictions, swept(i)%frictions == '')//'.</p>')
+      end do
+   end subroutine append_swept
 
    !> Rows that the table of a load case's string has at most.
    pure function shown_rows(model, shown) result(rows)

@@ -5,12 +5,13 @@ module dg_run_outcome
    use dg_column, only: add, quantity_length, quantity_none, quantity_text, row_type
    use dg_job, only: model_name
    use dg_load_case, only: load_case_type, operation_name
+   use dg_kinds, only: wp
    use dg_missing, only: given, optional_real
    use dg_text, only: text_or_nothing, text_type
    implicit none
    private
-   public :: outcome_type, lost_type, add_part, note_lost, note_cases, add_lost, part_row, lost_row, solution_count, lost_count, &
-             locked_count, case_part
+   public :: outcome_type, lost_type, swept_type, add_part, note_lost, note_cases, add_lost, part_row, lost_row, solution_count, &
+             lost_count, locked_count, case_part
 
    !> Load cases, a sweep, a Monte Carlo, a calibration, a steering.
    type :: part_type
@@ -32,9 +33,17 @@ module dg_run_outcome
       character(:), allocatable :: message
    end type lost_type
 
+   !> A sweep over bit depth.
+   type :: swept_type
+      character(:), allocatable :: name, string
+      character(:), allocatable :: frictions     !< its own factors; '': those of the hole sections
+      real(wp) :: deepest = 0.0_wp               !< bit depth [m]
+   end type swept_type
+
    type :: outcome_type
       type(part_type), allocatable :: parts(:)
       type(lost_type), allocatable :: lost(:)
+      type(swept_type), allocatable :: swept(:)
       integer :: unlisted = 0                           !< rows that were too many
       type(text_type), allocatable :: sentences(:)      !< of studies, for the head of the page
    end type outcome_type
