@@ -113,7 +113,8 @@ setTimeout(async () => {
    pick.dispatchEvent(new Event('change'))
    const [whole, value] = [well, well.querySelector('.value')].map(e => e.getBoundingClientRect())
    document.title = 'FOUND' + JSON.stringify([well.querySelector('.value').textContent, [...well.querySelectorAll('text')][0].textContent,
-      value.right <= whole.right && value.left >= whole.left, root.querySelector('figcaption').textContent,
+      value.right <= whole.right && value.left >= whole.left, !![...well.querySelectorAll('text')].find(t => t.textContent === 'E 0')
+         && [...well.children].findLastIndex(e => e.matches('.near')) < [...well.children].findIndex(e => e.textContent === 'E 0'), root.querySelector('figcaption').textContent,
       [...root.querySelectorAll('text')].find(t => t.textContent.startsWith('moment, at most')).textContent])
 }, 300)
 """
@@ -474,9 +475,10 @@ def faults_of_well(folder, told, complaints):
     faults = [f"the well: the browser complains: {c}" for c in complaints]
     if not told:
         return [*faults, "the well was not coloured"]
-    value, words, inside, caption, most = told
+    value, words, inside, above, caption, most = told
     if not value.startswith("3186 m: ") or value.split(": ")[1] not in words.split(", ") or "rigid" not in words or not inside:
         faults.append(f"coloured by gap state the well shows '{value}', '{words}', inside: {inside}")
+    faults += [] if above else ["the well hides its labels"]
     found, profile = re.search(r"At 3186 m: moment ([0-9.]+) kN\.m, ([0-9.]+) mm off the axis\.$", caption), Profile(folder, CASES[0], "mcge")
     wanted = [profile.at(name, 3186.0) for name in ("bending", "displacement")]
     if not found or any(abs(float(a) - b) > 1e-3 * b for a, b in zip(found.groups(), wanted)):

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'R315IouplptUpFA28BWrfxUppX7kiJH7GNnK78Wf5js='
+   character(*), parameter :: script_hash = '4lzistRqWR/D900DbUAEq1HC496TqI7K9DBPyMp1V60='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -663,16 +663,19 @@ module dg_page_script
       'write(120, 434, words ? words.join('', '') : text_of(low, quantity) + '' to '' + beyond + text_of(high, quanti'// &
       'ty))', &
       'write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + '', '' + p.key.text).slice(0, 60))', &
-      'const grid = (name, axis, from, to, corner, other) => {', &
+      'const labels = []', &
+      'const grid = (name, axis, from, to, ...edges) => {', &
+      'const low = edge => project(edge.map((v, k) => (k === axis ? (from + to) / 2 : v)))[1]', &
+      'const [corner, other] = edges.sort((a, b) => low(b) - low(a))', &
       'const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor(''length'')', &
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
-      'const [x, y] = project(at(t / length, corner))', &
+      'const [x, y] = project(at(t / length, corner))']
+   character(169), parameter :: script_lines_7(93) = [character(169) :: &
       'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
-      'write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)']
-   character(169), parameter :: script_lines_7(89) = [character(169) :: &
+      'labels.push([flat ? x : x + aside, flat ? y + 18 : y + 4, name + t])', &
       '}', &
       '}', &
       'grid('''', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])', &
@@ -686,6 +689,7 @@ module dg_page_script
       '''none''})', &
       'line(a.at, points[i + 1].at, {class: ''near'', onpointerenter: () => b.set_depth(a.d)})', &
       '})', &
+      'for (const label of labels) write(...label)', &
       'const dot = make(well, ''g'', {})', &
       'const said = () => words ? word_at(p, state.tint, state.depth) : text_of(value_at(p, state.tint, state.depth),'// &
       ' quantity)', &
@@ -694,8 +698,9 @@ module dg_page_script
       'dot.replaceChildren()', &
       'if (state.depth > end) return', &
       'make(dot, ''circle'', {cx: x, cy: y, r: 6, class: ''dot''})', &
-      'const look = x < 300 ? {x: x + 9} : {x: x - 9, ''text-anchor'': ''end''}', &
-      'make(dot, ''text'', {...look, y: y - 6, class: ''value''}, b.place_text() + '': '' + said())', &
+      'const text = b.place_text() + '': '' + said(), half = 4 * text.length', &
+      'make(dot, ''text'', {x: Math.min(Math.max(x, half), 460 - half), y: Math.max(11, y - 12), class: ''value'', '''// &
+      'text-anchor'': ''middle''}, text)', &
       '}', &
       '}', &
       'function draw_assembly() {', &
@@ -773,7 +778,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(689) = [ &
+   character(169), parameter :: script_lines(693) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &

@@ -60,7 +60,10 @@ function well_figures(b) {
       for (let i = 0; i < 40; i++) make(well, 'rect', {x: 20 + 5 * i, y: 412, width: 5.5, height: 9, fill: colour(i / 39)})
       write(120, 434, words ? words.join(', ') : text_of(low, quantity) + ' to ' + beyond + text_of(high, quantity))
       write(0, 406, (label + (unit(quantity) && ` [${unit(quantity)}]`) + ', ' + p.key.text).slice(0, 60))
-      const grid = (name, axis, from, to, corner, other) => {   // lines across an axis, none where it is seen from its end
+      const labels = []                                         // on top of all lines
+      const grid = (name, axis, from, to, ...edges) => {        // lines across an axis, none where it is seen from its end
+         const low = edge => project(edge.map((v, k) => (k === axis ? (from + to) / 2 : v)))[1]
+         const [corner, other] = edges.sort((a, b) => low(b) - low(a))      // labels at the edge in front
          const at = (t, point) => point.map((v, k) => (k === axis ? t : v)), length = factor('length')
          const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))
          const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))
@@ -68,7 +71,7 @@ function well_figures(b) {
             const [x, y] = project(at(t / length, corner))
             line(at(t / length, corner), at(t / length, other), {class: 'grid'})
             const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30
-            write(flat ? x : x + aside, flat ? y + 16 : y + 4, name + t)
+            labels.push([flat ? x : x + aside, flat ? y + 18 : y + 4, name + t])
          }
       }
       grid('', 2, 0, z1, [e1, n1, 0], [e0, n1, 0])
@@ -80,6 +83,7 @@ function well_figures(b) {
          line(a.at, points[i + 1].at, {stroke, 'stroke-width': 5, 'stroke-linecap': 'round', 'pointer-events': 'none'})
          line(a.at, points[i + 1].at, {class: 'near', onpointerenter: () => b.set_depth(a.d)})
       })
+      for (const label of labels) write(...label)
       const dot = make(well, 'g', {})
       const said = () => words ? word_at(p, state.tint, state.depth) : text_of(value_at(p, state.tint, state.depth), quantity)
       return () => {
@@ -87,8 +91,8 @@ function well_figures(b) {
          dot.replaceChildren()
          if (state.depth > end) return
          make(dot, 'circle', {cx: x, cy: y, r: 6, class: 'dot'})
-         const look = x < 300 ? {x: x + 9} : {x: x - 9, 'text-anchor': 'end'}        // within the picture
-         make(dot, 'text', {...look, y: y - 6, class: 'value'}, b.place_text() + ': ' + said())
+         const text = b.place_text() + ': ' + said(), half = 4 * text.length      // above the string, labels are below; within the picture
+         make(dot, 'text', {x: Math.min(Math.max(x, half), 460 - half), y: Math.max(11, y - 12), class: 'value', 'text-anchor': 'middle'}, text)
       }
    }
    function draw_assembly() {                                   // the lowest 40 m from the side, high side up
