@@ -370,7 +370,7 @@ contains
                       message=page//run%output)
    end subroutine test_short
 
-   !> A case that locks up is named beside those that are found to buckle.
+   !> A case that locks up is named beside those that are found to buckle, as impossible, and as one without curves.
    subroutine test_locked()
       type(run_type) :: run
       character(:), allocatable :: page
@@ -383,6 +383,11 @@ contains
       page = content(results_path//'/report.html')
       call assertTrue(index(page, '<li>Found to buckle: no load case with a solution.</li>') > 0, message=run%output)
       call assertTrue(index(page, '<li>Locked up, no solution: rih.</li>') > 0, message=run%output)
+      call assertTrue(index(page, '<p class="note">No solution, so no curves: ''rih'' (locked up). Shown first: ''pooh''.</p>') > 0)
+      page = page(index(page, '<h2>In short</h2>'):)
+      call assertTrue(index(page, '<li>rih: <b class="no">NO</b>, to about <span data-field="') > 0)
+      call assertTrue(index(page, '</span> only (lock-up).</li>') > 0)
+      call assertTrue(index(page, '</span> (pooh), bending between tool joints included.</li>') > 0)
    end subroutine test_locked
 
    !> A packer and its seals have no limits in a deck: the answer says so.

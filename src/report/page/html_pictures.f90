@@ -1,17 +1,18 @@
 !> Pictures of the page: places of the charts that its script draws, fixed pictures for readers without script, and pictures of
 !> the whole run.
 module dg_html_pictures
-   use dg_case_result, only: result_converged, result_status_name
+   use dg_case_result, only: case_result_type, result_converged, result_status_name
    use dg_file_lines, only: read_lines
    use dg_html_text, only: append_inline_svg, append_rows
-   use dg_job, only: job_type
+   use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_model, only: model_type
    use dg_page_figures, only: is_live
    use dg_picture_data, only: picture_data_type
    use dg_picture_list, only: folder_in, picture_list_type, picture_type
-   use dg_text, only: text_type, to_text
+   use dg_readable, only: first_names, spaced
+   use dg_text, only: quoted, text_type, to_text
    use dg_verdict, only: answer_name, answer_yes
    implicit none
    private
@@ -21,15 +22,18 @@ module dg_html_pictures
       'two fingers, to zoom. Double click for the whole depth. Arrow keys move the slider.</p>'
    !> Of a fixed picture that stands beside a chart of the script.
    integer, parameter :: most_letters = 150000
+   !> Load cases without curves that are named.
+   integer, parameter :: most_names = 4
 
 contains
 
    !> Append charts that the script draws, with fixed pictures for readers without script. They show the load case nearest to a
    !> limit. Then append the pictures of the whole run.
-   subroutine append_pictures(lines, job, model, list, shown)
+   subroutine append_pictures(lines, job, model, results, list, shown)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
       type(picture_list_type), intent(in) :: list
       integer, intent(in) :: shown               !< that load case; 0: none has a picture
       logical :: of_run(size(list%pictures))
@@ -39,7 +43,8 @@ contains
                        to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
                        'stand in the folder of results.</p>')
       if (shown > 0) then
-         call add_line(lines, '<h2>Along the string</h2>'//hint)
+         call add_line(lines, '<h2>Along the string</h2>'//without_text(model, &
+            pack(results, results%model == leading_model(job) .and. results%status /= result_converged), shown)//hint)
          call add_line(lines, '<div class="live"></div><div class="static">')
          call add_line(lines, '<h3>Load case '//html_safe(model%cases(shown)%name)//'</h3><p>Pictures of all load cases stand '// &
                           'in the folder <code>pictures</code>.</p>')
@@ -59,6 +64,24 @@ contains
                                           html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
       if (.not. job%profiles) call add_line(lines, '<p>Picture files along the string need <code>profiles = .true.</code></p>')
    end subroutine append_pictures
+
+   !> Load cases that have no curves, and the one that is shown in their place; '' if all have curves.
+   function without_text(model, lost, shown) result(text)
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: lost(:)      !< results without a solution
+      integer, intent(in) :: shown
+      character(:), allocatable :: text
+      type(text_type) :: names(size(lost))
+      integer :: i
+      text = ''
+      if (size(lost) == 0) return
+      do i = 1, size(lost)
+         names(i)%text = quoted(model%cases(lost(i)%case_index)%name)//' ('// &
+                         trim(spaced(trim(result_status_name(lost(i)%status))))//')'
+      end do
+      text = '<p class="note">No solution, so no curves: '//html_safe(first_names(names, most_names)//'. Shown first: '// &
+             quoted(model%cases(shown)%name))//'.</p>'
+   end function without_text
 
    !> A picture: the place of a chart, where the script draws one, and the fixed picture.
    subroutine append_picture(lines, job, picture, number, of_case)

@@ -93,9 +93,9 @@ contains
          end do
       end if
       call append_lost(lines, job%units, printed%outcome)
-      call append_short(lines, job, model, results, wholes, printed%outcome)
+      call append_short(lines, job, model, results, wholes, alongs, printed%outcome)
       if (shown > 0) call append_paper_limits(lines, job, model, results, wholes, shown)
-      call append_pictures(lines, job, model, pictures, shown)
+      call append_pictures(lines, job, model, results, pictures, shown)
       if (size(results) > 0) then
          call open_fold(lines, 'Limits')
          call append_limits(lines, job, model, results, wholes)

@@ -1,6 +1,8 @@
-!> A run in a few sentences: range of the hook load, buckling, accuracy of the results.
+!> A run in a few sentences: load cases that cannot be done, largest stress, range of the hook load, buckling, accuracy of the
+!> results.
 module dg_html_short
    use dg_kinds, only: wp
+   use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_block_question, only: block_question
    use dg_comparison, only: as_measured, percent_error
@@ -14,8 +16,9 @@ module dg_html_short
    use dg_run_outcome, only: outcome_type
    use dg_readable, only: first_names
    use dg_text, only: either, text_type, to_text
-   use dg_unit_kind, only: unit_force
+   use dg_unit_kind, only: unit_force, unit_length, unit_stress
    use dg_units, only: unit_system_type
+   use dg_verdict, only: answer_no, limit_title, verdict_type
    use dg_verdict_table, only: unlike_text
    use dg_whole_string, only: whole_string_type
    implicit none
@@ -30,23 +33,27 @@ module dg_html_short
 contains
 
    !> The sentences, of the load cases with one model: gap elements where they are asked for, else the first model; then of sweeps.
-   subroutine append_short(lines, job, model, results, wholes, outcome)
+   subroutine append_short(lines, job, model, results, wholes, alongs, outcome)
       type(line_list_type), intent(inout) :: lines
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
       type(outcome_type), intent(in) :: outcome
       integer, allocatable :: rows(:)
       integer :: i, shown
       shown = leading_model(job)
       rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
-      if (size(rows) == 0 .and. .not. allocated(outcome%sentences)) return
+      if (size(results) == 0 .and. .not. allocated(outcome%sentences)) return
       call add_line(lines, '<h2>In short</h2>')
-      if (size(rows) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//' ('// &
+      if (size(results) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//' ('// &
                                            trim(model_meaning(shown))//').</p>')
       call add_line(lines, '<ul>')
+      call append_impossible(lines, job%units, model, pack(results%case_index, results%model == shown), &
+                             pack(wholes%verdict, results%model == shown))
       if (size(rows) > 0) then
+         call append_stress(lines, job%units, model, results(rows), alongs(rows))
          call append_loads(lines, job, model, results(rows))
          call append_buckled(lines, model, results(rows), wholes(rows), &
                              pack(results%case_index, results%model == shown .and. results%status == result_locked_up))
@@ -61,6 +68,57 @@ contains
       end if
       call add_line(lines, '</ul>')
    end subroutine append_short
+
+   !> Load cases that cannot be done: how deep they can be, and the limit that decides.
+   subroutine append_impossible(lines, units, model, cases, verdicts)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: cases(:)                       !< their numbers
+      type(verdict_type), intent(in) :: verdicts(:)         !< as many
+      character(:), allocatable :: depth
+      integer :: i, told
+      told = 0
+      do i = 1, size(cases)
+         if (verdicts(i)%answer /= answer_no) cycle
+         told = told + 1
+         if (told > most_named) cycle
+         depth = ''
+         if (verdicts(i)%reach%present) then
+            if (verdicts(i)%reach%value > 0.0_wp) &
+               depth = ', to about '//said_number(units, unit_length, verdicts(i)%reach%value, fewer, down=.true.)//' only'
+         end if
+         call add_line(lines, '<li>'//html_safe(model%cases(cases(i))%name)//': <b class="no">NO</b>'//depth//' ('// &
+                       trim(limit_title(verdicts(i)%limit))//').</li>')
+      end do
+      if (told > most_named) call add_line(lines, '<li>'//to_text(told - most_named)//' more: NO.</li>')
+      if (told == 0 .and. size(cases) > 0) call add_line(lines, '<li>No load case is found impossible.</li>')
+   end subroutine append_impossible
+
+   !> Largest von Mises stress of all load cases, with its depth.
+   subroutine append_stress(lines, units, model, results, alongs)
+      type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      real(wp) :: most
+      integer :: i, row, worst, place
+      most = 0.0_wp
+      do i = 1, size(results)
+         if (.not. allocated(results(i)%profile%md)) cycle
+         row = maxloc(alongs(i)%jointed_von_mises, dim=1, mask=.not. is_missing(alongs(i)%jointed_von_mises))
+         if (row == 0) cycle
+         if (alongs(i)%jointed_von_mises(row) <= most) cycle
+         most = alongs(i)%jointed_von_mises(row)
+         worst = i
+         place = row
+      end do
+      if (most > 0.0_wp) call add_line(lines, '<li>Largest von Mises stress: '// &
+         said_number(units, unit_stress, most, fewer)//' at '// &
+         said_number(units, unit_length, results(worst)%profile%md(place), few)//' ('// &
+         html_safe(model%cases(results(worst)%case_index)%name)//'), bending between tool joints included.</li>')
+   end subroutine append_stress
 
    !> Least and greatest hook load.
    subroutine append_loads(lines, job, model, results)

@@ -14,7 +14,7 @@ module dg_html_text
    use dg_readable, only: spaced
    use dg_text, only: plain_utf8, text_type, to_text
    use dg_units, only: system_of, unit_system_type
-   use dg_unit_kind, only: in_units, unit_factor, unit_label
+   use dg_unit_kind, only: at_most, in_units, unit_factor, unit_label
    implicit none
    private
    public :: append_rows, append_table, append_preformatted, append_inline_svg, css_string, heading_of, number_cell, said, &
@@ -200,19 +200,27 @@ contains
    end function said
 
    !> A number in a sentence, with its unit.
-   pure function said_number(units, quantity, value, digits) result(span)
+   pure function said_number(units, quantity, value, digits, down) result(span)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: quantity
       real(wp), intent(in) :: value                 !< [SI]
       integer, intent(in) :: digits
+      logical, intent(in), optional :: down         !< rounded down
       character(:), allocatable :: span
       type(text_type) :: systems(system_base - 1)
       integer :: k
       do k = 1, size(systems)
-         systems(k)%text = in_units(system_of(k), quantity, value, digits)
+         systems(k)%text = shown(system_of(k))
       end do
-      span = in_units(units, quantity, value, digits)
+      span = shown(units)
       span = '<span'//said(span, systems)//'>'//html_safe(span)//'</span>'
+   contains
+      pure function shown(system) result(text)
+         type(unit_system_type), intent(in) :: system
+         character(:), allocatable :: text
+         text = in_units(system, quantity, value, digits)
+         if (present(down)) text = in_units(system, quantity, at_most(system, quantity, value, digits), digits)
+      end function shown
    end function said_number
 
    !> True if the systems of units that decks have differ in a quantity.
