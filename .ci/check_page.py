@@ -24,7 +24,7 @@ from browser import READOUTS, View, browser, opened
 
 CLOSE = 4.0e-4              # of a column's range: curves are thinned to 3e-4 and have five digits
 #: Columns whose headings are not their names.
-HEADINGS = {"depth of most used limit": "governing_md", "largest bending moment": "largest_bending", "depth of largest moment": "largest_bending_md",
+HEADINGS = {"largest von Mises, no bending between joints": "largest_von_mises", "depth of most used limit": "governing_md", "largest bending moment": "largest_bending", "depth of largest moment": "largest_bending_md",
             "neutral point": "neutral_top", "depth of least safety factor": "least_safety_md", "depth of buckling margin": "buckling_margin_md", "depth of largest mean side force": "largest_side_force_md", "WOB at buckling": "wob_buckling", "WOB at zero hook load": "wob_no_hookload",
             "WOB at lock-up": "wob_lockup", "margin to rig limit": "rig_margin", "length of sinusoidal buckling": "snaking_length",
             "length of helical buckling": "coiled_length"}
@@ -280,7 +280,7 @@ def faults_of_view(folder, data, view, text, complaints):
     depth = float(query["depth"][0])
     for name in wanted:
         column = data["columns"][name]
-        told = rows.get(column["label"])
+        told = rows.get(column["label"]) or next((row for key, row in rows.items() if key.startswith(column["label"] + ", ")), None)
         if told is None:
             faults.append(f"{view}: no value of {column['label']}")
             continue

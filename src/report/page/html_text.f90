@@ -34,6 +34,8 @@ module dg_html_text
       heading_type('governing_limit', 'most used limit'), &
       heading_type('governing_utilisation', 'of it used'), &
       heading_type('governing_md', 'depth of most used limit'), &
+      heading_type('largest_von_mises', 'largest von Mises, no bending between joints'), &
+      heading_type('side_force_on_joint', 'side force per joint of pipe'), &
       heading_type('largest_bending', 'largest bending moment'), &
       heading_type('largest_bending_md', 'depth of largest moment'), &
       heading_type('side_force', 'side force (at an edge: over a short length)'), &

@@ -29,10 +29,8 @@ for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {
       ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
    })))
 }
-for (const chart of D.charts ?? []) {                         // no torque where nothing turns
-   const turns = ({curves: [{column}], lines}) => column !== 'torque' || lines.some(l => l.curve.v.some(v => v))
-   chart.panels = chart.panels.filter(turns)
-}
+const turns = (panel, lines) => panel.curves?.[0].column !== 'torque' || lines.some(l => l.curve.v.some(v => v))
+for (const chart of D.charts ?? []) chart.panels = chart.panels.filter(p => turns(p, p.lines))      // no torque where nothing turns
 const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))
 for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {
    line.curve = curve_of(line.points)
@@ -61,6 +59,7 @@ function text_of(value, q) {
    return +text ? text : text.replace('-', '')               // 0, not -0
 }
 const depth_of_units = depth => +(depth * factor('length')).toFixed(2)
+const over = n => D.columns?.[n]?.over ? `, ${depth_text(D.columns[n].over)}` : ''      // of a force on a length
 const depth_text = depth => `${depth_of_units(depth)} ${unit('length')}`
 
 // ---- drawing
@@ -185,7 +184,7 @@ function block(S, address) {
       draw_axis(svg, left, right, !index)
       make(svg, 'rect', {x: left, y: up, width: right - left, height: H - up - down, class: 'frame'})
       const words = make(make(svg, 'foreignObject', {x: left, y: 0, width: right - left, height: up}), 'h:div', {})
-      make(words, 'h:b', {}, panel.label + ' ')
+      make(words, 'h:b', {}, panel.label + over(panel.curves?.[0].column) + ' ')
       if (unit(q)) words.append(`[${unit(q)}]`)
       const curves = inside(0), marks = inside(6)                // marks on the frame are whole
       for (const line of lines) draw_line(curves, marks, line, line.edge ? () => left : x_of)
@@ -194,7 +193,7 @@ function block(S, address) {
       return svg
    }
    function draw_panels() {
-      const panels = panels_of(), bare = !panels.flatMap(lines_of).length
+      const panels = panels_of().filter(p => !paper || turns(p, lines_of(p))), bare = !panels.flatMap(lines_of).length
       const none = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
       S.root.classList.toggle('bare', bare)                     // an empty chart is not drawn
       const wide = paper ? paper.wide / (S.halved ? 2 : 1) : view.panels.clientWidth || 1000
@@ -227,7 +226,7 @@ function block(S, address) {
          const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)
          const band = p => (p.bands?.[n] ?? 0) * (inverse ? at(p) ** 2 : 1) * factor(quantity)      // within which a value is known
          const told = (value, b) => text_of(value, quantity) + (b > 0 ? ` \u00b1${+b.toPrecision(2)}` : '')
-         return [label, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), band(p))),
+         return [label + over(n), unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), band(p))),
             ...pairs.map(([a, b]) => words ? '' : told(at(b) - at(a), band(a) + band(b)))]
       }
       return [
@@ -253,7 +252,7 @@ function block(S, address) {
       make(table, 'h:caption', {}, S.rows ? place_text() : `At ${place_text()} ${S.over}`)
       rows.forEach((row, k) => {
          const line = make(table, 'h:tr', {})
-         row.forEach((text, i) => make(line, k ? 'h:td' : 'h:th', {class: i ? '' : 'text', title: meanings[text] ?? ''}, text))
+         row.forEach((text, i) => make(line, k ? 'h:td' : 'h:th', {class: i ? '' : 'text', title: meanings[text.split(', ')[0]] ?? ''}, text))
       })
       view.readout.replaceChildren(table)
       view.slider.setAttribute('aria-valuetext', [place_text(), ...rows.map(row => row.join(' '))].join(', '))

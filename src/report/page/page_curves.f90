@@ -20,7 +20,7 @@ module dg_page_curves
    use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: accuracy_type, curve_series, curve_text, profile_curves, share_type, stands_alone
+   public :: accuracy_type, curve_series, curve_text, joint_force, profile_curves, share_type, stands_alone
 
    !> Columns of a profile to write, and the room for each.
    type :: share_type

@@ -11,7 +11,7 @@ module dg_page_data
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
-   use dg_page_curves, only: curve_series
+   use dg_page_curves, only: curve_series, joint_force
    use dg_page_figures, only: append_figures
    use dg_page_relations, only: is_inverse
    use dg_page_thinning, only: finest
@@ -80,7 +80,7 @@ contains
       call append_quantities(lines, job%units)
       if (shown > 0) then
          call add_line(lines, '"start":'//to_text(shown - 1)//',')
-         call append_columns(lines, list)
+         call append_columns(lines, list, alike_joint(alongs, has_curves(results))/job%units%length)
          call append_cases(lines, job, model)
          call add_line(lines, '"looks":['//case_looks()//'],"charts":[')
          do i = 1, size(charts)
@@ -126,9 +126,10 @@ contains
    end function systems_text
 
    !> Label, quantity and meaning of each column; of states their words.
-   subroutine append_columns(lines, list)
+   subroutine append_columns(lines, list, joint)
       type(line_list_type), intent(inout) :: lines
       type(series_list_type), intent(in) :: list
+      real(wp), intent(in) :: joint      !< length of a joint of pipe in all strings; 0: they differ
       character(:), allocatable :: text
       integer :: i, k
       call add_line(lines, '"columns":{')
@@ -137,6 +138,7 @@ contains
             text = json_string(trim(column%name))//':{"label":'//json_string(heading_of(trim(column%name)))// &
                    ',"quantity":'//json_string(quantity_key(column%quantity))// &
                    ',"meaning":'//json_string(trim(column%meaning))
+            if (column%name == joint_force .and. joint > 0.0_wp) text = text//',"over":'//to_text(joint, digits)
             if (is_inverse(column%name)) text = text//',"inverse":true'
             if (allocated(series%words)) then
                text = text//',"words":['
@@ -151,6 +153,15 @@ contains
       end do
       call add_line(lines, '},')
    end subroutine append_columns
+
+   !> Length of a joint of pipe in all strings [m]; 0 if they differ.
+   pure function alike_joint(alongs, some) result(joint)
+      type(along_string_type), intent(in) :: alongs(:)
+      logical, intent(in) :: some(:)      !< as many: they count
+      real(wp) :: joint
+      joint = maxval(alongs%pipe_joint, mask=some)
+      if (joint - minval(alongs%pipe_joint, mask=some) > epsilon(joint)*joint) joint = 0.0_wp
+   end function alike_joint
 
    !> Name, depth and string of each load case.
    subroutine append_cases(lines, job, model)

@@ -27,7 +27,7 @@ module dg_page_profiles
    character(*), parameter :: charts(*) = [character(330) :: &
       '{"title":"Forces","panels":[{"label":"effective axial force","curves":[{"column":"axial"}]},'// &
       '{"label":"torque","curves":[{"column":"torque"}]},'// &
-      '{"label":"side force on a joint","curves":[{"column":"side_force_on_joint"}]},', &
+      '{"label":"side force per joint of pipe","curves":[{"column":"side_force_on_joint"}]},', &
       '{"label":"bending moment","curves":[{"column":"bending"}]},'// &
       '{"label":"clock angle","curves":[{"column":"clock"}],"turn":true,"low":0,"high":360,"ticks":[0,90,180,270]}]},', &
       '{"title":"Strength","panels":[{"label":"von Mises stress","curves":[{"column":"von_mises"}]},'// &

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = '4lzistRqWR/D900DbUAEq1HC496TqI7K9DBPyMp1V60='
+   character(*), parameter :: script_hash = 'ilEA+pfgUCcFxjCSkRrH60MAiCU8oUd9Xy+iuAJdZ1E='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -37,11 +37,9 @@ module dg_page_script
       'mn]', &
       '})))', &
       '}', &
-      'for (const chart of D.charts ?? []) {', &
-      'const turns = ({curves: [{column}], lines}) => column !== ''torque'' || lines.some(l => l.curve.v.some(v => v)'// &
-      ')', &
-      'chart.panels = chart.panels.filter(turns)', &
-      '}', &
+      'const turns = (panel, lines) => panel.curves?.[0].column !== ''torque'' || lines.some(l => l.curve.v.some(v =>'// &
+      ' v))', &
+      'for (const chart of D.charts ?? []) chart.panels = chart.panels.filter(p => turns(p, p.lines))', &
       'const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))', &
       'for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {', &
       'line.curve = curve_of(line.points)', &
@@ -72,6 +70,7 @@ module dg_page_script
       'return +text ? text : text.replace(''-'', '''')', &
       '}', &
       'const depth_of_units = depth => +(depth * factor(''length'')).toFixed(2)', &
+      'const over = n => D.columns?.[n]?.over ? `, ${depth_text(D.columns[n].over)}` : ''''', &
       'const depth_text = depth => `${depth_of_units(depth)} ${unit(''length'')}`', &
       'function make(parent, tag, attributes, text) {', &
       'const svg = ''http://www.w3.org/2000/svg''', &
@@ -117,9 +116,9 @@ module dg_page_script
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
       'function key_of(p) {', &
       'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
-      ' D.looks.length']
+      ' D.looks.length', &
+      'if (cases.length < 2) return p.key']
    character(169), parameter :: script_lines_2(100) = [character(169) :: &
-      'if (cases.length < 2) return p.key', &
       'return {...p.key, mark: D.looks[(n + Math.floor(n / most)) % most].mark, look: {...p.key.look, ...D.looks[n % '// &
       'most].look}}', &
       '}', &
@@ -210,7 +209,7 @@ module dg_page_script
       'make(svg, ''rect'', {x: left, y: up, width: right - left, height: H - up - down, class: ''frame''})', &
       'const words = make(make(svg, ''foreignObject'', {x: left, y: 0, width: right - left, height: up}), ''h:div'', '// &
       '{})', &
-      'make(words, ''h:b'', {}, panel.label + '' '')', &
+      'make(words, ''h:b'', {}, panel.label + over(panel.curves?.[0].column) + '' '')', &
       'if (unit(q)) words.append(`[${unit(q)}]`)', &
       'const curves = inside(0), marks = inside(6)', &
       'for (const line of lines) draw_line(curves, marks, line, line.edge ? () => left : x_of)', &
@@ -219,7 +218,8 @@ module dg_page_script
       'return svg', &
       '}', &
       'function draw_panels() {', &
-      'const panels = panels_of(), bare = !panels.flatMap(lines_of).length', &
+      'const panels = panels_of().filter(p => !paper || turns(p, lines_of(p))), bare = !panels.flatMap(lines_of).leng'// &
+      'th', &
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
       'S.root.classList.toggle(''bare'', bare)', &
@@ -233,9 +233,9 @@ module dg_page_script
       'function set_depth(depth) {', &
       'if (depth !== state.depth) view.notice.textContent = ''''', &
       'view.slider.value = depth', &
-      'state.depth = +view.slider.value']
+      'state.depth = +view.slider.value', &
+      'if (view.typed) view.typed.value = depth_of_units(state.depth)']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
-      'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
       'draw_readout()', &
@@ -254,7 +254,8 @@ module dg_page_script
       'const {label, quantity, words, inverse} = D.columns[n], at = p => value_at(p, n, state.depth)', &
       'const band = p => (p.bands?.[n] ?? 0) * (inverse ? at(p) ** 2 : 1) * factor(quantity)', &
       'const told = (value, b) => text_of(value, quantity) + (b > 0 ? ` \u00b1${+b.toPrecision(2)}` : '''')', &
-      'return [label, unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), band(p))),', &
+      'return [label + over(n), unit(quantity), ...list.map(p => words ? word_at(p, n, state.depth) : told(at(p), ban'// &
+      'd(p))),', &
       '...pairs.map(([a, b]) => words ? '''' : told(at(b) - at(a), band(a) + band(b)))]', &
       '}', &
       'return [', &
@@ -282,7 +283,7 @@ module dg_page_script
       'rows.forEach((row, k) => {', &
       'const line = make(table, ''h:tr'', {})', &
       'row.forEach((text, i) => make(line, k ? ''h:td'' : ''h:th'', {class: i ? '''' : ''text'', title: meanings[text'// &
-      '] ?? ''''}, text))', &
+      '.split('', '')[0]] ?? ''''}, text))', &
       '})', &
       'view.readout.replaceChildren(table)', &
       'view.slider.setAttribute(''aria-valuetext'', [place_text(), ...rows.map(row => row.join('' ''))].join('', ''))', &
@@ -338,9 +339,9 @@ module dg_page_script
       'set_depth(depth_of(y))', &
       'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))', &
       '}', &
-      'const spread = e => {']
+      'const spread = e => {', &
+      'if (e.touches.length !== 2 || S.rows) return']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
-      'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
@@ -447,9 +448,9 @@ module dg_page_script
       'const own = e.dataset.own ??= e.textContent', &
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
       '}', &
-      'document.querySelector(''.switched'').hidden = units === D.units']
+      'document.querySelector(''.switched'').hidden = units === D.units', &
+      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
-      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
       'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
@@ -558,9 +559,9 @@ module dg_page_script
       'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
       '}', &
       'return with_peaks(d, made, peaks)', &
-      '}']
+      '}', &
+      'function sum_of(a, b, peaks) {']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
-      'function sum_of(a, b, peaks) {', &
       'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
       'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
@@ -671,9 +672,9 @@ module dg_page_script
       'const [[x1, y1], [x2, y2]] = [from, to].map(t => project(at(t, corner)))', &
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
-      'const [x, y] = project(at(t / length, corner))']
-   character(169), parameter :: script_lines_7(93) = [character(169) :: &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
+      'const [x, y] = project(at(t / length, corner))', &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
+   character(169), parameter :: script_lines_7(92) = [character(169) :: &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'labels.push([flat ? x : x + aside, flat ? y + 18 : y + 4, name + t])', &
       '}', &
@@ -778,7 +779,7 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(693) = [ &
+   character(169), parameter :: script_lines(692) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
