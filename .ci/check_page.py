@@ -170,8 +170,11 @@ FEWEST_POINTS = 300         # compared on a page
 PRINTED = """
 setTimeout(() => {
    dispatchEvent(new Event('beforeprint'))
-   const panel = place => document.querySelector(`.live${place} svg.panel`).getAttribute('aria-label')
-   document.title = 'FOUND' + JSON.stringify([[...document.querySelectorAll('.first .legend button')].map(b => b.textContent), panel('.first'), panel(':not(.first)')])
+   const panels = place => [...document.querySelectorAll(`.live${place} svg.panel`)].map(p => p.getAttribute('aria-label'))
+   const open = () => document.querySelectorAll('details[open]').length, opened = open()
+   const told = [[...document.querySelectorAll('.first .legend button')].map(b => b.textContent), panels('.first'), panels(':not(.first)')[0], document.querySelectorAll('.depths tr').length, opened]
+   dispatchEvent(new Event('afterprint'))
+   document.title = 'FOUND' + JSON.stringify([...told, open()])
 }, 300)
 """
 
@@ -432,9 +435,11 @@ def faults_of_choice(told, complaints):
 def faults_of_print(told, complaints):
     """The first printed sheet has the load case of the address, though another is nearest to a limit. The charts behind it go on."""
     faults = [f"print: the browser complains: {c}" for c in complaints]
-    curves, first, behind = told or ([], "", "")
-    if curves != [f"{CASES[0]} {model}" for model in MODELS] or first == behind:
+    curves, first, behind, depths, opened, left = told or ([], [], "", 0, 0, 0)
+    if curves != [f"{CASES[0]} {model}" for model in MODELS] or behind in first or "torque" in first:
         faults.append(f"print: the first sheet shows {curves}, '{first}', the next one '{behind}'")
+    if depths < 10 or (opened, left) != (2, 0):
+        faults.append(f"print: values at {depths} depths, {opened} parts are opened, {left} of them stay open")
     return faults
 
 

@@ -28,14 +28,14 @@ PAPERS = {"A4": (842, 595), "Letter": (792, 612)}    # pt, lying broad
 LEAST_LETTER = 0.3                  # width of a letter over its height, at least
 GOVERNING = "_sliding_2075"         # load case of GP1 that is nearest to a limit
 FIXED = 5                           # pictures of the page for where there is no script: of the run, and of that load case
-MOST_SHEETS = 6
+MOST_SHEETS = 10
 #: Verdict, well, string and chart of GP1, answers nearest to a limit, a line on the others, notes: they stand on the first sheet.
 FIRST_SHEET = ("Can it be done?", "Nearest to a limit: 'sliding_2075'", "Well to 3190 m, true vertical depth 2006.5 m", "Largest inclination 86 deg",
                "dogleg 3 deg/30 m", "Non-magnetic collar 158.8 mm, two joints 19 158.8 124.04", "sliding_2075 mcge", "effective axial force [kN]", "7 more below, all yes, at most 28.7 % of a limit used.", "top drive, fatigue.")
 #: Answers of GP1 on paper in their order: five, then, behind the line on the others, the sixth.
 NEAREST = ("sliding_2075", "sliding_3190", "up_2770", "up_3190", "up_2075", "down_2075")
-#: Limits of that load case on paper.
-LIMITS = ("Limits of sliding_2075", "least safety factor", "neutral point", "buckling margin")
+#: Values, limits, fluid and hole on paper.
+LIMITS = ("Along the string: sliding_2075 mcge", "least safety factor", "neutral point", "WOB at lock-up", "largest von Mises", "fluid 1200 kg/m3", "hole: 0 to 3190 m, diameter 215.9 mm")
 TASK = {"up": "Trip out", "down": "Trip in", "sliding": "Sliding drilling"}
 
 

@@ -55,11 +55,7 @@ module dg_html_report
       'governing_md', 'largest_von_mises', 'largest_bending', 'largest_bending_md', 'largest_side_force', &
       'largest_side_force_md', 'bit_side_force', 'bit_side_clock', 'bit_tilt', 'sag_correction', 'shape', &
       'snaking_length', 'coiled_length', 'coil_turns']
-   !> On paper, of the load case that is shown.
-   character(*), parameter :: paper_shown(*) = [character(21) :: 'least_safety_factor', 'least_safety_md', 'neutral_top', &
-      'buckling', 'buckling_margin', 'buckling_margin_md', 'overpull_margin', 'rig_margin', 'makeup_margin', 'stretch', 'windup', &
-      'largest_side_force', 'largest_side_force_md']
-   !> Of these, the columns up to here are for all models; the others are for gap elements only.
+   !> Of these columns, those up to here are for all models; the others are for gap elements only.
    integer, parameter :: most_of_all_models = 12
    integer, parameter :: few = 4    !< digits
 
@@ -94,10 +90,10 @@ contains
       end if
       call append_lost(lines, job%units, printed%outcome)
       call append_short(lines, job, model, results, wholes, alongs, printed%outcome)
-      if (shown > 0) call append_paper_limits(lines, job, model, results, wholes, shown)
+      if (shown > 0) call add_line(lines, '<div class="printed depths"></div>')
       call append_pictures(lines, job, model, results, pictures, shown)
       if (size(results) > 0) then
-         call open_fold(lines, 'Limits')
+         call open_fold(lines, 'Limits', on_paper=.true.)
          call append_limits(lines, job, model, results, wholes)
          call close_fold(lines)
       end if
@@ -108,7 +104,7 @@ contains
             call close_fold(lines)
          end if
       end if
-      call open_fold(lines, 'What was computed')
+      call open_fold(lines, 'What was computed', on_paper=.true.)
       call append_preformatted(lines, echo)
       call append_assumptions(lines, job)
       call close_fold(lines)
@@ -145,11 +141,13 @@ contains
       if (size(names) > 0) text = text//': '//first_names(names, most_names)
    end function studies_heading
 
-   !> Begins a part of the page that is folded: its heading opens it.
-   subroutine open_fold(lines, heading)
+   !> Begins a part of the page that is folded: its heading opens it. On paper the script opens those that are wanted there.
+   subroutine open_fold(lines, heading, on_paper)
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: heading
-      call add_line(lines, '<details class="fold"><summary>'//heading//'</summary>')
+      logical, intent(in), optional :: on_paper
+      call add_line(lines, '<details class="fold'//trim(merge(' on-paper', '         ', present(on_paper)))//'"><summary>'// &
+                       heading//'</summary>')
    end subroutine open_fold
 
    subroutine close_fold(lines)
@@ -302,23 +300,6 @@ contains
          call append_table(lines, most_shown(:columns), job%units, fields, marked)
       end do
    end subroutine append_limits
-
-   !> Append limits of the load case that is shown first, for paper, where tables that are folded are left out.
-   subroutine append_paper_limits(lines, job, model, results, wholes, shown)
-      type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
-      integer, intent(in) :: shown
-      integer :: i
-      i = findloc(results%case_index == shown .and. results%model == leading_model(job), .true., dim=1)
-      associate (name => model%cases(shown)%name)
-         call add_line(lines, '<div class="printed"><h2>Limits of '//html_safe(name)//'</h2>')
-         call append_table(lines, paper_shown, job%units, [limits_row(name, results(i), wholes(i))], [.false.])
-      end associate
-      call add_line(lines, '</div>')
-   end subroutine append_paper_limits
 
    !> Factors on loads before they are compared with strengths.
    pure function factors_text(design) result(text)

@@ -36,8 +36,8 @@ contains
       type(text_type), allocatable :: head(:), in_system(:), systems(:, :)
       logical :: own, swept
       integer :: i, k
-      swept = allocated(outcome%swept)
-      own = swept .and. size(model%cases) == 0
+      swept = allocated(outcome%swept) .and. size(model%cases) == 0
+      own = swept
       if (own) own = all([(outcome%swept(i)%frictions /= '', i=1, size(outcome%swept))])
       allocate (head, source=well_head(job%units, model, own_friction=own))
       allocate (systems(system_base - 1, size(head)))

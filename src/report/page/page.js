@@ -29,8 +29,10 @@ for (const panel of (D.charts ?? []).flatMap(c => c.panels)) {
       ...c, name: p.key.text, keys: [k], profile: p, curve: c.limit ? mirrored(p.curves[c.column]) : p.curves[c.column]
    })))
 }
-const turns = (panel, lines) => panel.curves?.[0].column !== 'torque' || lines.some(l => l.curve.v.some(v => v))
-for (const chart of D.charts ?? []) chart.panels = chart.panels.filter(p => turns(p, p.lines))      // no torque where nothing turns
+for (const chart of D.charts ?? []) {                         // no torque where nothing turns
+   const turns = ({curves: [{column}], lines}) => column !== 'torque' || lines.some(l => l.curve.v.some(v => v))
+   chart.panels = chart.panels.filter(turns)
+}
 const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))
 for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {
    line.curve = curve_of(line.points)
@@ -193,7 +195,7 @@ function block(S, address) {
       return svg
    }
    function draw_panels() {
-      const panels = panels_of().filter(p => !paper || turns(p, lines_of(p))), bare = !panels.flatMap(lines_of).length
+      const panels = panels_of().filter(p => !paper || !S.charts || lines_of(p).some(l => l.curve.v.some(v => v))), bare = !panels.flatMap(lines_of).length
       const none = 'No curves: choose a load case that has a solution. Answers and warnings above say why others have none.'
       S.root.classList.toggle('bare', bare)                     // an empty chart is not drawn
       const wide = paper ? paper.wide / (S.halved ? 2 : 1) : view.panels.clientWidth || 1000
@@ -423,7 +425,26 @@ function follow_address() {                                   // the block that 
 addEventListener('hashchange', follow_address)
 addEventListener('resize', draw_all)
 const draw_for = size => { paper = size; draw_all() }
-addEventListener('afterprint', () => draw_for(null))
+function write_depths(p) {                                    // for paper: values along a profile, a dozen depths
+   const place = document.querySelector('.depths'), f = factor('length'), end = D.cases[p.case].depth
+   const known = ['axial', 'torque', 'side_force_on_joint', 'bending', 'displacement', 'von_mises', 'safety_factor', 'buckling_margin']
+   const names = known.filter(n => p.curves[n]?.v.some(v => v)), quantity = n => D.columns[n].quantity
+   const heads = ['measured depth', ...names.map(n => D.columns[n].label + over(n))]
+   const units_of = [unit('length'), ...names.map(n => unit(quantity(n)))]
+   place.replaceChildren()
+   make(place, 'h:h2', {}, 'Along the string: ' + p.key.text)
+   const table = make(place, 'h:table', {}), head = make(make(table, 'h:thead', {}), 'h:tr', {}), body = make(table, 'h:tbody', {})
+   heads.forEach((text, i) => make(head, 'h:th', {}, text + (units_of[i] ? ` [${units_of[i]}]` : '')))
+   for (const depth of [...ticks(0, end * f, 18).map(t => t / f).filter(d => d < end), end]) {
+      const row = make(body, 'h:tr', {}), texts = names.map(n => text_of(value_at(p, n, depth), quantity(n)))
+      for (const text of [depth_of_units(depth), ...texts]) make(row, 'h:td', {}, text)
+   }
+}
+const folded = []                                             // parts of the page that paper alone opens
+addEventListener('afterprint', () => {
+   for (const part of folded.splice(0)) part.open = false
+   draw_for(null)
+})
 addEventListener('beforeprint', () => {                       // the first sheet has the load cases that are chosen, if one has curves
    if (D.profiles) {
       paper = {wide: 660, high: 300}
@@ -432,6 +453,12 @@ addEventListener('beforeprint', () => {                       // the first sheet
       const view = ['case', 'model'].flatMap(k => state[k].map(name => [k, name]))
       block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams(solved ? view : [])).draw()
       document.querySelector('.first').replaceChildren(...root.querySelectorAll('.legend, .panels'))
+      const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)
+      write_depths(D.profiles.find(chosen) ?? D.profiles.find(p => p.case === D.start))
+   }
+   for (const part of document.querySelectorAll('.on-paper:not([open])')) {
+      folded.push(part)
+      part.open = true
    }
    draw_for({wide: 1100, high: 260})
 })

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'ilEA+pfgUCcFxjCSkRrH60MAiCU8oUd9Xy+iuAJdZ1E='
+   character(*), parameter :: script_hash = 'NBKzklzd15FbANymceVZXu0oDAQGo0ucDlm5coIcsR8='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -37,9 +37,11 @@ module dg_page_script
       'mn]', &
       '})))', &
       '}', &
-      'const turns = (panel, lines) => panel.curves?.[0].column !== ''torque'' || lines.some(l => l.curve.v.some(v =>'// &
-      ' v))', &
-      'for (const chart of D.charts ?? []) chart.panels = chart.panels.filter(p => turns(p, p.lines))', &
+      'for (const chart of D.charts ?? []) {', &
+      'const turns = ({curves: [{column}], lines}) => column !== ''torque'' || lines.some(l => l.curve.v.some(v => v)'// &
+      ')', &
+      'chart.panels = chart.panels.filter(turns)', &
+      '}', &
       'const meanings = Object.fromEntries(Object.values(D.columns ?? {}).map(c => [c.label, c.meaning]))', &
       'for (const line of D.figures.flatMap(f => f.blocks).flatMap(b => b.panels).flatMap(panel => panel.lines)) {', &
       'line.curve = curve_of(line.points)', &
@@ -114,11 +116,11 @@ module dg_page_script
       'const first_sheet = () => paper && S.charts[1] && !state.chart', &
       'const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels', &
       'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
-      'function key_of(p) {', &
+      'function key_of(p) {']
+   character(169), parameter :: script_lines_2(100) = [character(169) :: &
       'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
       ' D.looks.length', &
-      'if (cases.length < 2) return p.key']
-   character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      'if (cases.length < 2) return p.key', &
       'return {...p.key, mark: D.looks[(n + Math.floor(n / most)) % most].mark, look: {...p.key.look, ...D.looks[n % '// &
       'most].look}}', &
       '}', &
@@ -218,8 +220,8 @@ module dg_page_script
       'return svg', &
       '}', &
       'function draw_panels() {', &
-      'const panels = panels_of().filter(p => !paper || turns(p, lines_of(p))), bare = !panels.flatMap(lines_of).leng'// &
-      'th', &
+      'const panels = panels_of().filter(p => !paper || !S.charts || lines_of(p).some(l => l.curve.v.some(v => v))), '// &
+      'bare = !panels.flatMap(lines_of).length', &
       'const none = ''No curves: choose a load case that has a solution. Answers and warnings above say why others ha'// &
       've none.''', &
       'S.root.classList.toggle(''bare'', bare)', &
@@ -232,10 +234,10 @@ module dg_page_script
       '}', &
       'function set_depth(depth) {', &
       'if (depth !== state.depth) view.notice.textContent = ''''', &
-      'view.slider.value = depth', &
-      'state.depth = +view.slider.value', &
-      'if (view.typed) view.typed.value = depth_of_units(state.depth)']
+      'view.slider.value = depth']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'state.depth = +view.slider.value', &
+      'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
       'view.well?.mark()', &
       'draw_readout()', &
@@ -338,10 +340,10 @@ module dg_page_script
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
       'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))', &
-      '}', &
-      'const spread = e => {', &
-      'if (e.touches.length !== 2 || S.rows) return']
+      '}']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      'const spread = e => {', &
+      'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
       'const [a, b] = [...e.touches].map(y_in).sort((a, b) => a - b)', &
       'pinch ??= [depth_of(a), depth_of(b)]', &
@@ -447,10 +449,10 @@ module dg_page_script
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
       'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
-      '}', &
-      'document.querySelector(''.switched'').hidden = units === D.units', &
-      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units']
+      '}']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      'document.querySelector(''.switched'').hidden = units === D.units', &
+      'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
       'function follow_address() {', &
       'const q = new URLSearchParams(location.hash.slice(1))', &
@@ -464,7 +466,28 @@ module dg_page_script
       'addEventListener(''hashchange'', follow_address)', &
       'addEventListener(''resize'', draw_all)', &
       'const draw_for = size => { paper = size; draw_all() }', &
-      'addEventListener(''afterprint'', () => draw_for(null))', &
+      'function write_depths(p) {', &
+      'const place = document.querySelector(''.depths''), f = factor(''length''), end = D.cases[p.case].depth', &
+      'const known = [''axial'', ''torque'', ''side_force_on_joint'', ''bending'', ''displacement'', ''von_mises'', '''// &
+      'safety_factor'', ''buckling_margin'']', &
+      'const names = known.filter(n => p.curves[n]?.v.some(v => v)), quantity = n => D.columns[n].quantity', &
+      'const heads = [''measured depth'', ...names.map(n => D.columns[n].label + over(n))]', &
+      'const units_of = [unit(''length''), ...names.map(n => unit(quantity(n)))]', &
+      'place.replaceChildren()', &
+      'make(place, ''h:h2'', {}, ''Along the string: '' + p.key.text)', &
+      'const table = make(place, ''h:table'', {}), head = make(make(table, ''h:thead'', {}), ''h:tr'', {}), body = ma'// &
+      'ke(table, ''h:tbody'', {})', &
+      'heads.forEach((text, i) => make(head, ''h:th'', {}, text + (units_of[i] ? ` [${units_of[i]}]` : '''')))', &
+      'for (const depth of [...ticks(0, end * f, 18).map(t => t / f).filter(d => d < end), end]) {', &
+      'const row = make(body, ''h:tr'', {}), texts = names.map(n => text_of(value_at(p, n, depth), quantity(n)))', &
+      'for (const text of [depth_of_units(depth), ...texts]) make(row, ''h:td'', {}, text)', &
+      '}', &
+      '}', &
+      'const folded = []', &
+      'addEventListener(''afterprint'', () => {', &
+      'for (const part of folded.splice(0)) part.open = false', &
+      'draw_for(null)', &
+      '})', &
       'addEventListener(''beforeprint'', () => {', &
       'if (D.profiles) {', &
       'paper = {wide: 660, high: 300}', &
@@ -475,6 +498,12 @@ module dg_page_script
       'const view = [''case'', ''model''].flatMap(k => state[k].map(name => [k, name]))', &
       'block({root, keys: D.profiles.map(p => p.key), charts}, new URLSearchParams(solved ? view : [])).draw()', &
       'document.querySelector(''.first'').replaceChildren(...root.querySelectorAll(''.legend, .panels''))', &
+      'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
+      'write_depths(D.profiles.find(chosen) ?? D.profiles.find(p => p.case === D.start))', &
+      '}', &
+      'for (const part of document.querySelectorAll(''.on-paper:not([open])'')) {', &
+      'folded.push(part)', &
+      'part.open = true', &
       '}', &
       'draw_for({wide: 1100, high: 260})', &
       '})', &
@@ -530,7 +559,8 @@ module dg_page_script
       'if (k < count && level === all - 1) v[k] = NaN', &
       '}', &
       '}', &
-      'return v', &
+      'return v']
+   character(169), parameter :: script_lines_6(100) = [character(169) :: &
       '}', &
       'function curve_of(written, rows) {', &
       'const [first, step, depths, values, levels] = written ?? [0, 1, '''', '''']', &
@@ -560,8 +590,7 @@ module dg_page_script
       '}', &
       'return with_peaks(d, made, peaks)', &
       '}', &
-      'function sum_of(a, b, peaks) {']
-   character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'function sum_of(a, b, peaks) {', &
       'const d = [], v = [], next = [0, 0]', &
       'while (next[0] < a.d.length || next[1] < b.d.length) {', &
       'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
@@ -640,7 +669,8 @@ module dg_page_script
       'well.replaceChildren()', &
       'if (!p) return () => {}', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]', &
-      'const depths = Array.from({length: n + 1}, (_, i) => i / n * end)', &
+      'const depths = Array.from({length: n + 1}, (_, i) => i / n * end)']
+   character(169), parameter :: script_lines_7(100) = [character(169) :: &
       'const points = depths.map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))', &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
       '[k]))])', &
@@ -673,8 +703,7 @@ module dg_page_script
       'const few = Math.min(5, Math.round(Math.hypot(x2 - x1, y2 - y1) / 40))', &
       'if (few) for (const t of ticks(from * length, to * length, few)) {', &
       'const [x, y] = project(at(t / length, corner))', &
-      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})']
-   character(169), parameter :: script_lines_7(92) = [character(169) :: &
+      'line(at(t / length, corner), at(t / length, other), {class: ''grid''})', &
       'const flat = Math.abs(x2 - x1) > Math.abs(y2 - y1), aside = x < 230 ? -30 : 30', &
       'labels.push([flat ? x : x + aside, flat ? y + 18 : y + 4, name + t])', &
       '}', &
@@ -757,7 +786,8 @@ module dg_page_script
       'const values = [''bending'', ''displacement''].map(name => said(name, value_at(p, name, state.depth)))', &
       'scale.textContent = words + (there ? ` At ${b.place_text()}: moment ${values.join('', '')} off the axis.` : '''// &
       ''')', &
-      '}', &
+      '}']
+   character(169), parameter :: script_lines_8(19) = [character(169) :: &
       '}', &
       'const mark = () => { for (const m of marks) m() }', &
       'const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }', &
@@ -779,15 +809,16 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(692) = [ &
+   character(169), parameter :: script_lines(719) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5, &
       script_lines_6, &
-      script_lines_7]
-   character(400), parameter :: style_lines_1(33) = [character(400) :: &
+      script_lines_7, &
+      script_lines_8]
+   character(545), parameter :: style_lines_1(33) = [character(545) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &
       '.live{--ink:#222;--line:#d8d8d8;--soft:#666;--paper:#fff;--wall:#8c6d46;--steel:#b9c4cc}', &
@@ -831,10 +862,11 @@ module dg_page_script
       '.more{display:none}', &
       '.lead p{margin:.4em 0}caption{text-align:left;padding:.2em 0}', &
       '.live>div+div .bar{display:none}.hint{display:none}.scripted .hint{display:block}', &
-      '@media print{p{margin:.4em 0}h2{margin:.8em 0 .3em}td.word{white-space:nowrap}tbody tr:nth-child(-n+3){break-a'// &
-      'fter:avoid}tbody tr:nth-last-child(-n+4){break-before:avoid}.live .panels{flex-wrap:nowrap}.live svg.panel{wid'// &
-      'th:0!important;flex:1 1 0}.bar,.side,.units,.scripted .hint,.live input,.live label,.live .lower,.live .readou'// &
-      't,.live .cross,.live .band,details:not([open]){display:none!important}', &
+      '@media print{p{margin:.4em 0}h2{margin:.8em 0 .3em}td.word{white-space:nowrap}tbody tr:nth-child(-n+3):not(:la'// &
+      'st-child){break-after:avoid}tbody tr:nth-last-child(-n+4):not(:first-child){break-before:avoid}summary{color:i'// &
+      'nherit;list-style:none;break-after:avoid}.on-paper{font-size:8.5pt}.on-paper pre{font-size:7pt}.live .panels{f'// &
+      'lex-wrap:nowrap}.live svg.panel{width:0!important;flex:1 1 0}.bar,.side,.units,.scripted .hint,.live input,.li'// &
+      've label,.live .lower,.live .readout,.live .cross,.live .band,details:not([open]){display:none!important}', &
       '.main{display:block}.right{break-inside:avoid}.live figure svg{max-height:66mm}figure>.live{display:grid;grid-'// &
       'template-columns:1fr 1fr;column-gap:6mm}figure>.live>:only-child{grid-column:1/-1}figure>.live>:last-child:not'// &
       '(:only-child){grid-column:2;grid-row:1/span 9}.live svg.panel{max-height:none}.legend button{border:none;paddi'// &
@@ -848,6 +880,6 @@ module dg_page_script
       'ore{font-weight:600}.more td{grid-column:1/-1}', &
       '.head td,.head th{padding:0 .4em;line-height:1.25}h1{font-size:14pt;margin:0}h1+p{margin:.2em 0}.lead .note{fo'// &
       'nt-size:8pt;margin:.4em 0;padding:.1em .8em}.lead h2{font-size:11pt}}']
-   character(400), parameter :: style_lines(33) = [ &
+   character(545), parameter :: style_lines(33) = [ &
       style_lines_1]
 end module dg_page_script
