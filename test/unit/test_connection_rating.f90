@@ -206,7 +206,7 @@ contains
       call judge(model, result, verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_joint_compression, verdict%limit)
-      call assertEqual("Joint compression at 1000 m in 'casing': 151.69 MPa, 75.84 MPa allowed, 75.85 MPa too much", &
+      call assertEqual("Joint compression at 1000 m in 'casing': 151.68 MPa, 75.84 MPa allowed, 75.84 MPa too much", &
                        verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_verdict
 

@@ -27,8 +27,8 @@ module dg_load_text
 
 contains
 
-   !> A load, the allowed load and their difference, rounded at one place so that they add up. What is left is never more than
-   !> in truth, what is too much never less.
+   !> A load, the allowed load and their difference, rounded at one place so that they add up. The load is rounded as in tables. A
+   !> load that is too much is at least one step more than the allowed one.
    pure function sum_texts(units, limit, load, allowed) result(texts)
       type(unit_system_type), intent(in) :: units
       integer, intent(in) :: limit
@@ -46,9 +46,9 @@ contains
       if (minval(numbers) > 0.0_wp) then
          place = max(place, min(floor(log10(minval(numbers))) + 1 - shown, floor(log10(numbers(2))) + 1 - fewest_digits))
       end if
-      ! the allowed load is rounded down, whatever the load; the load is as the tables have it where it can
+      ! the allowed load is rounded down, whatever the load
       steps = [anint(load/unit*10.0_wp**(-place)), floor_of(allowed/unit*10.0_wp**(-place))]
-      if (steps(2) - steps(1) > (allowed - load)/unit*10.0_wp**(-place) + round_off) steps(1) = steps(1) + 1.0_wp
+      if (load > allowed .and. .not. steps(1) > steps(2)) steps(1) = steps(2) + 1.0_wp
       numbers = [steps, abs(steps(2) - steps(1))]
       do i = 1, size(texts)
          texts(i) = to_text(numbers(i)*10.0_wp**place, digits_of(numbers(i)))//' '//label_of(units, limit)

@@ -130,8 +130,8 @@ contains
             either(' by formula', '', verdict%buckled_by_formula)
          if (verdict%friction == friction_upper_end) &
             text = text//'. The answer is yes at the upper end of the 95 % interval of friction, too'
-         if (verdict%reserve_unknown) text = text//'. Its friction reserve is not known, as the string turns in helical '// &
-            'buckling. Find it by a sweep with several frictions'
+         if (verdict%reserve_unknown) text = text//'. Its friction reserve is not known, as the string turns under more than '// &
+            'its helical load. Find it by a sweep with several frictions'
          if (verdict%friction_reserve%present .and. .not. is_near_by_friction(verdict)) &
             text = text//'. The answer '//reserve_text(verdict)
       else

@@ -30,7 +30,7 @@ contains
       else if (locked > 0) then
          call add_line(lines, '<p class="note">'//locked_text()//either(' The others were found.', '', locked < total)//'</p>')
       else if (total == 1) then
-         call add_line(lines, '<p class="note">The solution was found.'//place_text('answer stands')//'</p>')
+         call add_line(lines, '<p class="note">The calculation converged.'//place_text('answer stands')//'</p>')
       else
          call add_line(lines, '<p class="note">All '//solutions_text(total)//' were found.'//place_text('answers stand')//'</p>')
       end if

@@ -92,7 +92,7 @@ contains
                        trim(limit_title(verdicts(i)%limit))//').</li>')
       end do
       if (told > most_named) call add_line(lines, '<li>'//to_text(told - most_named)//' more: NO.</li>')
-      if (told == 0 .and. size(cases) > 0) call add_line(lines, '<li>No load case is found impossible.</li>')
+      if (told == 0 .and. size(cases) > 0) call add_line(lines, '<li>Of the load cases none is answered NO.</li>')
    end subroutine append_impossible
 
    !> Largest von Mises stress of all load cases, with its depth.

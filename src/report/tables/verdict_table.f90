@@ -80,7 +80,8 @@ contains
       doubtful = near .and. is_uncertain(wholes%verdict)
       if (any(near)) then
          text = to_text(count(near))//' of '//to_text(count(shown))//': yes'
-         if (any(bare)) text = text//', '//either('', to_text(count(bare))//' of them ', all(bare .eqv. near))//'without a check'
+         if (any(bare)) text = text//', '//either('', to_text(count(bare))//' of them ', all(bare .eqv. near))// &
+                               'with nothing checked'
          if (any(doubtful)) text = text//', '//either('', to_text(count(doubtful))//' of them ', all(doubtful .eqv. near))// &
                                    'UNCERTAIN'
          text = text//'.'
