@@ -82,6 +82,7 @@ contains
 
    !> The string stops first at about 1,670 m. Farther down it would come to 2,480 m, but it does not get there.
    subroutine test_floated()
+      character(*), parameter :: floats = ' of push needed at surface, as the string floats in its mud'
       type(run_type) :: run
       real(wp) :: depth
       run = run_deck_text(floated("'trip_in'"))
@@ -89,6 +90,11 @@ contains
       call expect('yes ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = '//to_text(0.98_wp*depth)))
       call expect('NO ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = '//to_text(1.02_wp*depth)))
       call expect('yes ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = 2200'))
+      run = run_deck_text(replaced(floated("'trip_in'"), 'density = 1200', 'density = 2300'))
+      call assertEqual(0, index(unwrapped(run%output), floats), message='mud above the air: '//run%output)
+      run = run_deck_text(replaced(replaced(floated("'trip_in'"), 'density = 1200', 'density = 2300'), 'above_bit = 1800', &
+                                   'above_bit = 3500'))
+      call assertTrue(index(unwrapped(run%output), floats) > 0, message=run%output)
    end subroutine test_floated
 
    !> 'at 20 rpm at most about' a speed: a tenth less is a yes, a tenth more a NO.

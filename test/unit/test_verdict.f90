@@ -369,7 +369,7 @@ contains
       call assertEqual(limit_tension, verdict%reserve_limit, message='with more friction')
       allocate (character(0) :: text)
       text = verdict_sentences(si_units(), model%cases(1), verdict)
-      call assertTrue(index(text, 'times all friction factors, by tension') > 0, message=text)
+      call assertTrue(index(text, 'times all friction factors (0.519), by tension') > 0, message=text)
    end subroutine test_reserve_limit
 
    !> The soft string has no friction of coils in its hook load, but in its largest weight on bit: the reserve ends there. With 1.02

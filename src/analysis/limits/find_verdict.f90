@@ -8,6 +8,7 @@ module dg_find_verdict
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_casing_wear, only: groove_type
+   use dg_contact_friction, only: frictions_met
    use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
@@ -50,6 +51,7 @@ contains
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       associate (load_case => model%cases(result%case_index))
          verdict%wob_by_beams = result%weight_limits%wob%present
+         verdict%frictions = frictions_met(model%holes, load_case)
          if (result%status == result_locked_up) then
             verdict%answer = answer_no
             verdict%limit = limit_lock_up

@@ -71,6 +71,7 @@ module dg_verdict
       logical :: reserve_unknown = .false.          !< loads with another friction or weight on bit cannot be estimated
       type(optional_real) :: possible_friction      !< no: factor of all friction up to which the answer is yes [-]
       integer :: friction = friction_given          !< friction of the answer
+      real(wp), allocatable :: frictions(:)         !< factors of the deck that the case meets [-]
       real(wp) :: uncertain = 0.0_wp                !< yes: error of contact force that exceeds what is left; else 0 [-]
       logical :: joints_uncertain = .false.         !< yes: friction that smeared joints leave out may exceed what is left
       real(wp) :: fatigue_used = 0.0_wp             !< yes: bending over that of endless life, hours not judged; else 0 [-]

@@ -1,40 +1,37 @@
 !> Sentences of a verdict, with numbers in the deck's units. They have no full stop at their end.
 module dg_verdict_text
    use dg_kinds, only: wp
+   use dg_friction_text, only: reserve_text, times_text
    use dg_load_case, only: block_way, load_case_type, moves_axially, operation_name, operation_static, rotates
    use dg_load_text, only: force_text, load_text, number_text, sum_texts, sum_width
    use dg_passed_pressure, only: is_burst
    use dg_push_text, only: is_by_push, push_text, weight_text
    use dg_readable, only: capital, spaced
-   use dg_rounding, only: rounded_down, rounded_up
+   use dg_rounding, only: rounded_up
    use dg_text, only: either, to_text
    use dg_unit_kind, only: at_most, in_units, unit_factor, unit_force, unit_length, unit_moment, unit_pressure, &
                            unit_speed
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_von_mises
-   use dg_verdict, only: answer_no, answer_yes, friction_given, friction_upper_end, &
-                         friction_upper_end_alone, is_near_by_friction, is_without_check, limit_casing_wear, limit_fatigue, &
-                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limits_by_hours, little_reserve, limit_title, &
+   use dg_verdict, only: answer_no, answer_yes, friction_upper_end, friction_upper_end_alone, is_near_by_friction, &
+                         is_without_check, limit_casing_wear, limit_fatigue, &
+                         limit_joint_fatigue, limit_lock_up, limit_string_weight, limits_by_hours, limit_title, &
                          limit_wob_yield, verdict_type
    implicit none
    private
-   public :: task_text, reserve_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
+   public :: task_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
 
    !> Behind a row of a table that cannot be done or has no solution, and what stands below such a table.
    character(*), parameter :: row_mark = '!', mark_meaning = row_mark//' cannot be done, or no solution'
 
-   !> Digits of loads, depths, factors, and of what is rough.
-   integer, parameter :: shown = 3, shown_depth = 5, shown_factor = 3, few_digits = 2
-   !> Digits of a factor next to 1, and the most of a share below 1.
-   integer, parameter :: close_factor = 4, most_digits = 7
+   !> Digits of loads, depths, shares, and of what is rough.
+   integer, parameter :: shown = 3, shown_depth = 5, shown_share = 3, few_digits = 2
+   !> Most digits of a share below 1.
+   integer, parameter :: most_digits = 7
    real(wp), parameter :: percent = 0.01_wp
    !> Part of a limit from which on the text says that little is left [-].
    real(wp), parameter :: close_to_limit = 0.95_wp
-   !> Friction reserve below which the text has no factor [-]. Reserves are found to 0.001, rounded down.
-   real(wp), parameter :: no_reserve = 1.001_wp
-   !> Factor of friction below 1 from which on it has more digits [-].
-   real(wp), parameter :: nearly_one = 0.99_wp
 
 contains
 
@@ -74,6 +71,7 @@ contains
                    depth_text(units, load_case%bit_depth)
          else
             text = capital(push_text(units, load_case, verdict))
+            if (.not. verdict%used%present) text = text//', as the string floats in its mud'
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case (limit_wob_yield)
@@ -138,32 +136,6 @@ contains
          text = 'Not converged, see Warnings'
       end if
    end function verdict_sentences
-
-   !> Effect of more friction on a yes, from the verb on.
-   pure function reserve_text(verdict) result(text)
-      type(verdict_type), intent(in) :: verdict      !< with a friction reserve
-      character(:), allocatable :: text
-      text = 'becomes NO '
-      if (verdict%friction_reserve%value < no_reserve) then
-         text = text//'already with 0.2 % more friction'
-      else
-         text = text//'above about '//times_text(verdict, verdict%friction_reserve%value)
-      end if
-      if (verdict%reserve_limit > 0) text = text//', by '//trim(limit_title(verdict%reserve_limit))// &
-         either(' and push', '', verdict%reserve_limit == limit_string_weight .and. verdict%max_push > 0.0_wp)
-      if (verdict%reserve_buckles) text = text//', perhaps sooner, as pipe buckles then'
-   end function reserve_text
-
-   !> A factor of friction, rounded down: with it the answer is yes.
-   pure function times_text(verdict, factor) result(text)
-      type(verdict_type), intent(in) :: verdict
-      real(wp), intent(in) :: factor       !< > 0 [-]
-      character(:), allocatable :: text
-      integer :: digits
-      digits = merge(close_factor, shown_factor, factor > nearly_one .and. factor < little_reserve)
-      text = to_text(rounded_down(factor, digits), digits)//' times '// &
-             either('all friction factors', 'the calibrated friction', verdict%friction == friction_given)
-   end function times_text
 
    !> Reason why it is also impossible without weight on bit or overpull; '' if it is possible.
    pure function without_load_text(units, load_case, verdict) result(text)
@@ -322,7 +294,7 @@ contains
       real(wp), intent(in) :: used       !< [-]
       character(:), allocatable :: text
       integer :: digits
-      digits = shown_factor
+      digits = shown_share
       text = to_text(used/percent, digits)
       do while (text == '100' .and. digits < most_digits)
          digits = digits + 1

@@ -2,6 +2,7 @@
 module dg_verdict_table
    use dg_case_result, only: case_result_type
    use dg_component, only: component_type
+   use dg_friction_text, only: reserve_text
    use dg_kinds, only: wp
    use dg_job, only: job_type, leading_model, model_name
    use dg_model, only: model_type, string_index
@@ -12,7 +13,7 @@ module dg_verdict_table
    use dg_verdict, only: answer_name, answer_no, answer_unknown, answer_yes, every_limit_count, friction_calibrated, &
                          is_near_by_friction, is_uncertain, is_without_check, limit_title, nearness
    use dg_utilisation, only: limit_slips
-   use dg_verdict_text, only: reserve_text, task_text, used_text, verdict_sentences
+   use dg_verdict_text, only: task_text, used_text, verdict_sentences
    use dg_warnings_table, only: doubt_of_deck
    use dg_whole_string, only: whole_string_type
    implicit none

@@ -7,7 +7,7 @@ module dg_contact_friction
    use dg_missing, only: is_missing
    implicit none
    private
-   public :: find_friction, running_drag, axial_friction, set_axial_friction, shift_friction
+   public :: find_friction, frictions_met, running_drag, axial_friction, set_axial_friction, shift_friction
 
 contains
 
@@ -19,6 +19,28 @@ contains
       friction = hole%friction_axial
       if (operation == operation_trip_in .and. .not. is_missing(hole%friction_running_in)) friction = hole%friction_running_in
    end function axial_friction
+
+   !> Friction factors that a load case meets in its hole, from the top down, each once. They are those along the hole for a
+   !> string that moves, else those around it.
+   pure function frictions_met(holes, load_case) result(factors)
+      type(hole_section_type), intent(in) :: holes(:)
+      type(load_case_type), intent(in) :: load_case
+      real(wp), allocatable :: factors(:)
+      real(wp) :: factor
+      integer :: i
+      allocate (factors(0))
+      do i = 1, size(holes)
+         if (.not. holes(i)%md_top < load_case%bit_depth) cycle
+         if (moves_axially(load_case%operation)) then
+            factor = axial_friction(holes(i), load_case%operation)
+            if (load_case%friction_axial%present) factor = load_case%friction_axial%value
+         else
+            factor = holes(i)%friction_rotary
+            if (load_case%friction_rotary%present) factor = load_case%friction_rotary%value
+         end if
+         if (factor > 0.0_wp .and. all(abs(factors - factor) > 0.0_wp)) factors = [factors, factor]
+      end do
+   end function frictions_met
 
    !> Set the axial coefficient of a hole section for load cases with these operations; absent: for all operations. Operations
    !> without axial motion count as trip_out if no other one moves axially. All code that changes the friction of a hole calls
