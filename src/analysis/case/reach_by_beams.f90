@@ -15,8 +15,9 @@ module dg_reach_by_beams
    private
    public :: find_reach_by_beams
 
-   !> Most solutions, and the change of the depth, over it, below which it is found [-].
-   integer, parameter :: solutions = 3
+   !> Most solutions, the most iterations of each, and the change of the depth, over it, below which it is found [-]. Strings
+   !> that take more iterations are told within 3 % by the soft string.
+   integer, parameter :: solutions = 3, quick = 60
    real(wp), parameter :: settled = 0.01_wp
 
 contains
@@ -43,6 +44,7 @@ contains
          if (result%weight_limits%friction_scale%present) return      ! the friction is that of the limit already
          call find_reach(model, case_index, told, friction_by_beams(model, result))
          there = model
+         there%numerics%max_iterations = min(model%numerics%max_iterations, quick)
          do i = 1, solutions
             if (.not. told%value > 0.0_wp) return
             there%cases(case_index)%bit_depth = told%value
