@@ -1,12 +1,13 @@
-!> Rows of the CSV files that a run left, for tests that look into them.
+!> Rows of the CSV files that a run left, and numbers of what it printed, for tests that look into them.
 module dg_result_rows
    use funit, only: assertEqual
    use dg_file_lines, only: read_lines
    use dg_kinds, only: wp
+   use dg_program_run, only: unwrapped
    use dg_text, only: text_type
    implicit none
    private
-   public :: lines_of, field, number
+   public :: lines_of, field, number, value_after
 
 contains
 
@@ -53,4 +54,18 @@ contains
       if (text /= '') read (text, *, iostat=status) value
       call assertEqual(0, status, message='a number in '//line)
    end function number
+
+   !> The number behind words of an output; 0 where they are absent, which fails the test.
+   function value_after(output, words) result(value)
+      character(*), intent(in) :: output, words
+      real(wp) :: value
+      character(:), allocatable :: text
+      integer :: place, status
+      value = 0.0_wp
+      allocate (text, source=unwrapped(output))
+      place = index(text, words)
+      status = 1
+      if (place > 0) read (text(place + len(words):), *, iostat=status) value
+      call assertEqual(0, status, message=words//' in '//output)
+   end function value_after
 end module dg_result_rows

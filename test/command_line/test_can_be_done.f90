@@ -3,7 +3,7 @@ module dg_test_can_be_done
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
-   use dg_result_rows, only: field, lines_of
+   use dg_result_rows, only: field, lines_of, value_after
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -108,11 +108,9 @@ contains
       real(wp) :: found, promised, turned, factor
       run = run_deck_text(deck(loads//'0.5', .false.))
       call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=run%output)
-      hookload = number_after(run%output, 'its weight is enough then, hook load at most about ')
-      read (hookload, *) promised
+      promised = value_after(run%output, 'its weight is enough then, hook load at most about ')
       call assertTrue(index(unwrapped(run%output), ' without bit torque, by the soft string. Check it by') > 0, message=run%output)
-      hookload = number_after(run%output, ', torque about ')
-      read (hookload, *) turned
+      turned = value_after(run%output, ', torque about ')
       factor = factor_after('The answer becomes yes below about ')
       run = run_deck_text(deck("operation = 'rotary', wob = 50, friction = 0.5", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
@@ -140,8 +138,7 @@ contains
          character(*), intent(in) :: words
          real(wp) :: value
          character(:), allocatable :: number
-         number = number_after(unwrapped(run%output(index(run%output, newline//'slide '):)), words)
-         read (number, *) value
+         value = value_after(unwrapped(run%output(index(run%output, newline//'slide '):)), words)
       end function factor_after
    end subroutine test_advice
 
@@ -157,8 +154,7 @@ contains
       do i = 1, 2
          run = run_deck_text(turning(models(i), 1.0_wp))
          call assertTrue(index(unwrapped(run%output), 'Torque of the top drive: ') > 0, message=run%output)
-         factor = number_after(run%output, 'The answer becomes yes below about ')
-         read (factor, *) part
+         part = value_after(run%output, 'The answer becomes yes below about ')
          do k = -1, 1, 2
             run = run_deck_text(turning(models(i), part*(1.0_wp + k*beside(i))))
             call assertTrue(index(run%output, newline//'slide  '//trim(merge('yes', 'NO ', k < 0))//' ') > 0, message=run%output)
@@ -204,8 +200,7 @@ contains
       real(wp) :: most
       run = run_deck_text(deck("operation = 'sliding', wob = 5, friction = 0.25", .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
-      number = number_after(run%output, 'String weight brings at most about ')
-      read (number, *) most
+      most = value_after(run%output, 'String weight brings at most about ')
       run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = "//to_text(0.99_wp*most), .false.))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(deck("operation = 'sliding', friction = 0.25, wob = "//to_text(1.01_wp*most), .false.))
@@ -223,11 +218,11 @@ contains
       run = run_deck_text(deck_of('0', '300'))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(deck_of('-200', '205'))
-      told = number_after(run%output, excess)
+      told = to_text(value_after(run%output, excess))
       run = run_deck_text(deck_of('0', '205'))
       call assertTrue(index(unwrapped(run%output), ', '//told//' klbf too much') > 0, message=told//' told; '//run%output)
       run = run_deck_text(deck_of('-90', '300'))
-      run = run_deck_text(deck_of('-'//number_after(unwrapped(run%output), 'verpull up to about '), '300'))
+      run = run_deck_text(deck_of('-'//to_text(value_after(run%output, 'verpull up to about ')), '300'))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
    contains
       !> Pulling with weight on bit and rig limit [klbf].
@@ -247,8 +242,7 @@ contains
       real(wp) :: found, promised
       run = run_deck_text(deck("operation = 'down', friction = 0.6", .false.))
       call assertTrue(index(unwrapped(run%output), advice) > 0, message=run%output)
-      hookload = number_after(run%output, 'its weight is enough then, hook load at most about ')
-      read (hookload, *) promised
+      promised = value_after(run%output, 'its weight is enough then, hook load at most about ')
       run = run_deck_text(deck("operation = 'reaming', rpm = 20, trip_speed = 3, friction = 0.6", .false.))
       call assertTrue(index(unwrapped(run%output), '. Move the string more slowly, or rotate it faster: drag falls with '// &
                             'trip_speed over rpm') > 0, message=run%output)
@@ -268,8 +262,7 @@ contains
       real(wp) :: reach
       slide = deck("operation = 'sliding', wob = 30, friction = 0.4", .false.)
       run = run_deck_text(slide)
-      depth = number_after(run%output, 'Deepest bit depth possible: about ')
-      read (depth, *) reach
+      reach = value_after(run%output, 'Deepest bit depth possible: about ')
       run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(0.99_wp*reach)))
       call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=run%output)
       run = run_deck_text(replaced(slide, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(1.01_wp*reach)))
@@ -309,28 +302,13 @@ contains
          real(wp) :: reach
          text = replaced(replaced(deck(loads, .false.), "models = 'soft'", "models = '"//model//"'"), old, new)
          run = run_deck_text(text)
-         depth = number_after(run%output(index(run%output, newline//'slide '):), 'Deepest bit depth possible: about ')
-         read (depth, *) reach
+         reach = value_after(run%output(index(run%output, newline//'slide '):), 'Deepest bit depth possible: about ')
          run = run_deck_text(replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(reach)))
          call assertTrue(index(run%output, newline//'slide  yes ') > 0, message=depth//' told: '//run%output)
          run = run_deck_text(replaced(text, "'slide', bit_depth = 15000", "'slide', bit_depth = "//to_text(1.02_wp*reach)))
          call assertTrue(index(run%output, newline//'slide  NO ') > 0, message=depth//' told: '//run%output)
       end subroutine check
    end subroutine test_limit_reach
-
-   !> The number behind words of a text; '0' where they are absent.
-   function number_after(text, words) result(number)
-      character(*), intent(in) :: text, words
-      character(:), allocatable :: number
-      integer :: at
-      number = '0'
-      at = index(unwrapped(text), words)
-      call assertTrue(at > 0, message='wanted: '//words//'; got: '//text)
-      if (at == 0) return
-      number = unwrapped(text)
-      number = number(at + len(words):)
-      number = number(:index(number, ' ') - 1)
-   end function number_after
 
    !> By beams 20,000 klbf lock the string up: no hook load, no torque.
    subroutine test_locked_up()
@@ -375,8 +353,7 @@ contains
       text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
       text = text//"&solver tool_joints = 'smeared' /"//newline
       run = run_deck_text(text)
-      most = number_after(content(results_path//'/summary.csv'), 'Without a push ')
-      read (most, *) wob
+      wob = value_after(content(results_path//'/summary.csv'), 'Without a push ')
       do i = 1, 2
          run = run_deck_text(replaced(text, '150 ', to_text(part(i)*wob)//' '))
          rows = lines_of(results_path//'/summary.csv')
@@ -407,8 +384,7 @@ contains
          character(*), intent(in) :: words
          real(wp) :: value
          character(:), allocatable :: number
-         number = number_after(run%output, words)
-         read (number, *) value
+         value = value_after(run%output, words)
       end function told
 
       !> Checks the answer to another case.
@@ -500,8 +476,7 @@ contains
          type(run_type) :: other
          character(:), allocatable :: number
          real(wp) :: factor
-         number = number_after(unwrapped(run%output), 'answer becomes NO above about ')
-         read (number, *) factor
+         factor = value_after(unwrapped(run%output), 'answer becomes NO above about ')
          other = run_deck_text(replaced(text, 'friction = 0.3', 'friction = '//to_text(0.3_wp*factor*part)))
          call assertTrue(index(other%output, newline//'c  '//answer) > 0, message=other%output)
       end subroutine check_reserve

@@ -3,7 +3,7 @@ module dg_test_printed_figures
    use funit, only: anyExceptions, assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
-   use dg_result_rows, only: lines_of, number
+   use dg_result_rows, only: lines_of, number, value_after
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -408,20 +408,6 @@ contains
       run = run_deck_text(replaced(text, "&boundary packer_bore = 82, packer_hold = 'landed' /", ''))
       call assertEqual(0, index(unwrapped(run%output), 'seal travel'), message=run%output)
    end subroutine test_packer
-
-   !> The number behind words of an output; 0 where they are absent, which fails the test.
-   function value_after(output, words) result(value)
-      character(*), intent(in) :: output, words
-      real(wp) :: value
-      character(:), allocatable :: text
-      integer :: place, status
-      value = 0.0_wp
-      allocate (text, source=unwrapped(output))
-      place = index(text, words)
-      status = 1
-      if (place > 0) read (text(place + len(words):), *, iostat=status) value
-      call assertEqual(0, status, message=words//' in '//output)
-   end function value_after
 
    !> The weight on bit that a helically buckled string still brings, and the friction that is possible. Beams confirm both: the
    !> friction of their coils grows faster than that of the soft string.

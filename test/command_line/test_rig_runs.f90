@@ -4,7 +4,7 @@ module dg_test_rig_runs
    use funit, only: anyExceptions, assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, deck_path, replaced, results_path, run_deck_text, run_type, unwrapped
-   use dg_result_rows, only: field, lines_of, number
+   use dg_result_rows, only: field, lines_of, number, value_after
    use dg_text, only: text_type, to_text
    implicit none
    private
@@ -273,8 +273,8 @@ contains
       call assertTrue(index(run%output, no) > 0, message=run%output)
       call assertTrue(index(unwrapped(run%output), ' kN of push bring ') > 0, message=run%output)
       call assertTrue(index(run%output, 'must be pushed at surface') > 0, message='a warning: '//run%output)
-      factor = value_after('yes below about ')
-      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 0.98_wp*value_after('Deepest bit depth possible: about '), 0.99_wp*push))
+      factor = told('yes below about ')
+      run = run_deck_text(crossing(0.35_wp, 50.0_wp, 0.98_wp*told('Deepest bit depth possible: about '), 0.99_wp*push))
       call assertTrue(index(run%output, yes) > 0, message='shallower: '//run%output)
       run = run_deck_text(crossing(0.98_wp*factor*0.35_wp, 50.0_wp, 800.0_wp, 0.99_wp*push))
       call assertTrue(index(run%output, yes) > 0, message='less friction: '//run%output)
@@ -284,10 +284,10 @@ contains
       call assertEqual(0, index(run%output, 'must be pushed at surface'), message='no warning: '//run%output)
       run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))
       call assertTrue(index(unwrapped(run%output), ', by string weight and push') > 0, message=run%output)
-      factor = value_after('NO above about ')
+      factor = told('NO above about ')
       call bracket(factor*0.35_wp, 0.0_wp, 'friction')
       run = run_deck_text(crossing(0.35_wp, 50.0_wp, 800.0_wp, 1.5_wp*push))
-      call bracket(0.0_wp, value_after('String weight and push bring at most about '), 'weight on bit')
+      call bracket(0.0_wp, told('String weight and push bring at most about '), 'weight on bit')
    contains
       !> Yes with 2 % less of a number, NO with 2 % more.
       subroutine bracket(friction, wob, what)
@@ -303,15 +303,12 @@ contains
          end do
       end subroutine bracket
 
-      function value_after(words) result(value)
+      !> A number of the answer.
+      function told(words) result(value)
          character(*), intent(in) :: words
          real(wp) :: value
-         character(:), allocatable :: rest
-         rest = unwrapped(run%output(index(run%output, newline//'push '):))
-         call assertTrue(index(rest, words) > 0, message=words//': '//rest)
-         value = 0.0_wp
-         if (index(rest, words) > 0) read (rest(index(rest, words) + len(words):), *) value
-      end function value_after
+         value = value_after(run%output(index(run%output, newline//'push '):), words)
+      end function told
    end subroutine test_push
 
    !> A string that is pushed through a crossing of 800 m.

@@ -4,6 +4,7 @@ module dg_test_ways_down
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use dg_kinds, only: wp
    use dg_program_run, only: content, replaced, results_path, run_deck_text, run_type, unwrapped
+   use dg_result_rows, only: value_after
    use dg_text, only: to_text
    implicit none
    private
@@ -42,19 +43,6 @@ contains
                   "&load_case name = 'run', operation = "//operation//', bit_depth = 3000 /')
    end function floated
 
-   !> The number behind some words of a text; it fails where they are not there.
-   function number_after(text, words) result(number)
-      character(*), intent(in) :: text, words
-      real(wp) :: number
-      character(:), allocatable :: rest
-      integer :: at
-      number = 1.0_wp
-      rest = unwrapped(text)
-      at = index(rest, words)
-      call assertTrue(at > 0, message='wanted: '//words//'; got: '//text)
-      if (at > 0) read (rest(at + len(words):), *) number
-   end function number_after
-
    !> Run a deck and compare its answer.
    subroutine expect(answer, text)
       character(*), intent(in) :: answer, text
@@ -75,7 +63,7 @@ contains
                    "&load_case name = 'run', operation = 'sliding', bit_depth = 3000, wob = 20 /")
       run = run_deck_text(slide)
       call assertTrue(index(run%output, newline//'run  NO ') > 0, message=run%output)
-      depth = number_after(run%output, 'Deepest bit depth possible: about ')
+      depth = value_after(run%output, 'Deepest bit depth possible: about ')
       call expect('yes ', replaced(slide, 'bit_depth = 3000', 'bit_depth = '//to_text(0.98_wp*depth)))
       call expect('NO ', replaced(slide, 'bit_depth = 3000', 'bit_depth = '//to_text(1.02_wp*depth)))
    end subroutine test_bend
@@ -86,7 +74,7 @@ contains
       type(run_type) :: run
       real(wp) :: depth
       run = run_deck_text(floated("'trip_in'"))
-      depth = number_after(run%output, 'Deepest bit depth possible: about ')
+      depth = value_after(run%output, 'Deepest bit depth possible: about ')
       call expect('yes ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = '//to_text(0.98_wp*depth)))
       call expect('NO ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = '//to_text(1.02_wp*depth)))
       call expect('yes ', replaced(floated("'trip_in'"), 'bit_depth = 3000', 'bit_depth = 2200'))
@@ -102,7 +90,7 @@ contains
       type(run_type) :: run
       real(wp) :: speed
       run = run_deck_text(floated("'trip_in'"))
-      speed = number_after(run%output, 'move it slowly (at 20 rpm at most about ')
+      speed = value_after(run%output, 'move it slowly (at 20 rpm at most about ')
       call expect('yes ', floated("'reaming', rpm = 20, trip_speed = "//to_text(0.9_wp*speed)))
       call expect('NO ', floated("'reaming', rpm = 20, trip_speed = "//to_text(1.1_wp*speed)))
    end subroutine test_speed
