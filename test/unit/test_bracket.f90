@@ -98,7 +98,7 @@ contains
       real(wp), intent(in) :: changes(:)   !< the function is < 0 above the first [m]
       real(wp) :: depth
       type(depth_search_type) :: search
-      search = new_depth_search(100.0_wp, value_at(100.0_wp), 1.0e-7_wp)
+      search = new_depth_search(100.0_wp, 1.0e-7_wp)
       do while (search%goes_on)
          depth = next_depth(search)
          call take_value(search, depth, value_at(depth))

@@ -6,10 +6,10 @@
 module dg_case_without_load
    use dg_kinds, only: wp
    use dg_weight_on_bit, only: weight_that_arrives
-   use dg_case_result, only: add_sentence, case_result_type, is_pushed, result_converged, result_locked_up, without_load_type
-   use dg_load_case, only: block_way, rotates
+   use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, without_load_type
+   use dg_load_case, only: rotates
    use dg_model, only: model_type
-   use dg_solve_again, only: solve_again
+   use dg_solve_again, only: comes_short, solve_again
    use dg_stopping, only: stop_type
    use dg_text, only: either
    use dg_unit_kind, only: at_most, in_units, unit_force
@@ -31,15 +31,7 @@ contains
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
       associate (load_case => model%cases(case_index))
-         if (.not. load_case%wob > 0.0_wp .or. block_way(load_case%operation) >= 0) return
-         select case (result%status)
-         case (result_converged)
-            if (.not. is_pushed(result%hookload + model%rig%max_push, result%profile%axial)) return
-         case (result_locked_up)
-            continue
-         case default
-            return
-         end select
+         if (.not. (load_case%wob > 0.0_wp .and. comes_short(model, case_index, result))) return
          if (.not. rotates(load_case%operation)) call solve_bare(model, case_index, stop, result)
       end associate
       if (result%status == result_locked_up .and. result%lock_up_load > 0.0_wp) call add_sentence(result%message, &

@@ -47,7 +47,7 @@ contains
          ratio = utilisation%used%value/used
       left = 1.0_wp - maxval(ratio*used)
       if (left >= 0.0_wp) return
-      search = new_depth_search(span, left, depth_tolerance*span)
+      search = new_depth_search(span, depth_tolerance*span)
       do while (search%goes_on)
          depth = next_depth(search)
          call take_value(search, depth, left_at(depth))

@@ -154,7 +154,7 @@ contains
       associate (load_case => model%cases(case_index), depth => probe%cases(case_index)%bit_depth)
          left = left_of(model, case_index, load_case%wob, coiled=.true., pushed=.false., friction_scale=friction_scale)
          if (left >= 0.0_wp) return
-         search = new_depth_search(load_case%bit_depth, left, depth_tolerance*load_case%bit_depth)
+         search = new_depth_search(load_case%bit_depth, depth_tolerance*load_case%bit_depth)
          do while (search%goes_on)
             depth = next_depth(search)
             call take_value(search, depth, left_of(probe, case_index, load_case%wob, coiled=.true., pushed=.false., &

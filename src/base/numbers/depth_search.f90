@@ -4,7 +4,7 @@
 !> count either: a short string has no weight for its bit.
 !>
 !> The caller computes the values:
-!>     search = new_depth_search(bottom, value at the bottom, tolerance)
+!>     search = new_depth_search(bottom, tolerance)
 !>     do while (search%goes_on)
 !>        depth = next_depth(search)
 !>        call take_value(search, depth, value at depth)
@@ -24,7 +24,6 @@ module dg_depth_search
       real(wp) :: greatest = 0.0_wp       !< last depth that is possible; 0: none of those that were tried [m]
       logical :: goes_on = .true.
       real(wp), private :: bottom = 0.0_wp, tolerance = 0.0_wp   !< [m]
-      real(wp), private :: at_bottom = 0.0_wp                    !< value there
       real(wp), private :: above = -1.0_wp                       !< value at the depth above the next one
       integer, private :: next = 1                               !< next depth from the top down; 0: between two of them
       type(bracket_type), private :: bracket
@@ -32,14 +31,12 @@ module dg_depth_search
 
 contains
 
-   !> From the bottom with its value, < 0, and the accuracy of the result.
-   pure function new_depth_search(bottom, value, tolerance) result(search)
+   !> From the bottom, where the value is < 0, and the accuracy of the result.
+   pure function new_depth_search(bottom, tolerance) result(search)
       real(wp), intent(in) :: bottom      !< [m]
-      real(wp), intent(in) :: value
       real(wp), intent(in) :: tolerance   !< [m]
       type(depth_search_type) :: search
       search%bottom = bottom
-      search%at_bottom = value
       search%tolerance = tolerance
    end function new_depth_search
 
@@ -62,32 +59,23 @@ contains
       if (search%next == 0) then
          call narrow(search%bracket, depth, value)
       else if (search%above >= 0.0_wp .and. value < 0.0_wp) then
-         call look_between(search, depth, value)
+         search%bracket = new_bracket(depth_of(search, search%next - 1), search%above, depth, value)
+         search%next = 0
       else
          search%above = value
          search%next = search%next + 1
-         if (search%next < depths) return
-         search%goes_on = value >= 0.0_wp
-         if (.not. search%goes_on) return
-         call look_between(search, search%bottom, search%at_bottom)
+         search%goes_on = search%next <= depths
+         return
       end if
       search%greatest = search%bracket%low
       search%goes_on = .not. is_narrow(search%bracket, search%tolerance)
    end subroutine take_value
-
-   !> Begin to look between a depth that is not possible and the one above it, which is.
-   pure subroutine look_between(search, depth, value)
-      type(depth_search_type), intent(inout) :: search
-      real(wp), intent(in) :: depth, value   !< [m], < 0
-      search%bracket = new_bracket(depth_of(search, search%next - 1), search%above, depth, value)
-      search%next = 0
-   end subroutine look_between
 
    !> One of the depths from the top down [m].
    pure function depth_of(search, number) result(depth)
       type(depth_search_type), intent(in) :: search
       integer, intent(in) :: number       !< `depths`: the bottom
       real(wp) :: depth
-      depth = search%bottom*real(number, wp)/real(depths, wp)
+      depth = search%bottom*(real(number, wp)/real(depths, wp))
    end function depth_of
 end module dg_depth_search

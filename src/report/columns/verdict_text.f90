@@ -10,14 +10,14 @@ module dg_verdict_text
    use dg_rounding, only: rounded_up
    use dg_text, only: either, to_text
    use dg_unit_kind, only: at_most, in_units, unit_factor, unit_force, unit_length, unit_moment, unit_pressure, &
-                           unit_speed
+                           unit_rotation, unit_speed
    use dg_units, only: unit_system_type
    use dg_utilisation, only: limit_joint_torsion, limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, &
                              limit_von_mises
    use dg_verdict, only: answer_no, answer_yes, friction_upper_end, friction_upper_end_alone, is_near_by_friction, &
                          is_without_check, limit_casing_wear, limit_fatigue, &
                          limit_joint_fatigue, limit_lock_up, limit_string_weight, limits_by_hours, limit_title, &
-                         limit_wob_yield, verdict_type
+                         limit_wob_yield, slow_turning, verdict_type
    implicit none
    private
    public :: task_text, used_text, verdict_reason, verdict_sentences, row_mark, mark_meaning
@@ -185,7 +185,8 @@ contains
          pump_text(units, verdict)
       if (verdict%turning_hookload%present) &
          text = text//'. Rotate the string and move it slowly'// &
-                either(' (at 20 rpm at most about '//in_units(units, unit_speed, at_most(units, unit_speed, &
+                either(' (at '//in_units(units, unit_rotation, slow_turning, few_digits)//' at most about '// &
+                       in_units(units, unit_speed, at_most(units, unit_speed, &
                        verdict%turning_speed%value, few_digits), few_digits)//')', '', verdict%turning_speed%present)// &
                 ', if that is allowed: its weight '// &
                 'is enough then, hook load at most about '//force_text(units, verdict%turning_hookload%value)//', torque about '// &

@@ -36,13 +36,13 @@ contains
       type(text_type), allocatable :: lines(:)
       real(wp) :: deepest, air, mud, along, collars
       character(:), allocatable :: line
-      logical :: several
+      logical :: own, several
       integer :: i
       allocate (lines(0))
       call append_text(lines, path_line(units, model))
-      several = .false.
-      if (present(own_friction)) several = own_friction
-      if (.not. several) call append_text(lines, friction_line(model))
+      own = .false.
+      if (present(own_friction)) own = own_friction
+      if (.not. own) call append_text(lines, friction_line(model))
       if (present(upper)) then
          several = size(upper%holes) > 1
          if (upper%known .and. (upper%axial .or. upper%rotary)) call append_text(lines, &

@@ -30,7 +30,7 @@ module dg_html_report
    use dg_summary_file, only: summary_row
    use dg_table_1, only: page_columns
    use dg_readable, only: first_names
-   use dg_text, only: append_text, text_type, to_text
+   use dg_text, only: append_text, either, text_type, to_text
    use dg_unchecked_text, only: components_without_yield
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
@@ -99,7 +99,7 @@ contains
       end if
       if (allocated(printed%lines)) then
          if (size(printed%lines) > 0) then
-            call open_fold(lines, html_safe(studies_heading(printed%outcome)))
+            call open_fold(lines, html_safe(studies_heading(printed%outcome)), on_paper=.false.)
             call append_preformatted(lines, printed%lines)
             call close_fold(lines)
          end if
@@ -109,11 +109,11 @@ contains
       call append_assumptions(lines, job)
       call close_fold(lines)
       if (size(results) > 0) then
-         call open_fold(lines, 'How it was solved')
+         call open_fold(lines, 'How it was solved', on_paper=.false.)
          call append_costs(lines, job, model, results, wholes)
          call close_fold(lines)
       end if
-      call open_fold(lines, 'Deck')
+      call open_fold(lines, 'Deck', on_paper=.false.)
       call append_deck(lines, job%deck_text)
       call close_fold(lines)
       call add_line(lines, '</main>')
@@ -145,8 +145,8 @@ contains
    subroutine open_fold(lines, heading, on_paper)
       type(line_list_type), intent(inout) :: lines
       character(*), intent(in) :: heading
-      logical, intent(in), optional :: on_paper
-      call add_line(lines, '<details class="fold'//trim(merge(' on-paper', '         ', present(on_paper)))//'"><summary>'// &
+      logical, intent(in) :: on_paper
+      call add_line(lines, '<details class="fold'//either(' on-paper', '', on_paper)//'"><summary>'// &
                        heading//'</summary>')
    end subroutine open_fold
 
@@ -251,7 +251,7 @@ contains
             fields(i)%fields = [fields(i)%fields(:fields(i)%count), limits%fields(:limits%count)]
             fields(i)%count = size(fields(i)%fields)
          end do
-         if (k > 1) call open_fold(lines, 'Model '//trim(model_name(models(k))))
+         if (k > 1) call open_fold(lines, 'Model '//trim(model_name(models(k))), on_paper=.false.)
          if (k == 1 .and. size(models) > 1) call add_line(lines, '<h3>Model '//trim(model_name(models(k)))//'</h3>')
          call append_table(lines, shown, job%units, fields, &
                            wholes(rows)%verdict%answer /= answer_yes)

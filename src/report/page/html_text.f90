@@ -221,7 +221,9 @@ contains
          type(unit_system_type), intent(in) :: system
          character(:), allocatable :: text
          text = in_units(system, quantity, value, digits)
-         if (present(down)) text = in_units(system, quantity, at_most(system, quantity, value, digits), digits)
+         if (present(down)) then
+            if (down) text = in_units(system, quantity, at_most(system, quantity, value, digits), digits)
+         end if
       end function shown
    end function said_number
 

@@ -20,24 +20,30 @@ contains
       if (operation == operation_trip_in .and. .not. is_missing(hole%friction_running_in)) friction = hole%friction_running_in
    end function axial_friction
 
+   !> Coefficients of a hole section along and around it [-]. A load case may override them.
+   pure subroutine find_hole_friction(hole, load_case, axial, rotary)
+      type(hole_section_type), intent(in) :: hole
+      type(load_case_type), intent(in) :: load_case
+      real(wp), intent(out) :: axial, rotary
+      axial = axial_friction(hole, load_case%operation)
+      if (load_case%friction_axial%present) axial = load_case%friction_axial%value
+      rotary = hole%friction_rotary
+      if (load_case%friction_rotary%present) rotary = load_case%friction_rotary%value
+   end subroutine find_hole_friction
+
    !> Friction factors that a load case meets in its hole, from the top down, each once. They are those along the hole for a
    !> string that moves, else those around it.
    pure function frictions_met(holes, load_case) result(factors)
       type(hole_section_type), intent(in) :: holes(:)
       type(load_case_type), intent(in) :: load_case
       real(wp), allocatable :: factors(:)
-      real(wp) :: factor
+      real(wp) :: axial, rotary, factor
       integer :: i
       allocate (factors(0))
       do i = 1, size(holes)
          if (.not. holes(i)%md_top < load_case%bit_depth) cycle
-         if (moves_axially(load_case%operation)) then
-            factor = axial_friction(holes(i), load_case%operation)
-            if (load_case%friction_axial%present) factor = load_case%friction_axial%value
-         else
-            factor = holes(i)%friction_rotary
-            if (load_case%friction_rotary%present) factor = load_case%friction_rotary%value
-         end if
+         call find_hole_friction(holes(i), load_case, axial, rotary)
+         factor = merge(axial, rotary, moves_axially(load_case%operation))
          if (factor > 0.0_wp .and. all(abs(factors - factor) > 0.0_wp)) factors = [factors, factor]
       end do
    end function frictions_met
@@ -84,12 +90,9 @@ contains
       real(wp), intent(out) :: axial     !< > 0 pushes down the hole [-]
       real(wp), intent(out) :: rotary    !< against the rotation, >= 0 [-]
       real(wp) :: mu_axial, mu_rotary
-      mu_axial = axial_friction(hole, load_case%operation)
-      if (load_case%friction_axial%present) mu_axial = load_case%friction_axial%value
+      call find_hole_friction(hole, load_case, mu_axial, mu_rotary)
       mu_axial = mu_axial*component%scale_axial
       if (.not. is_missing(component%friction_axial)) mu_axial = component%friction_axial
-      mu_rotary = hole%friction_rotary
-      if (load_case%friction_rotary%present) mu_rotary = load_case%friction_rotary%value
       mu_rotary = mu_rotary*component%scale_rotary
       if (.not. is_missing(component%friction_rotary)) mu_rotary = component%friction_rotary
       if (centralized) then
