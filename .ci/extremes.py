@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Runs every deck of input/extremes/ and prints what came of it: right, refused or marked, with figures.
 
-Usage: extremes.py PATH_TO_DRILLGAP [--long PATH_TO_DRILLGAP] [NAME ...]
-
-Where a second program is given, decks with "! Long" in their head are run by it: a fast one, where the first has every check.
+Usage: extremes.py PATH_TO_DRILLGAP [NAME ...]
 
 What is expected stands in the head of each deck:
   ! Expect: CASE COLUMN = VALUE within TOLERANCE % (source)    the column of summary.csv; kN instead of % is absolute
@@ -68,9 +66,6 @@ def main():
         print(__doc__)
         return 2
     program, names = os.path.abspath(sys.argv[1]), sys.argv[2:]
-    fast = program
-    if names[:1] == ["--long"]:
-        fast, names = os.path.abspath(names[1]), names[2:]
     passed = failed = 0
     for path in sorted(FOLDER.glob("*.nml")):
         if names and path.stem not in names:
@@ -89,7 +84,7 @@ def main():
             variants = [(f"{key} = {v}", re.sub(rf"(?<!: )\b{key} = [^,/\s]+", f"{key} = {v}", text)) for v in values]
         for label, variant in variants:
             with tempfile.TemporaryDirectory() as home:
-                status, message, rows, wrote = run(fast if re.search(r"^! Long", text, re.M) else program, variant, home)
+                status, message, rows, wrote = run(program, variant, home)
             for case, column in seen:
                 if rows.get(case, {}).get("status") == "converged":
                     seen[case, column].append(float(rows[case][column]))
