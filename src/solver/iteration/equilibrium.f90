@@ -60,7 +60,7 @@ contains
       solution%gaps%followed = .false.
       solution%work%held = 0.0_wp
       it%holder = holder_type()
-      call keep_gaps(solution%gaps, it%kept)
+      call keep_gaps(solution%gaps, it%origin%gaps)
       call place_and_survey(trajectory, solution)
       call judge_gaps(it, trajectory, .true., solution)
       call measure_here(it, trajectory, .false., solution)
@@ -68,12 +68,12 @@ contains
          call enter_row(it, solution)
          call settle_gaps(it, trajectory, solution)
          if (it%outcome == outcome_open) call judge_progress(it, trajectory, solution)
-         if (it%outcome == outcome_open .and. it%damped) call judge_drift(it, solution)
+         if (it%outcome == outcome_open .and. it%damper%on) call judge_drift(it, solution)
          if (it%outcome == outcome_open) call find_step(it, trajectory, solution)
          if (it%outcome /= outcome_open) exit
          call search_along(it, trajectory, solution)
          call judge_step(it, trajectory, solution)
-         if (it%damping > damping_most .or. .not. it%before < huge(it%before)) then
+         if (it%damper%factor > damping_most .or. .not. it%residual%before < huge(it%residual%before)) then
             it%outcome = outcome_damped
             exit
          end if
@@ -93,14 +93,14 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       logical, intent(in) :: stepped       !< a step has just been taken
       logical :: forces_first
-      forces_first = .not. (it%damped .or. it%growth < rigid) .and. &
-                     it%before < it%numerics%tuning%near*solution%equations%force_scale
+      forces_first = .not. (it%damper%on .or. it%wall%growth < rigid) .and. &
+                     it%residual%before < it%numerics%tuning%near*solution%equations%force_scale
       if (forces_first) then
          call measure(it, trajectory, .true., stepped, solution)
          if (is_within(it, solution%equations, 0.0_wp)) return
       end if
       call measure(it, trajectory, .false., stepped, solution)
-      if (it%damped) call keep_symmetric(solution%equations%matrix, it%energy)
+      if (it%damper%on) call keep_symmetric(solution%equations%matrix, it%damper%energy)
    end subroutine measure_here
 
    !> Enter the present row in the history.
@@ -112,9 +112,9 @@ contains
       it%row%iteration = solution%equations%iterations
       it%row%negative_pivots = solution%equations%solver%negative_pivots
       solution%equations%history(solution%equations%iterations + 1) = it%row
-      if (it%before < it%least) then
-         it%least = it%before
-         it%least_at = solution%equations%iterations
+      if (it%residual%before < it%residual%least) then
+         it%residual%least = it%residual%before
+         it%residual%least_at = solution%equations%iterations
       end if
    end subroutine enter_row
 
@@ -127,12 +127,12 @@ contains
       logical :: there, stable, moved
       do while (is_within(it, solution%equations, it%numerics%tuning%nearly))
          there = is_within(it, solution%equations, 0.0_wp)
-         if (there .and. it%damped) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(solution%mesh%clearance)
+         if (there .and. it%damper%on) there = it%row%lateral_step <= it%numerics%tuning%still*maxval(solution%mesh%clearance)
          if (there) then
             call judge_stability(it, solution, stable)
             if (.not. stable) return
          end if
-         if (it%cut_from < huge(it%cut_from) .and. it%rounds == 0) call find_outside(it, trajectory, solution)
+         if (it%cut_from < huge(it%cut_from) .and. it%moving%rounds == 0) call find_outside(it, trajectory, solution)
          if (it%outcome == outcome_outside) return
          moved = may_move(it, solution%equations, there)
          if (moved) call move_to_deepest(it, trajectory, there, solution, moved)
@@ -162,24 +162,25 @@ contains
       logical, intent(out) :: moved          !< true if a gap had to move
       type(move_rule_type) :: rule
       associate (tuning => it%numerics%tuning)
-         rule = move_rule_type(least=merge(0.0_wp, tuning%astray, it%rounds < tuning%most_moves), closed=.true., closely=.true.)
-         call keep_gaps(solution%gaps, it%kept)
+         rule = move_rule_type(least=merge(0.0_wp, tuning%astray, it%moving%rounds < tuning%most_moves), closed=.true., &
+                               closely=.true.)
+         call keep_gaps(solution%gaps, it%origin%gaps)
          call move_gaps(it, trajectory, rule, solution)
          moved = it%row%moves > 0
          if (.not. moved) return
-         if (it%rounds == tuning%most_moves + tuning%more_moves) then      ! moving did not help
+         if (it%moving%rounds == tuning%most_moves + tuning%more_moves) then      ! moving did not help
             call restore_gaps(it, trajectory, solution)
             return
          end if
-         if ((there .or. it%rounds == 0) .and. it%rounds <= tuning%most_moves) then
-            it%settled = solution%state                   ! an equilibrium, or the place where gaps first touched
-            it%settled_force = solution%work%normal
-            it%settled_held = solution%work%held
-            call keep_gaps(it%kept, it%settled_gaps)
+         if ((there .or. it%moving%rounds == 0) .and. it%moving%rounds <= tuning%most_moves) then
+            it%moving%state = solution%state                   ! an equilibrium, or the place where gaps first touched
+            it%moving%force = solution%work%normal
+            it%moving%held = solution%work%held
+            call keep_gaps(it%origin%gaps, it%moving%gaps)
          end if
-         it%rounds = it%rounds + 1
-         it%round_start = solution%equations%iterations
-         if (any(abs(solution%gaps%xi - it%kept%xi) > 0.0_wp)) it%growth = tuning%growth
+         it%moving%rounds = it%moving%rounds + 1
+         it%moving%start = solution%equations%iterations
+         if (any(abs(solution%gaps%xi - it%origin%gaps%xi) > 0.0_wp)) it%wall%growth = tuning%growth
       end associate
       call judge_gaps(it, trajectory, .false., solution)
       call measure_here(it, trajectory, .false., solution)
@@ -192,12 +193,12 @@ contains
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       it%outcome = ending(it, solution)
-      if (it%rounds == 0 .or. solution%equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
-      if (it%outcome /= outcome_open .and. it%rounds > it%numerics%tuning%most_moves) then
+      if (it%moving%rounds == 0 .or. solution%equations%gaps_taken_back .or. it%outcome == outcome_stopped) return
+      if (it%outcome /= outcome_open .and. it%moving%rounds > it%numerics%tuning%most_moves) then
          call restore_gaps(it, trajectory, solution)
          if (is_within(it, solution%equations, 0.0_wp)) it%outcome = outcome_converged
       else if (it%outcome == outcome_open .and. &
-               solution%equations%iterations >= it%round_start + it%numerics%tuning%longest_round) then
+               solution%equations%iterations >= it%moving%start + it%numerics%tuning%longest_round) then
          call restore_gaps(it, trajectory, solution)
       end if
    end subroutine judge_progress
@@ -213,15 +214,15 @@ contains
       if (it%holder%holding .or. is_vertical(solution%mesh)) return
       it%holder%quiet = it%holder%quiet + 1
       associate (tuning => it%numerics%tuning, first => it%row%attempt == 1)
-         if (it%row%flips + it%row%moves > merge(tuning%few, 0.0_wp, first)*it%row%contacts .or. it%growth < rigid) &
+         if (it%row%flips + it%row%moves > merge(tuning%few, 0.0_wp, first)*it%row%contacts .or. it%wall%growth < rigid) &
             it%holder%quiet = 0
          if (it%holder%quiet < merge(1, 2, first)*tuning%longest_quiet .or. &
-             it%before < tuning%near*solution%equations%force_scale) return
+             it%residual%before < tuning%near*solution%equations%force_scale) return
       end associate
       call judge_stability(it, solution, stable)
       if (.not. stable) return
       call start_to_hold(solution%mesh, it%holder)
-      if (it%holder%holding) it%least_at = solution%equations%iterations
+      if (it%holder%holding) it%residual%least_at = solution%equations%iterations
    end subroutine judge_drift
 
    !> Reason why a run without equilibrium ends here; outcome_open if it goes on.
@@ -234,7 +235,7 @@ contains
          outcome = outcome_stopped
       else if (solution%equations%iterations >= it%numerics%max_iterations) then
          outcome = outcome_exhausted
-      else if (solution%equations%iterations - it%least_at > it%numerics%tuning%longest_stall) then
+      else if (solution%equations%iterations - it%residual%least_at > it%numerics%tuning%longest_stall) then
          outcome = outcome_stalled
       end if
    end function ending
@@ -247,7 +248,7 @@ contains
       logical, intent(in) :: there           !< in equilibrium
       logical :: may
       associate (tuning => it%numerics%tuning)
-         may = it%rounds < tuning%most_moves .or. (there .and. it%rounds <= tuning%most_moves + tuning%more_moves)
+         may = it%moving%rounds < tuning%most_moves .or. (there .and. it%moving%rounds <= tuning%most_moves + tuning%more_moves)
          may = may .and. .not. equations%gaps_taken_back
       end associate
    end function may_move
@@ -257,16 +258,16 @@ contains
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
-      solution%state = it%settled
-      solution%work%normal = it%settled_force
-      solution%work%held = it%settled_held
-      call restore_gap_table(it%settled_gaps, solution%gaps)
-      call restore_gap_table(it%settled_gaps, it%kept)
+      solution%state = it%moving%state
+      solution%work%normal = it%moving%force
+      solution%work%held = it%moving%held
+      call restore_gap_table(it%moving%gaps, solution%gaps)
+      call restore_gap_table(it%moving%gaps, it%origin%gaps)
       solution%equations%gaps_taken_back = .true.
-      it%growth = rigid
+      it%wall%growth = rigid
       call place_and_survey(trajectory, solution)
       call judge_gaps(it, trajectory, .false., solution)
-      it%before = huge(it%before)      ! the iteration goes on from there, and needs the tangent
+      it%residual%before = huge(it%residual%before)      ! the iteration goes on from there, and needs the tangent
       call measure_here(it, trajectory, .false., solution)
    end subroutine restore_gaps
 
@@ -277,8 +278,10 @@ contains
       type(equations_type), intent(in) :: equations
       real(wp), intent(in) :: part           !< part of the force scale that is enough if the tolerances are smaller [-]
       logical :: is
-      is = .not. it%growth < rigid .and. max(it%before, it%flipped) <= max(it%tolerance(1), part)*equations%force_scale .and. &
-           it%unbalanced <= max(it%tolerance(2), part)*equations%force_scale
+      associate (limit => max(it%tolerance, part)*equations%force_scale, residual => it%residual)
+         is = .not. it%wall%growth < rigid .and. max(residual%before, residual%flipped) <= limit(1) .and. &
+              residual%unbalanced <= limit(2)
+      end associate
    end function is_within
 
    !> Judge the stability of an equilibrium. A string without damping counts as stable.
@@ -287,10 +290,10 @@ contains
       type(solution_type), intent(inout) :: solution
       logical, intent(out) :: stable
       stable = .true.
-      if (.not. it%damped) return
-      call weigh_string(it%numerics%tuning, solution%mesh, solution%work, it%soft, it%lump)
+      if (.not. it%damper%on) return
+      call weigh_string(it%numerics%tuning, solution%mesh, solution%work, it%wall%soft, it%damper%lump)
       it%problem%closed = solution%gaps%state /= state_free
-      call is_definite(it%energy, it%lump, it%problem, margin_of(solution), stable)
+      call is_definite(it%damper%energy, it%damper%lump, it%problem, margin_of(solution), stable)
    end subroutine judge_stability
 
    !> Accept the step if energy or residual decreases; otherwise restore the state and raise the damping.
@@ -299,25 +302,27 @@ contains
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       logical :: taken
-      associate (tuning => it%numerics%tuning)
-         taken = .not. it%damped .or. (it%slope < 0.0_wp .and. it%slope_after < tuning%refused*abs(it%slope)) .or. &
-                 it%trial < it%before
+      associate (tuning => it%numerics%tuning, damper => it%damper, residual => it%residual)
+         taken = .not. damper%on .or. (damper%slope < 0.0_wp .and. damper%slope_after < tuning%refused*abs(damper%slope)) .or. &
+                 residual%trial < residual%before
          ! a string that hangs free may start with a residual of round-off, which no step reduces
-         if (it%old_growth < rigid) taken = taken .or. max(it%before, it%trial) <= it%tolerance(1)*solution%equations%force_scale
+         if (it%origin%growth < rigid) taken = taken .or. &
+            max(residual%before, residual%trial) <= it%tolerance(1)*solution%equations%force_scale
          if (taken) then
             it%row%judged = judged_whole
-            if (it%damped) it%row%judged = merge(judged_residual, judged_energy, it%trial < it%before)
+            if (damper%on) it%row%judged = merge(judged_residual, judged_energy, residual%trial < residual%before)
             call measure_here(it, trajectory, .true., solution)
-            call ease_damping(tuning, it%raised <= tuning%until_definite, it%damping)
-            it%raised = tuning%until_definite
+            call ease_damping(tuning, damper%raised <= tuning%until_definite, damper%factor)
+            damper%raised = tuning%until_definite
          else
-            it%growth = it%old_growth
+            it%wall%growth = it%origin%growth
             call go_back(it, trajectory, solution)
-            call measure_contacts(solution%mesh, solution%loads, solution%gaps, it%soft*it%growth, solution%work, it%problem)
+            call measure_contacts(solution%mesh, solution%loads, solution%gaps, it%wall%soft*it%wall%growth, solution%work, &
+                                  it%problem)
             it%row%flips = 0
             it%row%judged = judged_refused
-            it%damping = max(it%damping, tuning%damping_start)*it%raised
-            it%raised = tuning%until_definite*it%raised
+            damper%factor = max(damper%factor, tuning%damping_start)*damper%raised
+            damper%raised = tuning%until_definite*damper%raised
          end if
       end associate
    end subroutine judge_step

@@ -31,48 +31,76 @@ module dg_iteration_state
    !> minimum and hold it there. A shaft at 0.97 of Greenhill's load under 0.3 of its torque needs 0.23.
    real(wp), parameter :: stable = 0.02_wp, stable_twisted = 0.25_wp
 
+   !> Walls during the iteration.
+   type :: wall_type
+      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that yields visibly to the expected load [N/m2]
+      real(wp) :: growth = 1.0_wp             !< growth of rho since the softest [-]
+   end type wall_type
+
+   !> Damping, which keeps the energy's tangent positive definite.
+   type :: damper_type
+      logical :: on = .false.
+      type(block_matrix_type) :: energy       !< tangent without friction and torque
+      real(wp), allocatable :: lump(:, :)     !< diagonal terms of a unit of damping (6,nodes)
+      real(wp), allocatable :: room(:)        !< smoothed clearance (nodes) [m]
+      real(wp) :: factor = 0.0_wp             !< in units of F^2/(4 EI) [-]
+      real(wp) :: raised = 1.0_wp             !< factor on it at a refusal
+      real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
+   end type damper_type
+
+   !> Residuals at the state, the largest with pushes of gaps that are too deep.
+   type :: residual_type
+      real(wp), allocatable :: nodal(:, :)    !< r(d, R) (6,nodes)
+      real(wp) :: before = 0.0_wp             !< largest where the step begins [N, N.m]
+      real(wp) :: trial = 0.0_wp              !< largest where the step of a damped string ends [N, N.m]
+      real(wp) :: unbalanced = 0.0_wp         !< largest without pushes [N, N.m]
+      real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
+      real(wp) :: least = huge(1.0_wp)        !< least so far [N, N.m]
+      integer :: least_at = 0                 !< iteration with it
+   end type residual_type
+
+   !> String where the step begins.
+   type :: origin_type
+      real(wp), allocatable :: state(:, :), force(:)
+      type(gap_table_type) :: gaps
+      real(wp) :: growth = 1.0_wp             !< of rho [-]
+      real(wp), allocatable :: offset(:, :)   !< of the nodes from the hole axis (2,nodes) [m]
+      real(wp), allocatable :: length(:)      !< of elements (e) [m]
+   end type origin_type
+
+   !> Step of the linear problem.
+   type :: step_type
+      real(wp) :: share = 1.0_wp              !< share of it that is taken [-]
+      real(wp), allocatable :: slide(:)       !< slide along the hole by the whole step (nodes) [m]
+      real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
+      real(wp), allocatable :: longer(:)      !< first change of the length of elements (e) [m]
+   end type step_type
+
+   !> Moves of gaps near an equilibrium, and the string before the last of them.
+   type :: moving_type
+      integer :: rounds = 0                   !< number of times that gaps have moved
+      integer :: start = 0                    !< iteration at which they last moved
+      real(wp), allocatable :: state(:, :), force(:), held(:)
+      type(gap_table_type) :: gaps
+   end type moving_type
+
    !> One run of the iteration: its settings, and its state.
    type :: equilibrium_type
       type(numerics_type) :: numerics
       real(wp) :: tolerance(2) = 0.0_wp       !< limit of the residual over the force scale, with pushes and without [-]
-      real(wp) :: soft = 0.0_wp               !< stiffness of a wall that yields visibly to the expected load [N/m2]
-      logical :: damped = .false.             !< true if damping keeps the energy's tangent positive definite
       real(wp) :: cut_from = huge(1.0_wp)     !< least length of an element outside the hole that ends the run, to be cut [m]
       logical, allocatable :: outside(:)      !< elements outside the hole that are to be cut (e)
       integer :: outcome = outcome_open
-      ! state
       type(contact_problem_type) :: problem
       type(iteration_type) :: row
-      type(block_matrix_type) :: energy       !< tangent without friction and torque, of a damped string
-      real(wp), allocatable :: lump(:, :)     !< diagonal terms of a unit of damping (6,nodes)
-      real(wp) :: damping = 0.0_wp            !< in units of F^2/(4 EI) [-]
-      real(wp) :: raised = 1.0_wp             !< factor on damping at a refusal
-      real(wp) :: growth = 1.0_wp             !< growth of rho since the softest [-]
-      real(wp) :: before = 0.0_wp             !< largest residual where the step begins, pushes included [N, N.m]
-      real(wp) :: unbalanced = 0.0_wp         !< largest residual there, without pushes [N, N.m]
-      ! of a damped string
-      real(wp) :: trial = 0.0_wp              !< largest residual where the step ends [N, N.m]
-      real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
-      ! of any string
-      real(wp) :: share = 1.0_wp              !< share of the linear problem's step that is taken [-]
-      real(wp) :: old_growth = 1.0_wp
-      real(wp) :: flipped = 0.0_wp            !< largest force of a gap that opened or closed in the step [N]
-      real(wp) :: least = huge(1.0_wp)        !< least residual so far [N, N.m]
-      integer :: least_at = 0                 !< iteration with that residual
-      integer :: rounds = 0                   !< number of times that gaps have moved near an equilibrium
-      integer :: round_start = 0              !< iteration at which they last moved
-      integer :: held = 0                     !< node that is held against turning in a vertical hole; 0: none
-      real(wp), allocatable :: residual(:, :) !< r(d, R) at the state (6,nodes)
-      real(wp), allocatable :: offset(:, :)   !< offset of the nodes from the hole axis before the step (2,nodes) [m]
-      real(wp), allocatable :: room(:)        !< smoothed clearance, of a damped string (nodes) [m]
-      real(wp), allocatable :: slide(:)       !< slide along the hole by the whole step (nodes) [m]
-      real(wp), allocatable :: across(:, :)   !< lateral (2) and slopes (2) by the whole step, across the hole (4,nodes) [m, -]
-      real(wp), allocatable :: length(:), longer(:)   !< of elements before the step, and its first change by the step (e) [m]
-      real(wp), allocatable :: old(:, :), old_force(:)
-      type(gap_table_type) :: kept            !< gaps before the step
+      type(wall_type) :: wall
+      type(damper_type) :: damper
+      type(residual_type) :: residual
+      type(origin_type) :: origin
+      type(step_type) :: step
+      type(moving_type) :: moving
       type(holder_type) :: holder             !< of a string that drifts
-      real(wp), allocatable :: settled(:, :), settled_force(:), settled_held(:)   !< string before gaps last moved
-      type(gap_table_type) :: settled_gaps
+      integer :: held = 0                     !< node that is held against turning in a vertical hole; 0: none
    end type equilibrium_type
 
 contains
@@ -86,15 +114,15 @@ contains
       associate (mesh => solution%mesh)
          it%numerics = numerics
          it%tolerance = tolerance_at(numerics, mesh, solution%gaps, solution%loads, solution%equations%force_scale)
-         it%soft = max(solution%pressing, least)/numerics%tuning%soft_penetration
-         it%raised = numerics%tuning%until_definite
-         it%growth = numerics%tuning%growth
+         it%wall%soft = max(solution%pressing, least)/numerics%tuning%soft_penetration
+         it%damper%raised = numerics%tuning%until_definite
+         it%wall%growth = numerics%tuning%growth
          call new_contact_problem(mesh, it%problem)
-         allocate (it%residual(6, mesh%nodes), it%old(6, mesh%nodes), it%across(4, mesh%nodes), &
-                   it%slide(mesh%nodes), it%offset(2, mesh%nodes), source=0.0_wp)
+         allocate (it%residual%nodal(6, mesh%nodes), it%origin%state(6, mesh%nodes), it%step%across(4, mesh%nodes), &
+                   it%step%slide(mesh%nodes), it%origin%offset(2, mesh%nodes), source=0.0_wp)
          allocate (it%outside(mesh%elements), source=.false.)
-         allocate (it%room(0))
-         allocate (it%old_force(mesh%elements), it%length(mesh%elements), it%longer(mesh%elements), source=0.0_wp)
+         allocate (it%damper%room(0))
+         allocate (it%origin%force(mesh%elements), it%origin%length(mesh%elements), it%step%longer(mesh%elements), source=0.0_wp)
          if (solution%compressed > numerics%tuning%damped_share) call make_room_to_damp(mesh, it)
       end associate
    end subroutine new_equilibrium
@@ -103,10 +131,10 @@ contains
    pure subroutine make_room_to_damp(mesh, it)
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
-      it%damped = .true.
-      it%room = smooth_room(mesh%length, mesh%clearance)
-      it%energy = new_symmetric_matrix(mesh%nodes)
-      allocate (it%lump(6, mesh%nodes), source=0.0_wp)
+      it%damper%on = .true.
+      it%damper%room = smooth_room(mesh%length, mesh%clearance)
+      it%damper%energy = new_symmetric_matrix(mesh%nodes)
+      allocate (it%damper%lump(6, mesh%nodes), source=0.0_wp)
    end subroutine make_room_to_damp
 
    !> Compute residual, tangent at given contact forces in equations%matrix, and contact rows. Compute the largest residual
@@ -122,22 +150,22 @@ contains
       integer :: wanted
       associate (mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, work => solution%work, &
                  equations => solution%equations, state => solution%state)
-         wanted = merge(energy_tangent, whole_tangent, it%damped)
+         wanted = merge(energy_tangent, whole_tangent, it%damper%on)
          if (forces_only) wanted = forces_alone
-         call find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, it%residual)
-         if (it%damped .and. any(gaps%state /= state_free) .and. is_vertical(mesh)) &
-            call hold_turn(state, it%held, equations%matrix, it%residual)
-         if (it%rounds > 0) call measure_followers(trajectory, mesh, loads, it%numerics%relocation, gaps, work, &
+         call find_tangent(equations, trajectory, mesh, loads, gaps, state, wanted, work, it%residual%nodal)
+         if (it%damper%on .and. any(gaps%state /= state_free) .and. is_vertical(mesh)) &
+            call hold_turn(state, it%held, equations%matrix, it%residual%nodal)
+         if (it%moving%rounds > 0) call measure_followers(trajectory, mesh, loads, it%numerics%relocation, gaps, work, &
                                                    it%problem%followers)
-         if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%damped, equations%matrix)
-         call find_largest(it%residual, force, moment)
-         it%unbalanced = max(force, moment)
-         if (stepped .and. .not. it%damped) call stiffen_walls(it, it%unbalanced, solution)
-         call measure_contacts(mesh, loads, gaps, it%soft*it%growth, work, it%problem)
-         call add_place_forces(it%problem%followers, it%residual)
-         call add_pushes(gaps, it%residual, it%problem)
+         if (.not. forces_only) call add_place_stiffness(it%problem%followers, .true., .not. it%damper%on, equations%matrix)
+         call find_largest(it%residual%nodal, force, moment)
+         it%residual%unbalanced = max(force, moment)
+         if (stepped .and. .not. it%damper%on) call stiffen_walls(it, it%residual%unbalanced, solution)
+         call measure_contacts(mesh, loads, gaps, it%wall%soft*it%wall%growth, work, it%problem)
+         call add_place_forces(it%problem%followers, it%residual%nodal)
+         call add_pushes(gaps, it%residual%nodal, it%problem)
          call find_largest(it%problem%load, it%row%residual_force, it%row%residual_moment)
-         it%before = max(it%row%residual_force, it%row%residual_moment)
+         it%residual%before = max(it%row%residual_force, it%row%residual_moment)
       end associate
    end subroutine measure
 
@@ -148,8 +176,8 @@ contains
       real(wp), intent(in) :: left           !< largest residual [N, N.m]
       associate (tuning => it%numerics%tuning)
          if (it%row%flips <= nint(tuning%few*count(solution%gaps%state /= state_free)) .and. &
-             left < tuning%calm*solution%equations%force_scale) it%growth = it%growth*tuning%growth
-         if (it%growth >= tuning%stiff) it%growth = rigid
+             left < tuning%calm*solution%equations%force_scale) it%wall%growth = it%wall%growth*tuning%growth
+         if (it%wall%growth >= tuning%stiff) it%wall%growth = rigid
       end associate
    end subroutine stiffen_walls
 
@@ -225,10 +253,10 @@ contains
       type(equilibrium_type), intent(in) :: it
       type(trajectory_type), intent(in) :: trajectory
       type(solution_type), intent(inout) :: solution
-      solution%state = it%old
-      solution%work%normal = it%old_force
+      solution%state = it%origin%state
+      solution%work%normal = it%origin%force
       if (it%holder%holding) solution%work%held = it%holder%before
-      call restore_gap_table(it%kept, solution%gaps)
+      call restore_gap_table(it%origin%gaps, solution%gaps)
       call place_and_survey(trajectory, solution)
    end subroutine go_back
 
@@ -247,14 +275,14 @@ contains
          if (relocate) call move_gaps(it, trajectory, move_rule_type(most=it%numerics%tuning%gently, &
                                                                      closed=it%row%flips == 0), solution)
          it%row%flips = 0
-         it%flipped = 0.0_wp
+         it%residual%flipped = 0.0_wp
          do e = 1, mesh%elements
             associate (law => gaps%law(e), force => work%normal(e))
                deep = work%displacement(e) - depth_of(law, max(force, 0.0_wp))
-               next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%soft*mesh%length(e))
-               if (next /= it%kept%state(e)) then
+               next = next_state(law, gaps%thresholds, gaps%state(e), force, deep, it%wall%soft*mesh%length(e))
+               if (next /= it%origin%gaps%state(e)) then
                   it%row%flips = it%row%flips + 1
-                  it%flipped = max(it%flipped, abs(force), abs(law%contact*deep))
+                  it%residual%flipped = max(it%residual%flipped, abs(force), abs(law%contact*deep))
                end if
                if (next /= gaps%state(e)) gaps%flips(e) = gaps%flips(e) + 1
                gaps%state(e) = next

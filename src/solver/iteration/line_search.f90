@@ -28,32 +28,32 @@ contains
       type(trajectory_type), intent(in) :: trajectory
       real(wp) :: part
       integer :: search
-      it%old_growth = it%growth
-      it%old = solution%state
-      it%old_force = solution%work%normal
-      call keep_gaps(solution%gaps, it%kept)
+      it%origin%growth = it%wall%growth
+      it%origin%state = solution%state
+      it%origin%force = solution%work%normal
+      call keep_gaps(solution%gaps, it%origin%gaps)
       solution%equations%iterations = solution%equations%iterations + 1
-      call find_lengths(solution, it%length, it%longer)
-      if (it%damped) then
-         it%slope = slope_at_start(it, solution%equations, solution%work%normal)
+      call find_lengths(solution, it%origin%length, it%step%longer)
+      if (it%damper%on) then
+         it%damper%slope = slope_at_start(it, solution%equations, solution%work%normal)
          associate (tuning => it%numerics%tuning)
             do search = 0, tuning%most_searches
                call try_step(it, trajectory, solution)
-               if (.not. (it%slope < 0.0_wp .and. it%slope_after > tuning%uphill*abs(it%slope)) .or. &
-                   search == tuning%most_searches .or. it%trial < it%before) exit
+               if (.not. (it%damper%slope < 0.0_wp .and. it%damper%slope_after > tuning%uphill*abs(it%damper%slope)) .or. &
+                   search == tuning%most_searches .or. it%residual%trial < it%residual%before) exit
                call go_back(it, trajectory, solution)
-               part = max(tuning%shortest, min(tuning%longest, it%slope/(it%slope - it%slope_after)))
-               it%share = part*it%share
+               part = max(tuning%shortest, min(tuning%longest, it%damper%slope/(it%damper%slope - it%damper%slope_after)))
+               it%step%share = part*it%step%share
                solution%equations%step = part*solution%equations%step
-               it%longer = part*it%longer
-               it%slope = part*it%slope
+               it%step%longer = part*it%step%longer
+               it%damper%slope = part*it%damper%slope
             end do
          end associate
       else
          call move_and_survey(it, trajectory, solution)
       end if
       call move_contacts(it, trajectory, solution)
-      if (it%damped) call stiffen_walls(it, it%trial, solution)
+      if (it%damper%on) call stiffen_walls(it, it%residual%trial, solution)
    end subroutine search_along
 
    !> Slope of the energy along a step, at its start, with frozen friction forces [J]. Walls press with R + rho h where that is
@@ -64,11 +64,11 @@ contains
       real(wp), intent(in) :: force(:)             !< contact forces [N]
       real(wp) :: slope, push
       integer :: e
-      slope = energy_slope(equations, it%residual)
+      slope = energy_slope(equations, it%residual%nodal)
       do e = 1, size(force)
-         if (.not. (it%problem%closed(e) .or. it%kept%state(e) /= state_free)) cycle
+         if (.not. (it%problem%closed(e) .or. it%origin%gaps%state(e) /= state_free)) cycle
          push = max(0.0_wp, force(e) + it%problem%penalty(e)*it%problem%deep(e)) - force(e)
-         slope = slope + push*it%share*it%problem%moved(e)
+         slope = slope + push*it%step%share*it%problem%moved(e)
       end do
    end function slope_at_start
 
@@ -85,11 +85,11 @@ contains
          call move_and_survey(it, trajectory, solution)
          associate (problem => it%problem)
             do e = 1, mesh%elements
-               soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%soft*mesh%length(e)))
-               deep = work%displacement(e) - depth_of(gaps%law(e), it%old_force(e))
-               if (problem%closed(e) .or. it%kept%state(e) /= state_free) then
-                  linear = problem%deep(e) + it%share*problem%moved(e)
-                  work%normal(e) = max(0.0_wp, it%old_force(e) + problem%penalty(e)*linear + soft*(deep - linear))
+               soft = min(problem%penalty(e), in_series(gaps%law(e)%contact, it%wall%soft*mesh%length(e)))
+               deep = work%displacement(e) - depth_of(gaps%law(e), it%origin%force(e))
+               if (problem%closed(e) .or. it%origin%gaps%state(e) /= state_free) then
+                  linear = problem%deep(e) + it%step%share*problem%moved(e)
+                  work%normal(e) = max(0.0_wp, it%origin%force(e) + problem%penalty(e)*linear + soft*(deep - linear))
                else
                   work%normal(e) = max(0.0_wp, soft*deep)
                end if
@@ -98,8 +98,8 @@ contains
          end associate
          if (it%holder%holding) call hold_sideways(it%holder, it%numerics%tuning%most_held, solution)
          call find_tangent(equations, trajectory, mesh, loads, gaps, state, forces_alone, work, it%problem%load)
-         it%slope_after = energy_slope(equations, it%problem%load)
-         it%trial = maxval(abs(it%problem%load))
+         it%damper%slope_after = energy_slope(equations, it%problem%load)
+         it%residual%trial = maxval(abs(it%problem%load))
       end associate
    end subroutine try_step
 
@@ -109,7 +109,7 @@ contains
       type(solution_type), intent(inout) :: solution
       type(trajectory_type), intent(in) :: trajectory
       call move_string(it, trajectory, solution)
-      call follow_extrema(it%problem%followers, solution%equations%step, it%share, it%kept%xi, solution%gaps%xi)
+      call follow_extrema(it%problem%followers, solution%equations%step, it%step%share, it%origin%gaps%xi, solution%gaps%xi)
       call survey_gaps(trajectory, solution%mesh, solution%gaps, solution%work)
    end subroutine move_and_survey
 
@@ -123,17 +123,17 @@ contains
       real(wp) :: slide, chord(3), tangent(3), curvature(3)
       integer :: n, e
       associate (equations => solution%equations, mesh => solution%mesh, work => solution%work, state => solution%state)
-         call move_across(it%damped, it%room, it%offset, it%share, it%across, state)
+         call move_across(it%damper%on, it%damper%room, it%origin%offset, it%step%share, it%step%across, state)
          slide = 0.0_wp
          do n = 1, mesh%nodes
             state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)
-            call slide_along(trajectory, mesh, n, it%share*it%slide(n), state(:, n), tangent, curvature)
+            call slide_along(trajectory, mesh, n, it%step%share*it%step%slide(n), state(:, n), tangent, curvature)
             if (.not. it%numerics%tuning%keep_lengths) cycle
             call place_node(mesh%frame(:, :, n), state(:, n), work%shift(:, n), work%d(:, n))
             if (n == 1) cycle
             e = n - 1
             chord = mesh%chord(:, e) + (work%shift(:, n) - work%shift(:, e))
-            slide = slide + it%length(e) + it%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, n))
+            slide = slide + it%origin%length(e) + it%step%longer(e) - membrane_length(chord, work%d(:, e), work%d(:, n))
             call slide_on(trajectory, mesh, n, slide, tangent, curvature, state(:, n))
          end do
          call place_nodes(mesh, state, work)
@@ -183,18 +183,18 @@ contains
       logical :: whole
       integer :: e
       associate (mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
-         call restore_gap_table(it%kept, gaps)
-         call follow_extrema(it%problem%followers, solution%equations%step, it%share, it%kept%xi, gaps%xi)
-         whole = .not. it%share < 1.0_wp
+         call restore_gap_table(it%origin%gaps, gaps)
+         call follow_extrema(it%problem%followers, solution%equations%step, it%step%share, it%origin%gaps%xi, gaps%xi)
+         whole = .not. it%step%share < 1.0_wp
          do e = 1, mesh%elements
-            work%normal(e) = it%old_force(e) + it%share*(it%problem%wanted(e) - it%old_force(e))
+            work%normal(e) = it%origin%force(e) + it%step%share*(it%problem%wanted(e) - it%origin%force(e))
             if (whole .and. (it%problem%closed(e) .neqv. gaps%state(e) /= state_free)) then
                gaps%state(e) = merge(state_elastic, state_free, it%problem%closed(e))
                gaps%flips(e) = gaps%flips(e) + 1
             end if
             if (gaps%state(e) == state_free) work%normal(e) = 0.0_wp
          end do
-         call judge_gaps(it, trajectory, it%growth < it%numerics%tuning%stiff, solution)
+         call judge_gaps(it, trajectory, it%wall%growth < it%numerics%tuning%stiff, solution)
          if (it%holder%holding) call hold_sideways(it%holder, it%numerics%tuning%most_held, solution)
       end associate
    end subroutine move_contacts

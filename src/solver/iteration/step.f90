@@ -34,34 +34,34 @@ contains
       integer :: fault
       associate (equations => solution%equations, mesh => solution%mesh, gaps => solution%gaps, work => solution%work)
          it%problem%closed = gaps%state /= state_free
-         if (.not. it%damped) then
+         if (.not. it%damper%on) then
             call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
-            call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual, work%normal, .true., it%problem, &
-                               fault)
+            call solve_problem(it%numerics%tuning%most_settlings, equations, gaps, it%residual%nodal, work%normal, .true., &
+                               it%problem, fault)
             if (fault /= 0) then
                it%outcome = outcome_singular
                return
             end if
             call find_reach(it, trajectory, solution, reach)
             uphill = .not. energy_slope(equations, it%problem%load) < 0.0_wp .and. &
-                     (it%row%judged == judged_start .or. .not. it%before < it%numerics%tuning%near*equations%force_scale)
-            cycles = equations%iterations - it%least_at > it%numerics%tuning%longest_cycle
+                     (it%row%judged == judged_start .or. .not. it%residual%before < it%numerics%tuning%near*equations%force_scale)
+            cycles = equations%iterations - it%residual%least_at > it%numerics%tuning%longest_cycle
             if (reach > it%numerics%step_limit .or. uphill .or. cycles) then
                call make_room_to_damp(mesh, it)
                call find_tangent(equations, trajectory, mesh, solution%loads, gaps, solution%state, energy_tangent, work, &
-                                 it%residual)
-               call add_place_forces(it%problem%followers, it%residual)
+                                 it%residual%nodal)
+               call add_place_forces(it%problem%followers, it%residual%nodal)
                call add_place_stiffness(it%problem%followers, .true., .false., equations%matrix)
-               call keep_symmetric(equations%matrix, it%energy)
+               call keep_symmetric(equations%matrix, it%damper%energy)
             end if
          end if
-         if (it%damped) call find_damped_step(it, trajectory, solution, reach)
+         if (it%damper%on) call find_damped_step(it, trajectory, solution, reach)
          if (it%outcome /= outcome_open) return
-         it%row%damping = it%damping
-         it%row%lateral_step = maxval(abs(it%across(1:2, :)))
-         it%share = 1.0_wp/max(1.0_wp, reach)
-         if (.not. it%share < 1.0_wp) return
-         equations%step = it%share*equations%step
+         it%row%damping = it%damper%factor
+         it%row%lateral_step = maxval(abs(it%step%across(1:2, :)))
+         it%step%share = 1.0_wp/max(1.0_wp, reach)
+         if (.not. it%step%share < 1.0_wp) return
+         equations%step = it%step%share*equations%step
       end associate
    end subroutine find_step
 
@@ -79,25 +79,26 @@ contains
       integer :: hold, fault
       associate (equations => solution%equations, mesh => solution%mesh, loads => solution%loads, gaps => solution%gaps, &
                  work => solution%work)
-         call weigh_string(it%numerics%tuning, mesh, work, it%soft, it%lump)
-         if (it%holder%holding) call find_holding(it%numerics%tuning, it%lump, solution, it%holder)
+         call weigh_string(it%numerics%tuning, mesh, work, it%wall%soft, it%damper%lump)
+         if (it%holder%holding) call find_holding(it%numerics%tuning, it%damper%lump, solution, it%holder)
          it%problem%closed = gaps%state /= state_free
          associate (tuning => it%numerics%tuning)
             margin = 0.0_wp         ! next to an equilibrium that counts as stable no more damping is needed
-            if (it%before < tuning%near*equations%force_scale) margin = margin_of(solution)
+            if (it%residual%before < tuning%near*equations%force_scale) margin = margin_of(solution)
             live = any(abs(mesh%friction_along) > 0.0_wp) .or. any(mesh%friction_around > 0.0_wp) .or. abs(loads%tob) > 0.0_wp
             do hold = 0, tuning%most_raises
-               call damp_until_definite(tuning, it%energy, it%lump, it%problem, margin, it%damping)
+               call damp_until_definite(tuning, it%damper%energy, it%damper%lump, it%problem, margin, it%damper%factor)
                do
-                  call copy_symmetric(it%energy, equations%matrix)
+                  call copy_symmetric(it%damper%energy, equations%matrix)
                   if (live) then
                      call add_unsymmetric_part(mesh, loads, gaps, solution%state, work, equations%matrix)
                      call add_place_stiffness(it%problem%followers, .false., .true., equations%matrix)
                   end if
-                  call add_damping(it%damping, it%lump, equations%matrix)
+                  call add_damping(it%damper%factor, it%damper%lump, equations%matrix)
                   if (it%holder%holding) call add_holding(it%holder, equations%matrix)
                   call add_gap_rigidity(mesh, it%numerics%gk_min, equations%matrix)
-                  call solve_problem(tuning%most_settlings, equations, gaps, it%residual, work%normal, live, it%problem, fault)
+                  call solve_problem(tuning%most_settlings, equations, gaps, it%residual%nodal, work%normal, live, it%problem, &
+                                     fault)
                   if (fault /= 0) then
                      it%outcome = outcome_singular
                      reach = 0.0_wp
@@ -108,15 +109,15 @@ contains
                   it%problem%closed = gaps%state /= state_free
                end do
                call find_reach(it, trajectory, solution, reach)
-               settled = it%problem%unsettled == 0 .or. it%growth < rigid
+               settled = it%problem%unsettled == 0 .or. it%wall%growth < rigid
                if ((reach <= it%numerics%step_limit .and. settled) .or. hold == tuning%most_raises) exit
-               it%damping = max(it%damping, tuning%damping_start)*tuning%raise_damping
+               it%damper%factor = max(it%damper%factor, tuning%damping_start)*tuning%raise_damping
             end do
          end associate
       end associate
    end subroutine find_damped_step
 
-   !> Largest move of a node across the hole by the step, over its clearance [-]. Splits the step into it%slide and it%across.
+   !> Largest move of a node across the hole by the step, over its clearance [-]. Splits the step into slide and across.
    pure subroutine find_reach(it, trajectory, solution, reach)
       type(equilibrium_type), intent(inout) :: it
       type(solution_type), intent(in) :: solution
@@ -126,9 +127,9 @@ contains
       associate (mesh => solution%mesh)
          reach = 0.0_wp
          do n = 1, mesh%nodes
-            call split_step(trajectory, mesh, solution%work, n, solution%equations%step(:, n), it%offset(:, n), it%slide(n), &
-                            it%across(:, n))
-            reach = max(reach, norm2(it%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
+            call split_step(trajectory, mesh, solution%work, n, solution%equations%step(:, n), it%origin%offset(:, n), &
+                            it%step%slide(n), it%step%across(:, n))
+            reach = max(reach, norm2(it%step%across(1:2, n))/mesh%clearance(min(n, mesh%elements)))
          end do
       end associate
    end subroutine find_reach

@@ -88,7 +88,7 @@ contains
          again%gaps = fitted%gaps
          call begin_again(numerics, fitted%normal, again)
          call new_equilibrium(again, numerics, it)
-         it%growth = growth
+         it%wall%growth = growth
          it%numerics%max_iterations = min(numerics%max_iterations, again%equations%iterations + most_to_fit)
          it%row = again%equations%history(again%equations%iterations + 1)
          it%row%stage = it%row%stage + 1

@@ -269,7 +269,7 @@ contains
          end if
          do cut = 0, numerics%tuning%most_cuts
             call new_equilibrium(solution, numerics, it)
-            it%growth = attempt%growth
+            it%wall%growth = attempt%growth
             it%row%increment = increment
             it%row%attempt = number
             it%row%stage = 1 + cut

@@ -150,7 +150,7 @@ contains
       call begin_again(numerics, (solution%work%normal), solution)
       solution%equations%iterations = 0
       call new_equilibrium(solution, numerics, it)
-      it%growth = 1.0_wp
+      it%wall%growth = 1.0_wp
       it%numerics%max_iterations = min(model%numerics%max_iterations, most)
       it%row%attempt = 1
       call find_equilibrium(it, model%trajectory, solution)
