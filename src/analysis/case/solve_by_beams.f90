@@ -24,8 +24,8 @@ module dg_solve_by_beams
    private
    public :: solve_by_beams
 
-   !> Most iterations with joints one by one. Of 60 wells that are solved so, the hardest takes 359.
-   integer, parameter :: most_apart = 500
+   !> Most iterations with joints one by one. Of 655 wells that converge none takes more this way, and three would take 500 in vain.
+   integer, parameter :: most_apart = 250
    !> Digits of lengths and depths in a message.
    integer, parameter :: shown = 4, shown_depth = 7
    !> A joint within `close_to_step` of a step of the hole may be on either side of it [m]. A bit depth that differs by
