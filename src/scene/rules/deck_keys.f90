@@ -181,7 +181,7 @@ module dg_deck_keys
       key_rule_type('rig', 'max_torque', unit=unit_moment, low=0.0_wp, open=.true., high=strongest, &
          meaning='largest torque of top drive or rotary table; default: not known'), &
       key_rule_type('rig', 'max_push', unit=unit_force, low=0.0_wp, high=strongest, default='0', &
-         meaning='largest push at surface by rig, injector, snubbing unit or hanger; 0: string weight alone')]
+         meaning='largest push at surface: block weight set on the string, injector, snubbing unit or hanger; 0: none')]
 
    type(key_rule_type), parameter :: component_keys(*) = [ &
       key_rule_type('component', 'string', kind_text, default='main', meaning='name of its drillstring'), &
