@@ -134,8 +134,8 @@ contains
       character(:), allocatable :: deck, whole
       logical :: there
       deck = replaced(good_deck(), "models = 'soft'", "models = 'mcge'")
-      deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 1 /')
-      run = run_deck_text(deck//"&sweep name = 'b', operations = 'up', frictions = 0.2, 0.3, bit_depth_step = 5 /"//newline)
+      deck = replaced(deck(:index(deck, '&load_case') - 1), 'density = 1200.0 /', 'density = 1200.0 / &solver element_length = 3 /')
+      run = run_deck_text(deck//"&sweep name = 'b', operations = 'up', frictions = 0.2, 0.3, bit_depth_step = 8 /"//newline)
       whole = content(csv)
       call delete_file(csv)
       run = run_interrupted('--threads 1 --part 1-2/2', is_result('sweep_b.part_1_of_2'), 'TERM')
