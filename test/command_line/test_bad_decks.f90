@@ -238,7 +238,10 @@ contains
       call refuse("joint_od = 168.3", "joint_od = 100", 14, 'joint_od = 100 is smaller than od = 127')
       call refuse("joint_od = 168.3", "joint_od = 168.3, joint_id = 170", 14, &
                   'joint_id = 170 is not smaller than joint_od = 168.3. Give the bore of the pin')
-      call refuse("joint_od = 168.3", "joint_od = 215.9", 14, 'does not pass the hole of 215.9 mm (line 8)')
+      call refuse("joint_od = 168.3", "joint_od = 215.9", 14, &
+                  'with couplings or joints of 215.9 mm does not pass the hole of 215.9 mm (line 8)')
+      call refuse("id = 71.4 /", "id = 71.4, joint_od = 230 / &centralizer component = 'collars', od = 200, spacing = 10 /", 12, &
+                  "'collars' with 230 mm does not pass the hole of")
       call refuse("od = 171.45", "od = 240", 12, 'does not pass the hole of 220 mm (line 6)')
       call refuse("length = 100.0", "", 11, "only the last component of string 'main' may reach to surface")
       call refuse("od = 171.45", "od = 171.45, bend = 1.5", 12, 'bend needs bend_position')

@@ -328,8 +328,9 @@ contains
                   'density of what is not steel. Is od in inches? Then write 127. Is id in inches? Then write 108.6', &
                   'od = 127, id = 108.6, mass')
       call follow('field', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.625', 'od = 127, id = 108.6, joint_od = 168.3', &
-                  "'DP' with 168.3 in does not pass the hole of 8.681 in (line 3) in case 'up'. Diameters of this deck are in "// &
-                  'in. Is this one in mm? Then write 6.626', 'od = 5, id = 4.276, mass = 21.5, joint_od = 6.626')
+                  "'DP' with couplings or joints of 168.3 in does not pass the hole of 8.681 in (line 3) in case 'up'. "// &
+                  'Diameters of this deck are in in. Is this one in mm? Then write 6.626', &
+                  'od = 5, id = 4.276, mass = 21.5, joint_od = 6.626')
       run = run_deck_text(replaced(well('field'), 'od = 6.75, id = 3.25 /'//newline//"&component name = 'DP', od = 5, "// &
                                    'id = 4.276', 'od = 171.4, id = 71.4 /'//newline//"&component name = 'DP', od = 127, "// &
                                    'id = 108.6'), '--check')

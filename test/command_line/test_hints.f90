@@ -156,7 +156,8 @@ contains
       call assertTrue(index(run%diagnostics, "does not pass the hole of 8.681 in (line 3) in case 'u'; "// &
                             'needs a diameter < 8.5 in') > 0, message=run%diagnostics)
       call assertTrue(index(run%diagnostics, 'does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
-      call assertTrue(index(run%diagnostics, 'with 8.6 in does not pass the hole of 8.5 in (line 4)') > 0, message=run%diagnostics)
+      call assertTrue(index(run%diagnostics, 'with couplings or joints of 8.6 in does not pass the hole of 8.5 in (line 4)') > 0, &
+                      message=run%diagnostics)
    end subroutine test_sections
 
    !> Components of the string that is named, and a grade without a fatigue curve. With the advice the deck is sound.

@@ -182,15 +182,16 @@ contains
          end do
          part = 'component'
          if (components(k)%centralizer%present .and. .not. components(k)%centralizer%bow) then
-            part = 'centralizer'
-            diameter = components(k)%centralizer%od
+            if (components(k)%centralizer%od > diameter) part = 'centralizer'
+            diameter = max(components(k)%centralizer%od, diameter)
          end if
          do h = 1, lowest
             if (diameter < narrowest(lowest)) exit
             if (diameter < holes(h)%diameter) cycle
             if (is_bit(components(k)) .and. .not. diameter > holes(h)%diameter) cycle
-            call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '//wide(diameter)// &
-                                ' does not pass the hole of '//wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose//advice())
+            call add_part_fault(found, part, places(k), 'od', quoted(components(k)%name)//' with '// &
+                                either('couplings or joints of ', '', by_joint())//wide(diameter)//' does not pass the hole of '// &
+                                wide(holes(h)%diameter)//' (', 'hole', h, ') in '//whose//advice())
          end do
          if (components(k)%length <= 0.0_wp) return
          lower_end = upper_end
@@ -211,7 +212,8 @@ contains
             text = pipe_question//unit_label(units, unit_diameter)//text
          else
             text = '; needs a diameter '//either('<=', '<', is_bit(components(k)))//' '//wide(narrowest(lowest))// &
-                   gauge_advice()//either(bit_advice, '', k == 1 .and. .not. diameter > holes(h)%diameter)// &
+                   gauge_advice()// &
+                   either(bit_advice, '', k == 1 .and. .not. (diameter > holes(h)%diameter .or. is_pipe(components(k))))// &
                    opening_advice(components(k), holes, lowest, units)
          end if
       end function advice
@@ -224,6 +226,12 @@ contains
             text = '. Give its size under gauge, usually 1/32 in less: '// &
                    diameter_words(units, narrowest(lowest) - under_gauge, hole_digits)
       end function gauge_advice
+
+      !> True for pipe whose joints are its widest part.
+      function by_joint() result(is)
+         logical :: is
+         is = is_pipe(components(k)) .and. components(k)%joint_od > components(k)%od .and. part == 'component'
+      end function by_joint
 
       function wide(width) result(text)
          real(wp), intent(in) :: width
