@@ -50,7 +50,7 @@ module dg_along_string
       real(wp), allocatable :: overpull(:)          !< tension that may be added here until a limit by yield, bending included [N]
       real(wp), allocatable :: bending_range(:)     !< range of stress in a turn of the string; 0 if it does not turn [Pa]
       real(wp), allocatable :: magnification(:)     !< magnification of bending between single tool joints [-]
-      real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body with that magnification [Pa]
+      real(wp), allocatable :: jointed_bending(:)   !< bending stress of the body next to tool joints or between them [Pa]
       real(wp), allocatable :: joint_bending(:)     !< bending stress outside a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_von_mises(:)   !< largest stress in a tool joint, if one stands here [Pa]
       real(wp), allocatable :: joint_side_force(:)  !< contact force of a tool joint [N]
@@ -118,7 +118,8 @@ contains
             if (.not. solved) moment = moment_between(components(part), profile%axial(i), moment, &
                                                       max(curvature, curvature_at(model, profile%md(i), arc(last))))
             call set_stress(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, along)
-            call set_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), curvature, solved, along)
+            call set_joint(i, components(part), profile%axial(i), profile%torque(i), profile%bending(i), moment, curvature, &
+                           solved, along)
             do k = first, last
                if (k == first .or. arc(2) /= arc(1)) &
                   call lower_limits(model, i, profile%md(i), -profile%axial(i), components(part), weight, &
@@ -261,13 +262,13 @@ contains
       along%envelope_margin(i) = 1.0_wp - stress%von_mises/yield
    end subroutine set_stress
 
-   !> Bending between tool joints and stress in them at row `i`, for a component with joints. If joints were solved one by one,
-   !> the moments include the magnification. In compression bending is largest between joints, so that a joint has the mean
-   !> one.
-   pure subroutine set_joint(i, part, axial, torque, moment, curvature, apart, along)
+   !> Bending between tool joints and stress in them at row `i`, for a component with joints. In compression bending is largest
+   !> between joints, so that a joint has the mean one. The magnification is that without contact of the body.
+   pure subroutine set_joint(i, part, axial, torque, moment, largest, curvature, apart, along)
       integer, intent(in) :: i
       type(component_type), intent(in) :: part
       real(wp), intent(in) :: axial, torque, moment   !< [N, N.m, N.m]
+      real(wp), intent(in) :: largest                 !< moment next to tool joints or between them [N.m]
       real(wp), intent(in) :: curvature               !< of the hole [1/m]
       logical, intent(in) :: apart                    !< true if joints were solved one by one
       type(along_string_type), intent(inout) :: along
@@ -279,12 +280,11 @@ contains
                                                     0.5_wp*(part%joint_od - part%od))
       if (.not. is_missing(factor)) then
          along%magnification(i) = factor
-         along%jointed_bending(i) = factor*abs(moment)*0.5_wp*worn_od(part)/tube_inertia(worn_od(part), part%id)
+         along%jointed_bending(i) = largest*along%per_moment(i)
       end if
-      if (axial < 0.0_wp) factor = 1.0_wp
       force = true_axial(axial, part%joint_od, joint_bore(part), along%pressure(i), along%inside_pressure(i))
-      stress = pipe_stress(part%joint_od, joint_bore(part), force, torque, factor*moment, along%pressure(i), &
-                           along%inside_pressure(i))
+      stress = pipe_stress(part%joint_od, joint_bore(part), force, torque, merge(largest, moment, axial > 0.0_wp), &
+                           along%pressure(i), along%inside_pressure(i))
       along%joint_bending(i) = stress%bending
       along%joint_von_mises(i) = stress%von_mises
    end subroutine set_joint

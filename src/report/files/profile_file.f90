@@ -77,7 +77,8 @@ contains
                'largest bending between tool joints, if only joints touch, divided by the column bending; 1 with discrete '// &
                'joints; empty without joints, and in compression beyond the closed form', along%magnification)
       call add(list, 'jointed_bending_stress', quantity_stress, &
-               'joint_magnification times bending_stress, in the body of the pipe', along%jointed_bending)
+               'largest bending stress of the body next to tool joints or between them, its contact with the wall included; '// &
+               'empty as joint_magnification', along%jointed_bending)
       call add(list, 'joint_von_mises', quantity_stress, &
                'von Mises stress in a tool joint at this depth; empty without joints', along%joint_von_mises)
       call add(list, 'joint_side_force', quantity_force, &
