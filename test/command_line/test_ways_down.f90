@@ -18,6 +18,8 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('ways_down')
       call suite%addTest(TestMethod('depth_with_a_bend', test_bend))
+      call suite%addTest(TestMethod('held_down_while_backreaming', test_held_down))
+      call suite%addTest(TestMethod('yield_before_lock_up', test_yield))
       call suite%addTest(TestMethod('first_of_two_depths', test_floated))
       call suite%addTest(TestMethod('speed_of_a_string_that_turns', test_speed))
       call suite%addTest(TestMethod('limited_hours', test_hours))
@@ -70,7 +72,8 @@ contains
 
    !> The string stops first at about 1,670 m. Farther down it would come to 2,480 m, but it does not get there.
    subroutine test_floated()
-      character(*), parameter :: floats = ' of push needed at surface, as the string floats in its mud'
+      character(*), parameter :: floats = ' of push needed at surface, as the weight of the '// &
+                                'string in mud, along the hole, is below zero'
       type(run_type) :: run
       real(wp) :: depth
       run = run_deck_text(floated("'trip_in'"))
@@ -108,4 +111,44 @@ contains
       run = run_deck_text(deck(pipe//"fatigue_curve = 'S135' /"//newline//turning))
       call assertEqual(0, index(run%output, 'UNCERTAIN'), message='a gentle bend: '//run%output)
    end subroutine test_hours
+
+   !> Beyond the horizontal a string wants to go up: less drag, by a slower pull, does not help.
+   subroutine test_held_down()
+      type(run_type) :: run
+      run = run_deck_text("&job plots = .false., hdf5 = .false., models = 'mcge' /"//newline// &
+                          '&trajectory md = 0, 100, 700, 1500, inc = 0, 0, 130, 130, azi = 4*0 /'//newline// &
+                          '&hole diameter = 216, friction = 0.2 /'//newline//'&fluid density = 1100 /'//newline// &
+                          "&component kind = 'bit', length = 0.5, od = 150, joint_od = 210 /"//newline// &
+                          "&component catalogue = 'DP 5 19.50 NC50 6-5/8x2-3/4 S135' /"//newline// &
+                          "&load_case name = 'c', operation = 'backreaming', bit_depth = 1500, rpm = 60, trip_speed = 0.1 /")
+      call assertTrue(index(unwrapped(run%output), 'The top must be held down with ') > 0, message=run%output)
+      call assertEqual(0, index(run%output, 'more slowly'), message=run%output)
+   end subroutine test_held_down
+
+   !> More weight comes to the bit than a thin pipe above it carries: the answer names the weight at which it yields. A little
+   !> less is a yes, and a little more is a NO.
+   subroutine test_yield()
+      character(*), parameter :: more = ', but compressed pipe yields above about '
+      type(run_type) :: run
+      real(wp) :: most
+      run = run_deck_text(thin_pipe(5.0_wp))
+      call assertTrue(index(unwrapped(run%output), more) > 0, message=run%output)
+      most = value_after(unwrapped(run%output), more)
+      run = run_deck_text(thin_pipe(0.97_wp*most))
+      call assertTrue(index(run%output, newline//'c  yes ') > 0, message=run%output)
+      run = run_deck_text(thin_pipe(1.03_wp*most))
+      call assertTrue(index(run%output, newline//'c  NO ') > 0, message=run%output)
+   contains
+      function thin_pipe(wob) result(text)
+         real(wp), intent(in) :: wob          !< [kN]
+         character(:), allocatable :: text
+         text = "&job plots = .false., hdf5 = .false., models = 'soft' /"//newline// &
+                '&trajectory md = 0, 1500, inc = 20, 20, azi = 2*0 /'//newline// &
+                '&hole diameter = 200, friction = 0.2 /'//newline//'&fluid density = 1100 /'//newline// &
+                "&component kind = 'bit', length = 0.5, od = 80, joint_od = 190 /"//newline// &
+                '&component od = 73, id = 62, yield = 380, length = 60 /'//newline// &
+                "&component kind = 'collar', od = 120, id = 50, yield = 760 /"//newline// &
+                "&load_case name = 'c', operation = 'sliding', bit_depth = 1500, wob = "//to_text(wob)//' /'
+      end function thin_pipe
+   end subroutine test_yield
 end module dg_test_ways_down

@@ -64,6 +64,7 @@ contains
          else if (result%status == result_converged) then
             verdict%answer = answer_yes
             if (.not. is_hung(model, load_case)) verdict%most_wob = whole%wob_lockup
+            verdict%wob_yield = whole%wob_yield
             verdict%buckled_by_formula = result%model /= model_mcge
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
             call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)

@@ -83,6 +83,7 @@ module dg_verdict
       real(wp) :: push = 0.0_wp                     !< push needed at surface [N]
       real(wp) :: max_push = 0.0_wp                 !< largest one of the rig [N]
       type(optional_real) :: most_wob               !< largest weight on bit by string weight and that push [N]
+      type(optional_real) :: wob_yield              !< weight on bit at which compressed pipe yields, if that is less [N]
       logical :: wob_by_beams = .false.             !< beams have found it, else the soft string
       type(optional_real) :: reach                  !< no: greatest bit depth that is possible, 0: none [m]
       type(optional_real) :: pump_pressure          !< no by burst or collapse: pump pressure with which the answer is yes [Pa]

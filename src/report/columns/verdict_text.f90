@@ -71,7 +71,7 @@ contains
                    depth_text(units, load_case%bit_depth)
          else
             text = capital(push_text(units, load_case, verdict))
-            if (.not. verdict%used%present) text = text//', as the string floats in its mud'
+            if (.not. verdict%used%present) text = text//', as the weight of the string in mud, along the hole, is below zero'
          end if
          if (verdict%limit == limit_lock_up .and. block_way(load_case%operation) <= 0) text = text//' (lock-up)'
       case (limit_wob_yield)
@@ -120,7 +120,7 @@ contains
          if (verdict%most_wob%present .and. moves_axially(load_case%operation) .and. load_case%wob > 0.0_wp &
              .and. verdict%limit /= limit_lock_up) text = text//'. '// &
             capital(weight_text(verdict, 'brings', 'bring'))//' at most about '// &
-            force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'
+            force_text(units, max(verdict%most_wob%value, load_case%wob))//' to the bit'//yield_text()
          if (is_by_push(verdict) .and. verdict%limit /= limit_string_weight) &
             text = text//'. '//capital(push_text(units, load_case, verdict))
          if (verdict%buckled_length > 0.0_wp) text = text//'. Helically buckled over '// &
@@ -135,6 +135,15 @@ contains
       else
          text = 'Not converged, see Warnings'
       end if
+   contains
+      !> Weight on bit above which compressed pipe yields, where more of it reaches the bit.
+      pure function yield_text() result(words)
+         character(:), allocatable :: words
+         words = ''
+         if (.not. verdict%wob_yield%present .or. verdict%limit == limit_wob_yield) return
+         if (verdict%wob_yield%value > load_case%wob) words = ', but compressed pipe yields above about '// &
+            force_text(units, at_most(units, unit_force, verdict%wob_yield%value, shown))//', by the soft string'
+      end function yield_text
    end function verdict_sentences
 
    !> Reason why it is also impossible without weight on bit or overpull; '' if it is possible.
@@ -193,8 +202,9 @@ contains
                 in_units(units, unit_moment, verdict%turning_torque%value, shown)// &
                 either(' without bit torque', '', load_case%wob > 0.0_wp)//', by the soft string. '// &
                 'Check it by a case operation = '''//either("rotary'", "reaming' with rpm and trip_speed", load_case%wob > 0.0_wp)
-      if (rotates(load_case%operation) .and. moves_axially(load_case%operation) .and. &
-          any(verdict%limit == [limit_lock_up, limit_string_weight])) &
+      ! a string that must be held down as it goes up is held by its friction
+      if (rotates(load_case%operation) .and. moves_axially(load_case%operation) .and. (verdict%limit == limit_lock_up .or. &
+          (verdict%limit == limit_string_weight .and. block_way(load_case%operation) < 0))) &
          text = text//'. Move the string more slowly, or rotate it faster: drag falls with trip_speed over rpm'
       if (load_case%wob < 0.0_wp .and. verdict%limit_without_load == 0) text = text//overpull_text(units, verdict)
       if (verdict%possible_friction%present) then
