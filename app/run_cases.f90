@@ -4,6 +4,7 @@ module dg_run_cases
    use dg_bowed_pipe, only: with_joints_apart
    use dg_case_result, only: case_result_type, has_numbers, result_not_converged
    use dg_case_watch, only: case_watch_type
+   use dg_findings, only: findings_type
    use dg_wear_files, only: write_casing_wear, write_fatigue
    use dg_solution_series, only: contact_series, history_series
    use dg_csv_table, only: write_series
@@ -38,9 +39,9 @@ module dg_run_cases
    use dg_text, only: either, quoted, text_type, to_text
    use dg_threads, only: thread_count
    use dg_utilisation, only: find_utilisation
-   use dg_verdict, only: answer_yes, verdict_type
+   use dg_verdict, only: verdict_type
    use dg_verdict_table, only: verdict_table
-   use dg_warnings_table, only: doubt_of_deck, warnings_table
+   use dg_warnings_table, only: deck_warnings, warnings_table
    use dg_well_head, only: well_head
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
@@ -55,36 +56,34 @@ module dg_run_cases
 contains
 
    !> The load cases of a deck.
-   subroutine run_cases(run, studies, alongs, wholes)
+   subroutine run_cases(run, studies)
       type(run_type), intent(inout) :: run                  !< with room for a result a model and case
       type(studies_type), intent(inout) :: studies
-      type(along_string_type), intent(inout) :: alongs(:)   !< as many as there are results
-      type(whole_string_type), intent(inout) :: wholes(:)   !< as many
       type(error_type), allocatable :: error
       type(text_type), allocatable :: lines(:)
       type(upper_friction_type) :: upper
       call settle_packers(run%model, run%status)
       call find_upper_friction(run%model%holes, run%estimates, upper)
-      call solve_all(run%job, run%model, upper, run%results, alongs, wholes, run%status)
-      call count_from_references(run%model, run%results, wholes)
+      call solve_all(run, upper)
+      call count_from_references(run%model, run%results, run%wholes)
       call note_cases(run%printed%outcome, run%results)
-      call write_summary(in_folder(run%job, 'summary.csv'), run%job, run%model, run%results, wholes, error)
+      call write_summary(in_folder(run%job, 'summary.csv'), run%findings_type, error)
       call note_failure(error, run%status)
-      call write_limits(in_folder(run%job, 'limits.csv'), run%job, run%model, run%results, wholes, error)
+      call write_limits(in_folder(run%job, 'limits.csv'), run%findings_type, error)
       call note_failure(error, run%status)
       if (run%job%hdf5) then
-         call write_results_h5(in_folder(run%job, 'results.h5'), run%job, run%model, run%results, alongs, wholes, error)
+         call write_results_h5(in_folder(run%job, 'results.h5'), run%findings_type, error)
          call note_failure(error, run%status)
       end if
-      call print_lines(verdict_table(run%job, run%model, run%results, wholes))
-      call print_lines(warnings_table(run%job, run%model, run%results))
+      call print_lines(verdict_table(run%findings_type))
+      call print_lines(warnings_table(run%findings_type))
       call print_line('')
       call print_lines(well_head(run%job%units, run%model, upper))
-      call print_lines(result_table(run%job, run%model, run%results, wholes))
-      call print_lines(model_table(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes))
-      call limits_table(run%job, run%model, run%results, wholes, lines)
+      call print_lines(result_table(run%findings_type))
+      call print_lines(model_table(run%findings_type))
+      call limits_table(run%findings_type, lines)
       call print_lines(lines)
-      call print_lines(cost_table(run%job, run%model, run%results))
+      call print_lines(cost_table(run%findings_type))
       call run_phase(studies, phase_cases, run, '')
       call flush_output()
       if (is_interrupted()) then
@@ -127,46 +126,41 @@ contains
    !> Solve every case with every model, as many at a time as the job allows. After a signal no more are begun. Cases are
    !> independent, and output is in the deck's order, so that results do not depend on the number of threads. A case is written
    !> as soon as all before it are.
-   subroutine solve_all(job, model, upper, results, alongs, wholes, status)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
+   subroutine solve_all(run, upper)
+      type(run_type), intent(inout) :: run
       type(upper_friction_type), intent(in) :: upper
-      type(case_result_type), intent(inout) :: results(:)
-      type(along_string_type), intent(inout) :: alongs(:)
-      type(whole_string_type), intent(inout) :: wholes(:)
-      integer, intent(inout) :: status
-      type(failure_type) :: failures(size(results))
+      type(failure_type) :: failures(size(run%results))
       type(progress_type), target :: progress
-      type(case_watch_type), target :: watches(size(results))
-      logical, target :: solved(size(results))
+      type(case_watch_type), target :: watches(size(run%results))
+      logical, target :: solved(size(run%results))
       integer :: row, next
       logical :: doubt
-      doubt = doubt_of_deck(job, model, [case_result_type ::]) /= ''
-      call start_progress(progress, 'load cases', '', job%quiet)
+      doubt = size(deck_warnings(run%job, run%model)) > 0
+      call start_progress(progress, 'load cases', '', run%job%quiet)
       solved = .false.
-      do row = 1, size(results)      ! before threads begin: gfortran keeps the length of such a text in a static variable
+      do row = 1, size(run%results)      ! before threads begin: gfortran keeps the length of such a text in a static variable
          watches(row)%progress => progress
          watches(row)%solved => solved
-         watches(row)%what = place(job, model, number_of(row), case_of(row))
+         watches(row)%what = place(run%job, run%model, number_of(row), case_of(row))
       end do
       next = 1
-      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(job%threads, size(results))) default(shared) &
+      !$omp parallel do schedule(dynamic, 1) num_threads(thread_count(run%job%threads, size(run%results))) default(shared) &
       !$omp private(row)
-      do row = 1, size(results)
-         call solve_watched(model, number_of(row), case_of(row), watches(row), results(row), failures(row)%error)
-         if (results(row)%joints_apart) then
-            call judge_result(job, with_joints_apart(model), upper, results(row), alongs(row), wholes(row))
+      do row = 1, size(run%results)
+         call solve_watched(run%model, number_of(row), case_of(row), watches(row), run%results(row), failures(row)%error)
+         if (run%results(row)%joints_apart) then
+            call judge_result(run%job, with_joints_apart(run%model), upper, run%results(row), run%alongs(row), run%wholes(row))
          else
-            call judge_result(job, model, upper, results(row), alongs(row), wholes(row))
+            call judge_result(run%job, run%model, upper, run%results(row), run%alongs(row), run%wholes(row))
          end if
          !$omp critical (results_in_order)
          solved(row) = .true.
-         if (allocated(failures(row)%error) .or. results(row)%status == result_not_converged) call end_progress(progress)
-         do while (next <= size(results))
+         if (allocated(failures(row)%error) .or. run%results(row)%status == result_not_converged) call end_progress(progress)
+         do while (next <= size(run%results))
             if (.not. solved(next)) exit
-            call note_outcome(place(job, model, number_of(next), case_of(next)), results(next), failures(next)%error, doubt, &
-                              status)
-            call write_case_files(job, model, results(next), alongs(next), status)
+            call note_outcome(place(run%job, run%model, number_of(next), case_of(next)), run%results(next), &
+                              failures(next)%error, doubt, run%status)
+            call write_case_files(run%job, run%model, run%results(next), run%alongs(next), run%status)
             next = next + 1
          end do
          !$omp end critical (results_in_order)
@@ -180,14 +174,14 @@ contains
       pure function number_of(row) result(number)
          integer, intent(in) :: row
          integer :: number
-         number = job%models((row - 1)/size(model%cases) + 1)
+         number = run%job%models((row - 1)/size(run%model%cases) + 1)
       end function number_of
 
       !> Load case of a row.
       pure function case_of(row) result(index)
          integer, intent(in) :: row
          integer :: index
-         index = modulo(row - 1, size(model%cases)) + 1
+         index = modulo(row - 1, size(run%model%cases)) + 1
       end function case_of
    end subroutine solve_all
 

@@ -1,6 +1,5 @@
 !> Does all that a deck asks for: load cases, calibrations, sweeps, Monte Carlos, pictures and the page.
 module dg_run_deck
-   use dg_along_string, only: along_string_type
    use dg_diagnostic, only: report_line
    use dg_error, only: error_type, raise, status_ok, status_failure, status_bad_input
    use dg_exit_status, only: graver, note_ending, note_failure
@@ -19,7 +18,6 @@ module dg_run_deck
    use dg_standard_output, only: flush_output
    use dg_study, only: phase_after, phase_first, phase_points, run_type
    use dg_text, only: either, text_type, to_text
-   use dg_whole_string, only: whole_string_type
    use dg_written_files, only: begin_files, end_files, other_records
    implicit none
    private
@@ -98,8 +96,6 @@ contains
       type(studies_type), intent(inout) :: studies
       integer, intent(inout) :: status
       type(run_type) :: run
-      type(along_string_type), allocatable :: alongs(:)
-      type(whole_string_type), allocatable :: wholes(:)
       type(error_type), allocatable :: error
       integer :: i, rows
       run%job = job
@@ -112,8 +108,8 @@ contains
       if (allocated(error)) return
       rows = 0
       if (.not. is_divided(job)) rows = size(job%models)*size(given%cases)
-      allocate (run%results(rows), alongs(rows), wholes(rows))
-      if (rows > 0) call run_cases(run, studies, alongs, wholes)
+      allocate (run%results(rows), run%alongs(rows), run%wholes(rows))
+      if (rows > 0) call run_cases(run, studies)
       if (.not. is_divided(job)) call run_phase(studies, phase_after, run, 'calibrations')
       call run_phase(studies, phase_points, run, '')
       if (.not. is_interrupted()) then
@@ -129,7 +125,7 @@ contains
          if (is_interrupted()) then
             call note_ending('pictures', run%status)
          else
-            call run_pictures(run, studies, alongs, wholes, error)
+            call run_pictures(run, studies, error)
             call note_failure(error, run%status)
          end if
       end if

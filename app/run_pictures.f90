@@ -1,9 +1,9 @@
 !> Draws the pictures of a run and puts all into one page.
 module dg_run_pictures
-   use dg_along_string, only: along_string_type
    use dg_deck_echo, only: echo_lines
    use dg_diagnostic, only: report_line
    use dg_error, only: error_type, join_error, raise, status_failure
+   use dg_findings, only: findings_type
    use dg_html_report, only: write_html_report
    use dg_interruption, only: interruption_name, is_interrupted
    use dg_picture_files, only: begin_pictures, end_pictures
@@ -11,8 +11,6 @@ module dg_run_pictures
    use dg_registry, only: echo_studies, studies_type
    use dg_study, only: run_type
    use dg_text, only: text_type
-   use dg_verdict, only: answer_yes
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: run_pictures
@@ -21,21 +19,19 @@ contains
 
    !> A missing gnuplot is noted on standard error, not an error: scripts, data and page are written all the same. A run that is
    !> asked to end writes no page.
-   subroutine run_pictures(run, studies, alongs, wholes, error)
+   subroutine run_pictures(run, studies, error)
       type(run_type), intent(in) :: run
       type(studies_type), intent(in) :: studies
-      type(along_string_type), intent(in) :: alongs(:)      !< as many as there are results
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
       type(error_type), allocatable, intent(out) :: error
       type(error_type), allocatable :: page_error
       type(picture_list_type) :: pictures
       type(text_type), allocatable :: echo(:), before(:), after(:)
       integer :: i
-      call begin_pictures(run%job, run%model, run%results, wholes, pictures, error)
+      call begin_pictures(run%findings_type, pictures, error)
       do i = 1, size(studies%items)
          if (studies%items(i)%study%asked) call studies%items(i)%study%add_pictures(run, pictures, error)
       end do
-      call end_pictures(run%job, run%model, run%results, wholes%verdict%answer /= answer_yes, alongs, pictures, error)
+      call end_pictures(run%findings_type, pictures, error)
       if (is_interrupted()) then
          if (.not. allocated(error)) call raise(error, status_failure, 'ended by '//interruption_name()//' before report.html')
          return
@@ -44,8 +40,7 @@ contains
          folder_in(run%job)//'/all.gp draws them where there is one')
       call echo_studies(studies, run%job, before, after)
       call echo_lines(run%job, run%model, before, after, echo)
-      call write_html_report(run%job, run%model, run%results, wholes, alongs, run%printed, pictures, echo, &
-                             page_error)
+      call write_html_report(run%findings_type, run%printed, pictures, echo, page_error)
       call join_error(error, page_error)
    end subroutine run_pictures
 end module dg_run_pictures

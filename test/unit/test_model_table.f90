@@ -5,13 +5,13 @@ module dg_test_model_table
    use dg_job, only: job_type, model_mcge, model_rigid
    use dg_kinds, only: wp
    use dg_model_table, only: model_table
-   use dg_test_report_sample, only: sample_job, sample_model, sample_results
+   use dg_test_report_sample, only: findings_with, sample_job, sample_model, sample_results
    use dg_text, only: text_type
    implicit none
    private
    public :: model_table_suite
 
-   logical, parameter :: no_mark(4) = .false.
+   logical, parameter :: all_can(4) = .true.
 
 contains
 
@@ -24,7 +24,7 @@ contains
 
    subroutine test_one()
       type(text_type), allocatable :: lines(:)
-      allocate (lines, source=model_table(sample_job(), sample_model(), sample_results(), no_mark))
+      allocate (lines, source=model_table(findings_with(sample_job(), sample_model(), sample_results(), all_can)))
       call assertEqual(0, size(lines))
    end subroutine test_one
 
@@ -38,8 +38,8 @@ contains
       allocate (second, source=sample_results())
       first%model = model_rigid
       first%hookload = first%hookload - 1.0e3_wp
-      allocate (lines, source=model_table(job, sample_model(), [first, second], &
-                                         [no_mark, [.false., .true., .false., .true.]]))
+      allocate (lines, source=model_table(findings_with(job, sample_model(), [first, second], &
+                                                       [all_can, [.true., .false., .true., .false.]])))
       call assertTrue(has('Models side by side; differences against rigid'))
       call assertTrue(has('i_up                    rigid        732.400           -        -       0.000           -        -'// &
                           '    0.2500'))

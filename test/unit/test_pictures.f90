@@ -28,7 +28,7 @@ module dg_test_pictures
    use dg_sweep, only: sweep_type
    use dg_sweep_picture, only: sweep_chart
    use dg_sweep_result, only: sweep_result_type
-   use dg_test_report_sample, only: sample_job, sample_model, sample_results
+   use dg_test_report_sample, only: findings_with, sample_job, sample_model, sample_results
    use dg_text, only: append_text, text_type, to_text
    use dg_units, only: field_units, unit_system_type
    implicit none
@@ -160,7 +160,7 @@ contains
       type(case_result_type), allocatable :: results(:)
       type(model_type) :: model
       allocate (results, source=sample_results())
-      chart = hookload_chart(sample_job(), sample_model(), results, [.false., .true., .false., .true.])
+      chart = hookload_chart(findings_with(sample_job(), sample_model(), results, [.true., .false., .true., .false.]))
       call chart_script(chart, lines)
       call assertTrue(has_text(lines, "'i_down !' 2"), message='cannot be done')
       call assertTrue(has_text(lines, "'i_up' 1"), message='can be done')
@@ -178,14 +178,15 @@ contains
       job%models = [model_mcge, model_soft]
       results = [results, results(:2)]
       results(5:)%model = model_soft
-      call chart_script(hookload_chart(job, sample_model(), results, [.false., .true., .false., .false., .true., .true.]), lines)
+      chart = hookload_chart(findings_with(job, sample_model(), results, [.true., .false., .true., .true., .false., .false.]))
+      call chart_script(chart, lines)
       call assertTrue(has_text(lines, "'i_up ! soft' 1"), message='one model says no')
       call assertTrue(has_text(lines, "'i_down !' 2"), message='all models say no')
       call assertTrue(has_text(lines, 'no solution (with the name of a model: by that model alone)'), message='what the name means')
       model = sample_model()
       model%cases%measured_hookload = optional_real()
       model%cases%reference_hookload = optional_real()
-      chart = hookload_chart(sample_job(), model, results(:1), [.false.])
+      chart = hookload_chart(findings_with(sample_job(), model, results(:1), [.true.]))
       call assertEqual([0.99_wp, 1.01_wp]*733.4_wp, chart%panels(1)%x%ends, 1.0e-9_wp, message='close together')
    end subroutine test_hook_loads
 

@@ -16,6 +16,7 @@ module dg_test_report_files
    use dg_text, only: append_text, text_type
    use dg_case_result, only: case_result_type, contact_joint, contact_point_type, iteration_type
    use dg_verdict, only: verdict_type
+   use dg_findings, only: findings_type
    use dg_whole_string, only: whole_string_type
    use dg_units, only: field_units, si_units
    implicit none
@@ -93,22 +94,24 @@ contains
    !> Columns and their order are a contract.
    subroutine test_summary()
       type(whole_string_type) :: wholes(4)
+      type(findings_type) :: found
       type(error_type), allocatable :: error
-      type(text_type), allocatable :: found(:)
+      type(text_type), allocatable :: rows(:)
       character(*), parameter :: contract = 'case,section,model,operation,bit_depth_m,inclination_deg,wob_kN,hookload_kN,'// &
          'measured_kN,error_pct,reference_kN,reference_error_pct,friction_kN,torque_kNm,normal_force_kN,status,'// &
          'iterations,elements,seconds,'
-      call write_summary(path, sample_job(), sample_model(), sample_results(), wholes, error)
+      found = findings_type(sample_job(), sample_model(), sample_results(), wholes=wholes)
+      call write_summary(path, found, error)
       call assertFalse(allocated(error))
-      call read_lines(path, found)
-      call assertEqual(5, size(found))
+      call read_lines(path, rows)
+      call assertEqual(5, size(rows))
       if (anyExceptions()) return
-      call assertEqual(contract, found(1)%text(:len(contract)))
+      call assertEqual(contract, rows(1)%text(:len(contract)))
       call assertEqual('i_up,Inclined section,mcge,trip_out,2075.000000,65.00000000,0.000000000,733.4000000,745.0000000,'// &
                        '1.557046980,,,-17.29000000,0.000000000,170.0000000,converged,7,208,0.2500000000,,,100,90,18,12,3,'// &
-                       '0.1000000000E-8,0.2000000000E-8,,,unknown,,,,,,,,0', found(2)%text)
-      call assertTrue(index(found(5)%text, ',170.0000000,,,,524.3000000,,,,,not_converged,200,208,') > 0, message=found(5)%text)
-      call assertTrue(index(found(5)%text, ',not_converged,200,') > 0)
+                       '0.1000000000E-8,0.2000000000E-8,,,unknown,,,,,,,,0', rows(2)%text)
+      call assertTrue(index(rows(5)%text, ',170.0000000,,,,524.3000000,,,,,not_converged,200,208,') > 0, message=rows(5)%text)
+      call assertTrue(index(rows(5)%text, ',not_converged,200,') > 0)
    end subroutine test_summary
 
    subroutine test_summary_quotes_text()

@@ -2,17 +2,33 @@
 module dg_test_report_sample
    use dg_case_result, only: case_result_type, iteration_type, result_converged, result_not_converged
    use dg_constants, only: degree
+   use dg_findings, only: findings_type
    use dg_job, only: job_type, model_mcge
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_sliding_drilling, operation_trip_in, operation_trip_out
    use dg_missing, only: given
    use dg_model, only: model_type
    use dg_profile, only: new_profile, state_elastic
+   use dg_verdict, only: answer_yes
    implicit none
    private
-   public :: sample_job, sample_model, sample_results
+   public :: findings_with, sample_job, sample_model, sample_results
 
 contains
+
+   !> Findings of some results, of which some have the answer yes.
+   function findings_with(job, model, results, can) result(found)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(case_result_type), intent(in) :: results(:)
+      logical, intent(in) :: can(:)          !< as many: the operation can be done
+      type(findings_type) :: found
+      found%job = job
+      found%model = model
+      found%results = results
+      allocate (found%wholes(size(results)))
+      where (can) found%wholes%verdict%answer = answer_yes
+   end function findings_with
 
    function sample_job() result(job)
       type(job_type) :: job

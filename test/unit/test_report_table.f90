@@ -6,11 +6,10 @@ module dg_test_report_table
    use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_result_table, only: cost_table, result_table
-   use dg_test_report_sample, only: sample_job, sample_model, sample_results
+   use dg_test_report_sample, only: findings_with, sample_job, sample_model, sample_results
    use dg_text, only: text_type
    use dg_units, only: field_units
-   use dg_verdict, only: answer_yes
-   use dg_whole_string, only: whole_string_type
+   use dg_findings, only: findings_type
    implicit none
    private
    public :: report_table_suite
@@ -25,9 +24,9 @@ contains
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(text_type), allocatable :: lines(:)
-      type(whole_string_type) :: wholes(size(results))
-      where (results%status == result_converged) wholes%verdict%answer = answer_yes
-      allocate (lines, source=[result_table(job, model, results, wholes), cost_table(job, model, results)])
+      type(findings_type) :: found
+      found = findings_with(job, model, results, results%status == result_converged)
+      allocate (lines, source=[result_table(found), cost_table(found)])
    end function table_of
 
    function report_table_suite() result(suite)

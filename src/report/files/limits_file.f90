@@ -1,5 +1,6 @@
 !> limits.csv: limits of the string as a whole, one row per case and model.
 module dg_limits_file
+   use dg_findings, only: findings_type, name_of
    use dg_named_states, only: buckling_name
    use dg_case_result, only: case_result_type, has_numbers, result_status_name
    use dg_column, only: field_absent, add, add_filled, quantity_angle, quantity_curvature, quantity_force, &
@@ -8,10 +9,9 @@ module dg_limits_file
    use dg_comparison, only: in_percent, percent_of
    use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_error, only: error_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_length_change, only: total_change
    use dg_missing, only: given, is_missing, optional_real
-   use dg_model, only: model_type
    use dg_utilisation, only: governing_name, limit_burst, limit_collapse, limit_joint_burst, limit_joint_collapse, &
                              limit_joint_compression, limit_joint_dogleg, limit_joint_tension, limit_joint_torsion, &
                              limit_makeup, limit_rig, limit_slips, limit_tension, limit_top_drive, limit_torsion, &
@@ -24,17 +24,14 @@ module dg_limits_file
 contains
 
    !> Writes limits.csv to `path`: a row a result, empty but for its status where that did not converge.
-   subroutine write_limits(path, job, model, results, wholes, error)
+   subroutine write_limits(path, found, error)
       character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)   !< as many
+      type(findings_type), intent(in) :: found
       type(error_type), allocatable, intent(out) :: error
       type(csv_table_type) :: table
       integer :: i
-      do i = 1, size(results)
-         call add_row(table, limits_row(model%cases(results(i)%case_index)%name, results(i), wholes(i)), job%units)
+      do i = 1, size(found%results)
+         call add_row(table, limits_row(name_of(found, i), found%results(i), found%wholes(i)), found%job%units)
       end do
       call write_table(table, path, error)
    end subroutine write_limits

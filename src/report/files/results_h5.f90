@@ -8,10 +8,9 @@
 module dg_results_h5
    use, intrinsic :: iso_fortran_env, only: compiler_options, compiler_version
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
    use dg_column, only: column_header, field_integer, field_real, field_text, quantity_angle, quantity_length, quantity_text, &
                         row_type
+   use dg_findings, only: findings_type, name_of
    use dg_solution_series, only: contact_series, history_series, gap_series
    use dg_error, only: error_type
    use dg_hdf5_file, only: close_hdf5, create_hdf5, hdf5_file_type, make_group, write_attribute, write_data
@@ -25,7 +24,6 @@ module dg_results_h5
    use dg_trajectory, only: trajectory_type
    use dg_units, only: unit_system_type
    use dg_version, only: program_name, program_version
-   use dg_whole_string, only: whole_string_type
    use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
@@ -34,28 +32,23 @@ module dg_results_h5
 contains
 
    !> Writes results.h5 to `path`.
-   subroutine write_results_h5(path, job, model, results, alongs, wholes, error)
+   subroutine write_results_h5(path, found, error)
       character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(along_string_type), intent(in) :: alongs(:)  !< as many
-      type(whole_string_type), intent(in) :: wholes(:)  !< as many
+      type(findings_type), intent(in) :: found
       type(error_type), allocatable, intent(out) :: error
       type(hdf5_file_type) :: file
       character(:), allocatable :: group
       integer :: i, j
       call create_hdf5(file, path)
-      call write_provenance(file, job)
-      call write_survey(file, job%units, model)
+      call write_provenance(file, found%job)
+      call write_survey(file, found%job%units, found%model)
       call make_group(file, '/cases')
-      do i = 1, size(model%cases)
-         group = '/cases/'//model%cases(i)%name
+      do i = 1, size(found%model%cases)
+         group = '/cases/'//found%model%cases(i)%name
          call make_group(file, group)
-         do j = 1, size(results)
-            if (results(j)%case_index == i) &
-               call write_result(file, group//'/'//trim(model_name(results(j)%model)), job%units, model%cases(i)%name, model, &
-                                 results(j), alongs(j), wholes(j))
+         do j = 1, size(found%results)
+            if (found%results(j)%case_index == i) &
+               call write_result(file, group//'/'//trim(model_name(found%results(j)%model)), found, j)
          end do
       end do
       call close_hdf5(file, error)
@@ -98,24 +91,24 @@ contains
    end function survey_series
 
    !> One result: its rows of tables as attributes, its columns, its history.
-   subroutine write_result(file, group, units, name, model, result, along, whole)
+   subroutine write_result(file, group, found, row)
       type(hdf5_file_type), intent(inout) :: file
       character(*), intent(in) :: group
-      type(unit_system_type), intent(in) :: units
-      character(*), intent(in) :: name     !< of the case
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: result
-      type(along_string_type), intent(in) :: along
-      type(whole_string_type), intent(in) :: whole
-      call make_group(file, group)
-      call write_row(file, group, units, summary_row(model%cases(result%case_index), result, whole%verdict, units), 1)
-      call write_row(file, group, units, limits_row(name, result, whole), 4)    ! case, model and status stand there already
-      if (allocated(result%gaps)) call write_table(file, group//'/gaps', units, gap_series(result%gaps))
-      if (allocated(result%history)) call write_table(file, group//'/history', units, history_series(result%history))
-      if (.not. allocated(result%profile%md)) return
-      call write_attribute(file, group, 'neutral_point_'//trim(units%length_label), whole%neutral_points/units%length)
-      call write_columns(file, group, units, profile_series(result%profile, along))
-      if (allocated(result%contacts)) call write_table(file, group//'/contacts', units, contact_series(result%contacts))
+      type(findings_type), intent(in) :: found
+      integer, intent(in) :: row            !< number of the result
+      associate (units => found%job%units, result => found%results(row), whole => found%wholes(row))
+         call make_group(file, group)
+         call write_row(file, group, units, &
+                        summary_row(found%model%cases(result%case_index), result, whole%verdict, units), 1)
+         ! case, model and status stand there already
+         call write_row(file, group, units, limits_row(name_of(found, row), result, whole), 4)
+         if (allocated(result%gaps)) call write_table(file, group//'/gaps', units, gap_series(result%gaps))
+         if (allocated(result%history)) call write_table(file, group//'/history', units, history_series(result%history))
+         if (.not. allocated(result%profile%md)) return
+         call write_attribute(file, group, 'neutral_point_'//trim(units%length_label), whole%neutral_points/units%length)
+         call write_columns(file, group, units, profile_series(result%profile, found%alongs(row)))
+         if (allocated(result%contacts)) call write_table(file, group//'/contacts', units, contact_series(result%contacts))
+      end associate
    end subroutine write_result
 
    !> Columns in a group of their own, where there are any rows.

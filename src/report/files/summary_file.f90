@@ -6,18 +6,17 @@ module dg_summary_file
    use dg_csv_table, only: add_row, csv_table_type, write_table
    use dg_comparison, only: as_measured, in_percent, percent_error
    use dg_error, only: error_type
-   use dg_job, only: job_type, model_name
+   use dg_findings, only: findings_type
+   use dg_job, only: model_name
    use dg_kinds, only: wp
    use dg_load_case, only: load_case_type, operation_name
    use dg_missing, only: optional_real
-   use dg_model, only: model_type
    use dg_named_states, only: state_elastic, state_free, state_rigid
    use dg_text, only: text_or_nothing
    use dg_unchecked_text, only: uncertain_codes, unchecked_codes
    use dg_units, only: unit_system_type
    use dg_verdict, only: answer_name, limit_code, verdict_type
    use dg_verdict_text, only: verdict_reason
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: write_summary, summary_row
@@ -25,17 +24,15 @@ module dg_summary_file
 contains
 
    !> Writes summary.csv to `path`, in the order of `results`.
-   subroutine write_summary(path, job, model, results, wholes, error)
+   subroutine write_summary(path, found, error)
       character(*), intent(in) :: path
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       type(error_type), allocatable, intent(out) :: error
       type(csv_table_type) :: table
       integer :: i
-      do i = 1, size(results)
-         call add_row(table, summary_row(model%cases(results(i)%case_index), results(i), wholes(i)%verdict, job%units), job%units)
+      do i = 1, size(found%results)
+         call add_row(table, summary_row(found%model%cases(found%results(i)%case_index), found%results(i), &
+                                         found%wholes(i)%verdict, found%job%units), found%job%units)
       end do
       call write_table(table, path, error)
    end subroutine write_summary

@@ -1,20 +1,18 @@
 !> Change of length and force on the packer, on the page: a row for each load case whose deck asks for them.
 module dg_html_length
-   use dg_case_result, only: case_result_type
+   use dg_findings, only: findings_type
    use dg_html_text, only: said
-   use dg_job, only: job_type, leading_model
+   use dg_job, only: leading_model
    use dg_kinds, only: wp
    use dg_length_change, only: total_change
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_missing, only: optional_real
-   use dg_model, only: model_type
    use dg_number_text, only: fixed_text
    use dg_quantity, only: system_base
    use dg_text, only: text_type
    use dg_unit_kind, only: in_units, unit_force
    use dg_units, only: system_of, unit_system_type
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: append_lengths
@@ -25,33 +23,31 @@ module dg_html_length
 contains
 
    !> Append the table, by the leading model. Words say the direction: longer or shorter, up or down.
-   subroutine append_lengths(lines, job, model, results, wholes)
+   subroutine append_lengths(lines, found)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       character(:), allocatable :: against
-      logical :: shown(size(results)), held
+      logical :: shown(size(found%results)), held
       integer :: k
-      shown = results%model == leading_model(job) .and. (wholes%length_change%present .or. wholes%packer_force%present)
+      shown = found%results%model == leading_model(found%job) .and. &
+              (found%wholes%length_change%present .or. found%wholes%packer_force%present)
       if (.not. any(shown)) return
-      held = any(shown .and. wholes%packer_force%present)
+      held = any(shown .and. found%wholes%packer_force%present)
       call add_line(lines, '<h2>Change of length'//trim(merge(' and force on the packer', '                        ', held))// &
                        '</h2><div class="wide" tabindex="0"><table><thead><tr>'//head('case')//head('against')// &
                        head('change of length')//head('by force')//head('by pressure')//head('by buckling')// &
                        head('by temperature'))
       if (held) call add_line(lines, head('force on the packer'))
       call add_line(lines, '</tr></thead><tbody>')
-      do k = 1, size(results)
+      do k = 1, size(found%results)
          if (.not. shown(k)) cycle
-         associate (load_case => model%cases(results(k)%case_index), change => wholes(k)%length_change)
+         associate (load_case => found%model%cases(found%results(k)%case_index), change => found%wholes(k)%length_change)
             against = 'string before it was run'
-            if (load_case%length_reference > 0) against = model%cases(load_case%length_reference)%name
+            if (load_case%length_reference > 0) against = found%model%cases(load_case%length_reference)%name
             call add_line(lines, '<tr><td class="text">'//html_safe(load_case%name)//'</td><td class="text">'// &
                              html_safe(against)//'</td>'//length_cell(total_change(change))//length_cell(change%force)// &
                              length_cell(change%pressure)//length_cell(change%buckling)//length_cell(change%temperature))
-            if (held) call add_line(lines, force_cell(wholes(k)%packer_force))
+            if (held) call add_line(lines, force_cell(found%wholes(k)%packer_force))
             call add_line(lines, '</tr>')
          end associate
       end do
@@ -71,7 +67,7 @@ contains
          do i = 1, size(systems)
             systems(i)%text = length_text(system_of(i), length)
          end do
-         cell = said_cell(length_text(job%units, length), systems)
+         cell = said_cell(length_text(found%job%units, length), systems)
       end function length_cell
 
       pure function force_cell(force) result(cell)
@@ -84,7 +80,7 @@ contains
          do i = 1, size(systems)
             systems(i)%text = packer_text(system_of(i), force%value)
          end do
-         cell = said_cell(packer_text(job%units, force%value), systems)
+         cell = said_cell(packer_text(found%job%units, force%value), systems)
       end function force_cell
 
       !> A cell with its text in the units of the run, and in those that a click brings.

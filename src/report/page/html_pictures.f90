@@ -3,6 +3,7 @@
 module dg_html_pictures
    use dg_case_result, only: case_result_type, result_converged, result_status_name
    use dg_file_lines, only: read_lines
+   use dg_findings, only: findings_type
    use dg_html_text, only: append_inline_svg, append_rows
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
@@ -29,11 +30,9 @@ contains
 
    !> Append charts that the script draws, with fixed pictures for readers without script. They show the load case nearest to a
    !> limit. Then append the pictures of the whole run.
-   subroutine append_pictures(lines, job, model, results, list, shown)
+   subroutine append_pictures(lines, found, list, shown)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+      type(findings_type), intent(in) :: found
       type(picture_list_type), intent(in) :: list
       integer, intent(in) :: shown               !< that load case; 0: none has a picture
       logical :: of_run(size(list%pictures))
@@ -43,14 +42,15 @@ contains
                        to_text(size(list%pictures))//' pictures are not drawn: gnuplot was not there or failed. All scripts '// &
                        'stand in the folder of results.</p>')
       if (shown > 0) then
-         call add_line(lines, '<h2>Along the string</h2>'//without_text(model, &
-            pack(results, results%model == leading_model(job) .and. results%status /= result_converged), shown)//hint)
+         call add_line(lines, '<h2>Along the string</h2>'//without_text(found%model, &
+            pack(found%results, found%results%model == leading_model(found%job) .and. &
+                 found%results%status /= result_converged), shown)//hint)
          call add_line(lines, '<div class="live"></div><div class="static">')
-         call add_line(lines, '<h3>Load case '//html_safe(model%cases(shown)%name)//'</h3><p>Pictures of all load cases stand '// &
-                          'in the folder <code>pictures</code>.</p>')
+         call add_line(lines, '<h3>Load case '//html_safe(found%model%cases(shown)%name)//'</h3><p>Pictures of all load '// &
+                          'cases stand in the folder <code>pictures</code>.</p>')
          do k = 1, size(list%pictures)
             if (list%pictures(k)%case_index == shown .and. list%pictures(k)%drawn) &
-               call append_picture(lines, job, list%pictures(k), k, ' of '//html_safe(model%cases(shown)%name))
+               call append_picture(lines, found%job, list%pictures(k), k, ' of '//html_safe(found%model%cases(shown)%name))
          end do
          call add_line(lines, '</div>')
       end if
@@ -58,11 +58,12 @@ contains
       if (any(of_run)) call add_line(lines, '<h2>Pictures of the run</h2>')
       if (shown == 0 .and. any(is_live(list%pictures))) call add_line(lines, hint)
       do k = 1, size(list%pictures)
-         if (of_run(k)) call append_picture(lines, job, list%pictures(k), k, '')
+         if (of_run(k)) call append_picture(lines, found%job, list%pictures(k), k, '')
       end do
       if (list%empty /= '') call add_line(lines, '<p class="note">Not drawn, as no value is known: '// &
                                           html_safe(list%empty)//'. Answers, warnings and tables say why.</p>')
-      if (.not. job%profiles) call add_line(lines, '<p>Picture files along the string need <code>profiles = .true.</code></p>')
+      if (.not. found%job%profiles) &
+         call add_line(lines, '<p>Picture files along the string need <code>profiles = .true.</code></p>')
    end subroutine append_pictures
 
    !> Load cases that have no curves, and the one that is shown in their place; '' if all have curves.

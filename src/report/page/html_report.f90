@@ -1,11 +1,10 @@
 !> report.html: one page of a run that can be mailed and opened anywhere. It has answers, results, limits, warnings, pictures,
 !> assumptions and the deck. It refers to no other file.
 module dg_html_report
-   use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
+   use dg_findings, only: findings_type, name_of, rows_of
    use dg_html_length, only: append_lengths
    use dg_html_outcome, only: append_lost, append_outcome
    use dg_html_pictures, only: append_pictures
@@ -18,7 +17,6 @@ module dg_html_report
    use dg_limits_file, only: limits_row
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
-   use dg_model, only: model_type
    use dg_picture_list, only: picture_list_type
    use dg_column, only: row_type
    use dg_results_h5, only: time_stamp
@@ -35,7 +33,6 @@ module dg_html_report
    use dg_verdict, only: answer_yes
    use dg_version, only: program_name, program_version
    use dg_warnings_table, only: warning_sentences, warnings_heading
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: write_html_report
@@ -64,37 +61,33 @@ contains
    !> Write the page into the output folder: answers, results, warnings, charts of the load case nearest to a limit. All else
    !> is folded. `printed` has the tables of studies and the outcome of all solutions. `echo` is the summary of the deck, line
    !> by line.
-   subroutine write_html_report(job, model, results, wholes, alongs, printed, pictures, echo, error)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      type(along_string_type), intent(in) :: alongs(:)      !< as many
+   subroutine write_html_report(found, printed, pictures, echo, error)
+      type(findings_type), intent(in) :: found
       type(printed_text_type), intent(in) :: printed
       type(picture_list_type), intent(in) :: pictures
       type(text_type), intent(in) :: echo(:)
       type(error_type), allocatable, intent(out) :: error
       type(line_list_type) :: lines
       integer :: shown, i
-      shown = governing_case(job, results, wholes)
-      call start_page(job, lines)
-      call append_verdicts(lines, job, model, results, wholes, printed%outcome, shown)
-      if (size(results) > 0) call append_results(lines, job, model, results, wholes)
-      call append_lengths(lines, job, model, results, wholes)
-      call append_warnings(lines, job, model, results, wholes)
-      call append_outcome(lines, job%units, printed%outcome)
-      if (allocated(model%path_notes)) then
-         do i = 1, size(model%path_notes)
-            call add_line(lines, '<p class="note">Path: '//html_safe(model%path_notes(i)%text)//'</p>')
+      shown = governing_case(found)
+      call start_page(found%job, lines)
+      call append_verdicts(lines, found, printed%outcome, shown)
+      if (size(found%results) > 0) call append_results(lines, found)
+      call append_lengths(lines, found)
+      call append_warnings(lines, found)
+      call append_outcome(lines, found%job%units, printed%outcome)
+      if (allocated(found%model%path_notes)) then
+         do i = 1, size(found%model%path_notes)
+            call add_line(lines, '<p class="note">Path: '//html_safe(found%model%path_notes(i)%text)//'</p>')
          end do
       end if
-      call append_lost(lines, job%units, printed%outcome)
-      call append_short(lines, job, model, results, wholes, alongs, printed%outcome)
+      call append_lost(lines, found%job%units, printed%outcome)
+      call append_short(lines, found, printed%outcome)
       if (shown > 0) call add_line(lines, '<div class="printed depths"></div>')
-      call append_pictures(lines, job, model, results, pictures, shown)
-      if (size(results) > 0) then
+      call append_pictures(lines, found, pictures, shown)
+      if (size(found%results) > 0) then
          call open_fold(lines, 'Limits', on_paper=.true.)
-         call append_limits(lines, job, model, results, wholes)
+         call append_limits(lines, found)
          call close_fold(lines)
       end if
       if (allocated(printed%lines)) then
@@ -106,23 +99,23 @@ contains
       end if
       call open_fold(lines, 'What was computed', on_paper=.true.)
       call append_preformatted(lines, echo)
-      call append_assumptions(lines, job)
+      call append_assumptions(lines, found%job)
       call close_fold(lines)
-      if (size(results) > 0) then
+      if (size(found%results) > 0) then
          call open_fold(lines, 'How it was solved', on_paper=.false.)
-         call append_costs(lines, job, model, results, wholes)
+         call append_costs(lines, found)
          call close_fold(lines)
       end if
       call open_fold(lines, 'Deck', on_paper=.false.)
-      call append_deck(lines, job%deck_text)
+      call append_deck(lines, found%job%deck_text)
       call close_fold(lines)
       call add_line(lines, '</main>')
       if (shown > 0 .or. any(is_live(pictures%pictures))) then
-         call append_page_data(lines, job, model, results, alongs, pictures, shown)
+         call append_page_data(lines, found, pictures, shown)
          call append_script(lines)
       end if
       call add_line(lines, '</body></html>')
-      call write_text_file(job%output_dir//'/report.html', lines%lines(:lines%count), error)
+      call write_text_file(found%job%output_dir//'/report.html', lines%lines(:lines%count), error)
    end subroutine write_html_report
 
    !> Heading of the tables of studies, with the names of the first ones.
@@ -189,17 +182,14 @@ contains
    end subroutine start_page
 
    !> Notes on the deck, then messages of load cases, those without a solution first. Beside a NO 'no warnings' would mislead.
-   subroutine append_warnings(lines, job, model, results, wholes)
+   subroutine append_warnings(lines, found)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: sentences(:)
       integer :: i
-      allocate (sentences, source=warning_sentences(job, model, results))
+      allocate (sentences, source=warning_sentences(found))
       if (size(sentences) == 0) then
-         if (all(wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings on deck and load cases.</p>')
+         if (all(found%wholes%verdict%answer == answer_yes)) call add_line(lines, '<p>No warnings on deck and load cases.</p>')
          return
       end if
       call add_line(lines, '<h2>'//warnings_heading(sentences)//'</h2><ul>')
@@ -210,68 +200,60 @@ contains
    end subroutine append_warnings
 
    !> A table a model.
-   subroutine append_results(lines, job, model, results, wholes)
+   subroutine append_results(lines, found)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+      type(findings_type), intent(in) :: found
       call add_line(lines, '<h2>Hook load, friction, torque</h2>')
       call add_line(lines, '<p>friction = buoyed weight along the hole &minus; wob &minus; axial force at the top: negative '// &
                     'going up, positive going down. Axial forces are effective (buoyed), tension positive.</p>')
-      if (any(model%cases%measured_hookload%present .or. model%cases%reference_hookload%present)) call add_line(lines, &
+      if (any(found%model%cases%measured_hookload%present .or. found%model%cases%reference_hookload%present)) call add_line(lines, &
          '<p>error: difference between calculated and measured '// &
-         trim(merge('weight indicator', 'hook load       ', model%rig%given))//', in percent of the measured value. '// &
+         trim(merge('weight indicator', 'hook load       ', found%model%rig%given))//', in percent of the measured value. '// &
          'reference error: the same for the reference hook load.</p>')
-      if (model%rig%given) call add_line(lines, '<p>hook load: of the string, without the block. weight indicator: with '// &
+      if (found%model%rig%given) call add_line(lines, '<p>hook load: of the string, without the block. weight indicator: with '// &
          'block_weight of &amp;rig.</p>')
-      call append_summary(lines, job, model, results, wholes, page_columns)
+      call append_summary(lines, found, page_columns)
    end subroutine append_results
 
    !> Those columns of summary.csv and limits.csv, a table a model. That of the leading model stands first and open.
-   subroutine append_summary(lines, job, model, results, wholes, shown)
+   subroutine append_summary(lines, found, shown)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+      type(findings_type), intent(in) :: found
       character(*), intent(in) :: shown(:)
       type(row_type), allocatable :: fields(:)
       type(row_type) :: limits
       integer, allocatable :: rows(:)
-      integer :: models(size(job%models)), i, k
-      models = [leading_model(job), pack(job%models, job%models /= leading_model(job))]
+      integer :: models(size(found%job%models)), i, k
+      models = [leading_model(found%job), pack(found%job%models, found%job%models /= leading_model(found%job))]
       do k = 1, size(models)
-         rows = pack([(i, i=1, size(results))], results%model == models(k))
+         rows = rows_of(found, models(k))
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
-            fields(i) = summary_row(model%cases(results(rows(i))%case_index), results(rows(i)), wholes(rows(i))%verdict, job%units)
-            limits = limits_row('', results(rows(i)), wholes(rows(i)))
+            fields(i) = summary_row(found%model%cases(found%results(rows(i))%case_index), found%results(rows(i)), &
+                                    found%wholes(rows(i))%verdict, found%job%units)
+            limits = limits_row('', found%results(rows(i)), found%wholes(rows(i)))
             fields(i)%fields = [fields(i)%fields(:fields(i)%count), limits%fields(:limits%count)]
             fields(i)%count = size(fields(i)%fields)
          end do
          if (k > 1) call open_fold(lines, 'Model '//trim(model_name(models(k))), on_paper=.false.)
          if (k == 1 .and. size(models) > 1) call add_line(lines, '<h3>Model '//trim(model_name(models(k)))//'</h3>')
-         call append_table(lines, shown, job%units, fields, &
-                           wholes(rows)%verdict%answer /= answer_yes)
+         call append_table(lines, shown, found%job%units, fields, &
+                           found%wholes(rows)%verdict%answer /= answer_yes)
          if (k > 1) call close_fold(lines)
       end do
    end subroutine append_summary
 
    !> Append the limits of the string, one table per model.
-   subroutine append_limits(lines, job, model, results, wholes)
+   subroutine append_limits(lines, found)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+      type(findings_type), intent(in) :: found
       type(row_type), allocatable :: fields(:)
       integer, allocatable :: rows(:)
       logical, allocatable :: marked(:)
       character(:), allocatable :: left_out
       integer :: i, k, columns
-      left_out = components_without_yield(model)
+      left_out = components_without_yield(found%model)
       if (left_out /= '') left_out = ': they leave out '//left_out
       call add_line(lines, '<p>Buckling limits are published formulas without friction and torque. A negative margin is beyond '// &
                     'the limit. Safety factors need a yield strength in the deck'//html_safe(left_out)//'.</p>')
@@ -281,23 +263,23 @@ contains
                     'on bit that would bring the moving string there. Load cases without WOB have these values, too. '// &
                     'Lock-up counts friction of helical buckling, zero hook load does not.</p>')
       call add_line(lines, '<p>Most used limit: of pipe, connections, slips and rig. String weight, lock-up and buckling '// &
-                    'are not included. '//factors_text(job%design)//' Largest mean side force: over the length of a joint of '// &
-                    'pipe. Bit side force: force of the bit on the formation. '// &
+                    'are not included. '//factors_text(found%job%design)//' Largest mean side force: over the length of a '// &
+                    'joint of pipe. Bit side force: force of the bit on the formation. '// &
                     'Bit tilt: angle between bit and hole axis. Clock angles count from the high side.</p>')
-      do k = 1, size(job%models)
-         rows = pack([(i, i=1, size(results))], [(results(i)%model == job%models(k) .and. allocated(results(i)%profile%md), &
-                                                  i=1, size(results))])
+      do k = 1, size(found%job%models)
+         rows = rows_of(found, found%job%models(k))
+         rows = pack(rows, [(allocated(found%results(rows(i))%profile%md), i=1, size(rows))])
          if (allocated(fields)) deallocate (fields)
          allocate (fields(size(rows)))
          do i = 1, size(rows)
-            fields(i) = limits_row(model%cases(results(rows(i))%case_index)%name, results(rows(i)), wholes(rows(i)))
+            fields(i) = limits_row(name_of(found, rows(i)), found%results(rows(i)), found%wholes(rows(i)))
          end do
-         call add_line(lines, '<h3>Model '//trim(model_name(job%models(k)))//'</h3>')
-         marked = wholes(rows)%verdict%answer /= answer_yes
-         call append_table(lines, limits_shown, job%units, fields, marked)
+         call add_line(lines, '<h3>Model '//trim(model_name(found%job%models(k)))//'</h3>')
+         marked = found%wholes(rows)%verdict%answer /= answer_yes
+         call append_table(lines, limits_shown, found%job%units, fields, marked)
          columns = size(most_shown)
-         if (job%models(k) /= model_mcge) columns = most_of_all_models
-         call append_table(lines, most_shown(:columns), job%units, fields, marked)
+         if (found%job%models(k) /= model_mcge) columns = most_of_all_models
+         call append_table(lines, most_shown(:columns), found%job%units, fields, marked)
       end do
    end subroutine append_limits
 
@@ -337,14 +319,11 @@ contains
    end subroutine append_assumptions
 
    !> Append the course of the solutions, one table per model.
-   subroutine append_costs(lines, job, model, results, wholes)
+   subroutine append_costs(lines, found)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+      type(findings_type), intent(in) :: found
       call add_line(lines, '<p>equilibrium: what is left of the sum of all forces on the string, supports included.</p>')
-      call append_summary(lines, job, model, results, wholes, cost_shown)
+      call append_summary(lines, found, cost_shown)
    end subroutine append_costs
 
    !> The deck's text, line by line.

@@ -6,6 +6,7 @@ module dg_html_short
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_block_question, only: block_question
    use dg_comparison, only: as_measured, percent_error
+   use dg_findings, only: findings_type, rows_of
    use dg_job, only: job_type, leading_model, model_mcge, model_meaning, model_name
    use dg_html_text, only: said_number
    use dg_line_list, only: add_line, line_list_type
@@ -33,33 +34,31 @@ module dg_html_short
 contains
 
    !> The sentences, of the load cases with one model: gap elements where they are asked for, else the first model; then of sweeps.
-   subroutine append_short(lines, job, model, results, wholes, alongs, outcome)
+   subroutine append_short(lines, found, outcome)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
-      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(findings_type), intent(in) :: found
       type(outcome_type), intent(in) :: outcome
       integer, allocatable :: rows(:)
       integer :: i, shown
-      shown = leading_model(job)
-      rows = pack([(i, i=1, size(results))], results%model == shown .and. results%status == result_converged)
-      if (size(results) == 0 .and. .not. allocated(outcome%sentences)) return
+      shown = leading_model(found%job)
+      allocate (rows, source=rows_of(found, shown))
+      rows = pack(rows, found%results(rows)%status == result_converged)
+      if (size(found%results) == 0 .and. .not. allocated(outcome%sentences)) return
       call add_line(lines, '<h2>In short</h2>')
-      if (size(results) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//' ('// &
+      if (size(found%results) > 0) call add_line(lines, '<p>By model '//trim(model_name(shown))//' ('// &
                                            trim(model_meaning(shown))//').</p>')
       call add_line(lines, '<ul>')
-      call append_impossible(lines, job%units, model, pack(results%case_index, results%model == shown), &
-                             pack(wholes%verdict, results%model == shown))
+      call append_impossible(lines, found%job%units, found%model, pack(found%results%case_index, found%results%model == shown), &
+                             pack(found%wholes%verdict, found%results%model == shown))
       if (size(rows) > 0) then
-         call append_stress(lines, job%units, model, results(rows), alongs(rows))
-         call append_loads(lines, job, model, results(rows))
-         call append_buckled(lines, model, results(rows), wholes(rows), &
-                             pack(results%case_index, results%model == shown .and. results%status == result_locked_up))
-         call append_errors(lines, job%units, model, results(rows))
-         call append_models(lines, job, model, results, wholes, rows)
-         if (shown == model_mcge) call append_moments(lines, model, results(rows), wholes(rows))
+         call append_stress(lines, found%job%units, found%model, found%results(rows), found%alongs(rows))
+         call append_loads(lines, found%job, found%model, found%results(rows))
+         call append_buckled(lines, found%model, found%results(rows), found%wholes(rows), &
+                             pack(found%results%case_index, found%results%model == shown .and. &
+                                  found%results%status == result_locked_up))
+         call append_errors(lines, found%job%units, found%model, found%results(rows))
+         call append_models(lines, found, rows)
+         if (shown == model_mcge) call append_moments(lines, found%model, found%results(rows), found%wholes(rows))
       end if
       if (allocated(outcome%sentences)) then
          do i = 1, size(outcome%sentences)
@@ -203,39 +202,36 @@ contains
    end subroutine append_errors
 
    !> Append the difference of hook loads of other models from these, and the cases that they answer otherwise.
-   subroutine append_models(lines, job, model, results, wholes, rows)
+   subroutine append_models(lines, found, rows)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       integer, intent(in) :: rows(:)           !< of the model that is shown
       character(:), allocatable :: otherwise
       real(wp) :: apart, worst, scale
       integer :: i, k, m, where_worst
-      scale = maxval(abs(results(rows)%hookload))
+      scale = maxval(abs(found%results(rows)%hookload))
       if (.not. scale > 0.0_wp) return
-      do m = 1, size(job%models)
-         if (job%models(m) == results(rows(1))%model) cycle
+      do m = 1, size(found%job%models)
+         if (found%job%models(m) == found%results(rows(1))%model) cycle
          worst = -1.0_wp
          where_worst = 0
          do i = 1, size(rows)
-            do k = 1, size(results)
-               if (results(k)%model /= job%models(m) .or. results(k)%case_index /= results(rows(i))%case_index .or. &
-                   results(k)%status /= result_converged) cycle
-               apart = abs(results(k)%hookload - results(rows(i))%hookload)
+            do k = 1, size(found%results)
+               if (found%results(k)%model /= found%job%models(m) .or. found%results(k)%status /= result_converged .or. &
+                   found%results(k)%case_index /= found%results(rows(i))%case_index) cycle
+               apart = abs(found%results(k)%hookload - found%results(rows(i))%hookload)
                if (apart > worst) then
                   worst = apart
-                  where_worst = results(k)%case_index
+                  where_worst = found%results(k)%case_index
                end if
             end do
          end do
          if (where_worst == 0) cycle
-         otherwise = unlike_text(job, model, results, wholes, job%models(m))
-         call add_line(lines, '<li>Model '//trim(model_name(job%models(m)))//': hook loads within '// &
-                       said_number(job%units, unit_force, worst, fewer)//' of these, '// &
+         otherwise = unlike_text(found, found%job%models(m))
+         call add_line(lines, '<li>Model '//trim(model_name(found%job%models(m)))//': hook loads within '// &
+                       said_number(found%job%units, unit_force, worst, fewer)//' of these, '// &
                        to_text(per_cent*worst/scale, fewer)//' % of the greatest; the worst is '// &
-                       html_safe(model%cases(where_worst)%name)//'.'// &
+                       html_safe(found%model%cases(where_worst)%name)//'.'// &
                        either('', ' '//html_safe(otherwise), otherwise == '')//'</li>')
       end do
    end subroutine append_models

@@ -1,6 +1,6 @@
 !> First block of the page: can it be done, one row per load case.
 module dg_html_verdict
-   use dg_case_result, only: case_result_type
+   use dg_findings, only: findings_type, rows_of
    use dg_html_text, only: said
    use dg_html_well, only: append_well, shown_rows
    use dg_job, only: job_type, leading_model
@@ -8,7 +8,6 @@ module dg_html_verdict
    use dg_line_list, only: add_line, line_list_type
    use dg_markup, only: html_safe
    use dg_merge_sort, only: sorted_places
-   use dg_model, only: model_type
    use dg_quantity, only: system_base
    use dg_run_outcome, only: outcome_type
    use dg_text, only: text_type, to_text
@@ -19,7 +18,6 @@ module dg_html_verdict
    use dg_verdict_table, only: answer_word, interval_line, summary_line, unchecked_line, unlike_text, verdict_heading
    use dg_verdict_text, only: task_text, used_text, verdict_sentences
    use dg_warnings_table, only: doubt_of_deck
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: append_verdicts
@@ -34,33 +32,30 @@ contains
 
    !> Answers in one sentence, well and string, a table of the leading model, answers of other models that differ. On paper well and
    !> string follow the sentence, on a screen the table.
-   subroutine append_verdicts(lines, job, model, results, wholes, outcome, shown)
+   subroutine append_verdicts(lines, found, outcome, shown)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       type(outcome_type), intent(in) :: outcome
       integer, intent(in) :: shown                          !< load case of the string on the first printed page; 0: none
       character(:), allocatable :: other
       integer :: i
-      if (size(results) == 0) then
-         call append_well(lines, job, model, outcome, shown, 'h2')
+      if (size(found%results) == 0) then
+         call append_well(lines, found%job, found%model, outcome, shown, 'h2')
          return
       end if
-      call add_line(lines, '<div class="lead"><h2>'//verdict_heading(job)//'</h2>')
-      other = summary_line(job, model, results, wholes)
+      call add_line(lines, '<div class="lead"><h2>'//verdict_heading(found%job)//'</h2>')
+      other = summary_line(found)
       if (other /= '') call add_line(lines, '<p>'//html_safe(other)//'</p>')
-      other = doubt_of_deck(job, model, results)
+      other = doubt_of_deck(found)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
-      call append_well(lines, job, model, outcome, shown, 'h3')
-      call append_answers(lines, job, model, results, wholes, most_answers - max(0, shown_rows(model, shown) - few_components)/2)
-      other = unchecked_line(job, model, results, wholes)
+      call append_well(lines, found%job, found%model, outcome, shown, 'h3')
+      call append_answers(lines, found, most_answers - max(0, shown_rows(found%model, shown) - few_components)/2)
+      other = unchecked_line(found)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
-      other = interval_line(model, wholes)
+      other = interval_line(found)
       if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
-      do i = 1, size(job%models)
-         other = unlike_text(job, model, results, wholes, job%models(i))
+      do i = 1, size(found%job%models)
+         other = unlike_text(found, found%job%models(i))
          if (other /= '') call add_line(lines, '<p class="note warn">'//html_safe(other)//'</p>')
       end do
       call add_line(lines, '</div>')
@@ -69,33 +64,30 @@ contains
    !> Append a row for each load case of the leading model: name with operation and depth, answer, deciding limit. On a screen
    !> they are in the order of the deck. On paper those nearest to a limit are first: `first` of them, a row on the others and
    !> the notes fit on the first page.
-   subroutine append_answers(lines, job, model, results, wholes, first)
+   subroutine append_answers(lines, found, first)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+      type(findings_type), intent(in) :: found
       integer, intent(in) :: first
       integer, allocatable :: rows(:), order(:), rank(:)
       type(text_type) :: tasks(system_base - 1), sentences(system_base - 1)
       character(:), allocatable :: place, task, sentence
       integer :: i, k
-      rows = pack([(i, i=1, size(results))], results%model == leading_model(job))
-      order = sorted_places([(-urgency(wholes(rows(i))%verdict), i=1, size(rows))])
+      allocate (rows, source=rows_of(found, leading_model(found%job)))
+      order = sorted_places([(-urgency(found%wholes(rows(i))%verdict), i=1, size(rows))])
       allocate (rank(size(rows)))
       rank(order) = [(i, i=1, size(rows))]
       call add_line(lines, '<div class="wide"><table class="answers"><tbody>')
       do i = 1, size(rows)
          place = ''
          if (size(rows) > first) place = place_text(rank(i))
-         associate (load_case => model%cases(results(rows(i))%case_index), verdict => wholes(rows(i))%verdict)
+         associate (load_case => found%model%cases(found%results(rows(i))%case_index), verdict => found%wholes(rows(i))%verdict)
             do k = 1, size(tasks)
                tasks(k)%text = task_text(system_of(k), load_case)
                sentences(k)%text = verdict_sentences(system_of(k), load_case, verdict)//'.'
             end do
-            task = task_text(job%units, load_case)
-            sentence = verdict_sentences(job%units, load_case, verdict)//'.'
-            call add_line(lines, '<tr'//place//'><td class="text">'//case_link(job, load_case%name, verdict)//'<br><small'// &
+            task = task_text(found%job%units, load_case)
+            sentence = verdict_sentences(found%job%units, load_case, verdict)//'.'
+            call add_line(lines, '<tr'//place//'><td class="text">'//case_link(found%job, load_case%name, verdict)//'<br><small'// &
                              said(task, tasks)//'>'//html_safe(task)//'</small></td><td class="text"><b'// &
                              trim(merge(' class="no"', '           ', verdict%answer == answer_no))//'>'// &
                              answer_word(verdict%answer)//'</b></td><td class="text long"'//said(sentence, sentences)//'>'// &
@@ -103,7 +95,7 @@ contains
          end associate
       end do
       if (size(rows) > first) call add_line(lines, '<tr class="more"><td class="text" colspan="3">'// &
-                                            others_text(wholes(rows(order(first + 1:)))%verdict)//'</td></tr>')
+                                            others_text(found%wholes(rows(order(first + 1:)))%verdict)//'</td></tr>')
       call add_line(lines, '</tbody></table></div>')
    contains
       !> Order on paper of a row with that rank.

@@ -3,9 +3,9 @@
 module dg_page_data
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
-   use dg_case_result, only: case_result_type
    use dg_component, only: closed_diameter
    use dg_drillstring, only: component_tops
+   use dg_findings, only: findings_type
    use dg_html_text, only: heading_of
    use dg_job, only: job_type, leading_model
    use dg_line_list, only: add_line, line_list_type
@@ -24,7 +24,6 @@ module dg_page_data
    use dg_trajectory, only: top_md
    use dg_units, only: system_of, unit_system_type
    use dg_verdict, only: answer_no
-   use dg_whole_string, only: whole_string_type
    use dg_unit_kind, only: unit_factor, unit_label
    implicit none
    private
@@ -35,59 +34,54 @@ module dg_page_data
 contains
 
    !> The load case that is shown first: with curves, the first that cannot be done, else the one nearest to a limit; 0: none.
-   pure function governing_case(job, results, wholes) result(number)
-      type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+   pure function governing_case(found) result(number)
+      type(findings_type), intent(in) :: found
       integer :: number
       real(wp) :: used, most
       integer :: i
       number = 0
       most = -1.0_wp
-      do i = 1, size(results)
-         if (.not. has_curves(results(i)) .or. results(i)%model /= leading_model(job)) cycle
+      do i = 1, size(found%results)
+         if (.not. has_curves(found%results(i)) .or. found%results(i)%model /= leading_model(found%job)) cycle
          used = 0.0_wp
-         if (wholes(i)%verdict%used%present) used = wholes(i)%verdict%used%value
-         if (wholes(i)%verdict%answer == answer_no) used = huge(used)
+         if (found%wholes(i)%verdict%used%present) used = found%wholes(i)%verdict%used%value
+         if (found%wholes(i)%verdict%answer == answer_no) used = huge(used)
          if (used <= most) cycle
          most = used
-         number = results(i)%case_index
+         number = found%results(i)%case_index
       end do
    end function governing_case
 
    !> The data, in an element of the page: what stands along the string of the load cases where one is shown, figures of the run.
-   subroutine append_page_data(lines, job, model, results, alongs, pictures, shown)
+   subroutine append_page_data(lines, found, pictures, shown)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(along_string_type), intent(in) :: alongs(:)      !< as many
+      type(findings_type), intent(in) :: found
       type(picture_list_type), intent(in) :: pictures
       integer, intent(in) :: shown                          !< load case that is shown first; 0: none
       type(curves_type) :: curves
       type(series_list_type) :: list
       integer :: i
       if (shown > 0) then
-         i = findloc(has_curves(results), .true., dim=1)
-         list = curve_series(results(i)%profile, alongs(i))    ! for their names
-         call find_curves(job, results, alongs, list, curves)
+         i = findloc(has_curves(found%results), .true., dim=1)
+         list = curve_series(found%results(i)%profile, found%alongs(i))    ! for their names
+         call find_curves(found, list, curves)
       else
          allocate (list%items(0))
       end if
       call add_line(lines, '<script type="application/json" id="data">')
-      call add_line(lines, '{"units":'//json_string(trim(job%units%name))//',"systems":['//systems_text()//'],"thinned":'// &
+      call add_line(lines, '{"units":'//json_string(trim(found%job%units%name))//',"systems":['//systems_text()//'],"thinned":'// &
                        json_string(thinned_text())//',"reduced":'//json_string(reduced_text(curves))//',')
-      call append_quantities(lines, job%units)
+      call append_quantities(lines, found%job%units)
       if (shown > 0) then
          call add_line(lines, '"start":'//to_text(shown - 1)//',')
-         call append_columns(lines, list, alike_joint(alongs, has_curves(results))/job%units%length)
-         call append_cases(lines, job, model)
+         call append_columns(lines, list, alike_joint(found%alongs, has_curves(found%results))/found%job%units%length)
+         call append_cases(lines, found%job, found%model)
          call add_line(lines, '"looks":['//case_looks()//'],"charts":[')
          do i = 1, size(charts)
             call add_line(lines, trim(charts(i)))
          end do
          call add_line(lines, '],"profiles":[')
-         call append_profiles(lines, job, model, results, list, curves)
+         call append_profiles(lines, found, list, curves)
          call add_line(lines, '],')
       end if
       call append_figures(lines, pictures, finest)

@@ -2,9 +2,9 @@
 !> too many points have fewer curves, or less exact ones.
 module dg_page_profiles
    use dg_kinds, only: wp
-   use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type, result_converged
    use dg_curve_look, only: dash_of, line_style, marked_line_style, style_count
+   use dg_findings, only: findings_type
    use dg_job, only: job_type, model_name
    use dg_json, only: json_string
    use dg_line_list, only: add_line, line_list_type
@@ -73,17 +73,16 @@ contains
    end function has_curves
 
    !> Curves of all results, thinned as little as their size allows.
-   subroutine find_curves(job, results, alongs, list, curves)
-      type(job_type), intent(in) :: job
-      type(case_result_type), intent(in) :: results(:)
-      type(along_string_type), intent(in) :: alongs(:)          !< as many
+   subroutine find_curves(found, list, curves)
+      type(findings_type), intent(in) :: found
       type(series_list_type), intent(in) :: list                !< names of the columns
       type(curves_type), intent(out) :: curves
       type(share_type) :: share
       integer, allocatable :: letters(:)
       integer :: i, k, room, cases
-      allocate (curves%texts(list%count, size(results)), curves%accuracy(list%count, size(results)), curves%rows(size(results)))
-      allocate (letters(maxval(results%case_index)), source=0)
+      allocate (curves%texts(list%count, size(found%results)), curves%accuracy(list%count, size(found%results)), &
+                curves%rows(size(found%results)))
+      allocate (letters(maxval(found%results%case_index)), source=0)
       do i = 1, size(letters)
          call write_case(share_type(), i, letters(i))
       end do
@@ -109,10 +108,10 @@ contains
          type(written_type) :: first
          integer :: n
          letters = 0
-         do n = 1, size(results)
-            if (results(n)%case_index /= number .or. .not. has_curves(results(n))) cycle
-            if (letters == 0) first%place = count(has_curves(results(:n))) - 1
-            call profile_curves(results(n)%profile, alongs(n), job%units, share, first, curves%texts(:, n), &
+         do n = 1, size(found%results)
+            if (found%results(n)%case_index /= number .or. .not. has_curves(found%results(n))) cycle
+            if (letters == 0) first%place = count(has_curves(found%results(:n))) - 1
+            call profile_curves(found%results(n)%profile, found%alongs(n), found%job%units, share, first, curves%texts(:, n), &
                                 curves%accuracy(:, n), curves%rows(n))
             letters = letters + letters_of(curves%rows(n:n)) + letters_of(curves%texts(:, n))
          end do
@@ -162,22 +161,21 @@ contains
    end function reduced_text
 
    !> The curves of each result that has some. One that an earlier result has, too, is a number: the place of that one.
-   subroutine append_profiles(lines, job, model, results, list, curves)
+   subroutine append_profiles(lines, found, list, curves)
       type(line_list_type), intent(inout) :: lines
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+      type(findings_type), intent(in) :: found
       type(series_list_type), intent(in) :: list
       type(curves_type), intent(in) :: curves
-      integer :: places(count(has_curves(results))), i, k
+      integer :: places(count(has_curves(found%results))), i, k
       logical :: some
-      places = pack([(i, i=1, size(results))], has_curves(results))
+      places = pack([(i, i=1, size(found%results))], has_curves(found%results))
       do i = 1, size(places)
-         associate (result => results(places(i)))
+         associate (result => found%results(places(i)))
             call add_line(lines, '{"case":'//to_text(result%case_index - 1)//',"model":'// &
-                             json_string(trim(model_name(result%model)))//',"key":'//profile_key(job, model, result)//',')
+                             json_string(trim(model_name(result%model)))//',"key":'// &
+                             profile_key(found%job, found%model, result)//',')
             if (.not. is_missing(result%bit_side_force)) call add_line(lines, '"held":true,')
-            if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(job, result)//'],')
+            if (allocated(result%contacts)) call add_line(lines, '"contacts":['//contacts_text(found%job, result)//'],')
          end associate
          call append_depths(lines, curves, places(:i))
          call append_bands(lines, list, curves%accuracy(:, places(i)))

@@ -2,15 +2,15 @@
 !> against measurement, and torque if any case has one.
 module dg_hookload_picture
    use dg_kinds, only: wp
-   use dg_case_result, only: case_result_type, result_converged
+   use dg_case_result, only: result_converged
    use dg_chart, only: add_curve, add_key, add_rows, beside, chart_type, key_of, new_chart, panel_type
+   use dg_findings, only: are_marked, findings_type
    use dg_quantity, only: quantity_force, quantity_moment, quantity_percent
    use dg_comparison, only: as_measured, percent_error
    use dg_curve_look, only: colour_black, colour_white, letter_width, mark_style
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_load_case, only: rotates
    use dg_missing, only: is_missing, missing, optional_real
-   use dg_model, only: model_type
    use dg_rig, only: indicated_load
    use dg_text, only: either, text_type
    use dg_verdict_text, only: mark_meaning, row_mark
@@ -32,54 +32,54 @@ module dg_hookload_picture
 contains
 
    !> Make the chart of all hook loads with measured ones.
-   function hookload_chart(job, model, results, marked) result(chart)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      logical, intent(in) :: marked(:)      !< as many: cannot be done, or no solution
+   function hookload_chart(found) result(chart)
+      type(findings_type), intent(in) :: found
       type(chart_type) :: chart
-      type(text_type) :: names(size(model%cases))
-      real(wp), dimension(size(model%cases), size(job%models)) :: hookload, error, torque   !< by case and model, as they are shown
-      type(optional_real) :: loads(size(model%cases))
+      type(text_type) :: names(size(found%model%cases))
+      !> By case and model, as they are shown.
+      real(wp), dimension(size(found%model%cases), size(found%job%models)) :: hookload, error, torque
+      logical :: marked(size(found%results))
+      type(optional_real) :: loads(size(found%model%cases))
       real(wp) :: left, bottom, top, height
       logical :: with_error, with_torque
       integer :: i, n, panels, longest, height_px
-      n = size(model%cases)
-      height_px = head_height + foot_height + (row_height + model_height*(size(job%models) - 1))*n
+      n = size(found%model%cases)
+      marked = are_marked(found)
+      height_px = head_height + foot_height + (row_height + model_height*(size(found%job%models) - 1))*n
       height = real(height_px, wp)
-      call find_values(job, model, results, hookload, error, torque)
+      call find_values(found, hookload, error, torque)
       with_error = any(.not. is_missing(error))
       with_torque = any(.not. is_missing(torque))
       panels = 1 + count([with_error, with_torque])
       longest = 0
       do i = 1, n
-         names(i)%text = model%cases(i)%name
-         names(i)%text = names(i)%text//mark_of(results%model, marked, results%case_index == i)
+         names(i)%text = found%model%cases(i)%name
+         names(i)%text = names(i)%text//mark_of(found%results%model, marked, found%results%case_index == i)
          longest = max(longest, len(names(i)%text))
       end do
       left = min(most_names, letter_width*real(longest + 2, wp)/real(width, wp))
       bottom = real(foot_height, wp)/height
       top = 1.0_wp - real(head_height, wp)/height
-      chart = new_chart('hookload', 'Hook load of all cases', job%units, height_px, &
+      chart = new_chart('hookload', 'Hook load of all cases', found%job%units, height_px, &
                         [top + 8.0_wp/height, 1.0_wp - 40.0_wp/height])
       call add_rows(chart, place(), either('hook load as the rig shows it', 'hook load', &
-                                           model%rig%given), quantity_force, names, left)
+                                           found%model%rig%given), quantity_force, names, left)
       chart%panels(1)%air(1) = 0.04_wp         ! no mark on the frame
-      do i = 1, size(job%models)
-         call add_marks(hookload(:, i), i, trim(model_name(job%models(i))))
+      do i = 1, size(found%job%models)
+         call add_marks(hookload(:, i), i, trim(model_name(found%job%models(i))))
       end do
-      loads = model%cases%measured_hookload
-      if (any(loads%present)) call add_given(loads, job%units%force, measured_look, 'measured')
-      loads = model%cases%reference_hookload
-      if (model%rig%given) loads%value = indicated_load(model%rig, model%cases%operation, loads%value)
-      if (any(loads%present)) call add_given(loads, job%units%force, reference_look, 'reference')
+      loads = found%model%cases%measured_hookload
+      if (any(loads%present)) call add_given(loads, found%job%units%force, measured_look, 'measured')
+      loads = found%model%cases%reference_hookload
+      if (found%model%rig%given) loads%value = indicated_load(found%model%rig, found%model%cases%operation, loads%value)
+      if (any(loads%present)) call add_given(loads, found%job%units%force, reference_look, 'reference')
       call widen(chart%panels(1))
-      if (any(results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
+      if (any(found%results%status /= result_converged)) call add_key(chart, no_look, 'cases without a solution are left out')
       if (any(marked)) call add_key(chart, no_look, mark_meaning// &
                                      either(' (with the name of a model: by that model alone)', '', named()))
       if (with_error) then
          call add_rows(chart, place(), 'error against measurement', quantity_percent, names, 0.0_wp)
-         do i = 1, size(job%models)
+         do i = 1, size(found%job%models)
             call add_marks(error(:, i), i, '')
          end do
          chart%panels(2)%x%ends(1) = 0.0_wp
@@ -87,11 +87,11 @@ contains
       end if
       if (with_torque) then
          call add_rows(chart, place(), 'torque at the top', quantity_moment, names, 0.0_wp)
-         do i = 1, size(job%models)
+         do i = 1, size(found%job%models)
             call add_marks(torque(:, i), i, '')
          end do
-         if (any(model%cases%measured_torque%present)) &
-            call add_given(model%cases%measured_torque, job%units%moment, measured_look, '')
+         if (any(found%model%cases%measured_torque%present)) &
+            call add_given(found%model%cases%measured_torque, found%job%units%moment, measured_look, '')
          chart%panels(panels)%x%ends(1) = 0.0_wp
          chart%panels(panels)%air(1) = 0.04_wp
       end if
@@ -101,8 +101,8 @@ contains
       !> True if a mark is of some models only.
       pure function named()
          logical :: named
-         named = any([(any(marked .and. results%case_index == i) .and. &
-                       any(.not. marked .and. results%case_index == i), i=1, n)])
+         named = any([(any(marked .and. found%results%case_index == i) .and. &
+                       any(.not. marked .and. found%results%case_index == i), i=1, n)])
       end function named
 
       !> Of the next panel.
@@ -117,9 +117,9 @@ contains
          integer, intent(in) :: number
          character(*), intent(in) :: name
          real(wp) :: beside_line
-         beside_line = spread*(real(number, wp)/real(size(job%models) + 1, wp) - 0.5_wp)
+         beside_line = spread*(real(number, wp)/real(size(found%job%models) + 1, wp) - 0.5_wp)
          call add_curve(chart, values, [(real(i, wp) + beside_line, i=1, n)], mark_style(number, 0.8_wp), name, &
-                        key_of(chart, trim(model_name(job%models(number)))))
+                        key_of(chart, trim(model_name(found%job%models(number)))))
       end subroutine add_marks
 
       !> Marks of what the deck gives, on the lines of the cases.
@@ -167,10 +167,8 @@ contains
    end subroutine widen
 
    !> Hook load, error and torque of each case by each model, as they are shown; `missing` without a solution.
-   pure subroutine find_values(job, model, results, hookload, error, torque)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+   pure subroutine find_values(found, hookload, error, torque)
+      type(findings_type), intent(in) :: found
       real(wp), intent(out) :: hookload(:, :), error(:, :), torque(:, :)
       type(optional_real) :: percent
       real(wp) :: shown
@@ -178,16 +176,16 @@ contains
       hookload = missing
       error = missing
       torque = missing
-      do i = 1, size(results)
-         if (results(i)%status /= result_converged) cycle
-         k = findloc(job%models, results(i)%model, dim=1)
-         associate (number => results(i)%case_index)
-            shown = as_measured(results(i)%hookload, results(i)%weight_indicator)
-            hookload(number, k) = shown/job%units%force
-            percent = percent_error(shown, model%cases(number)%measured_hookload)
+      do i = 1, size(found%results)
+         if (found%results(i)%status /= result_converged) cycle
+         k = findloc(found%job%models, found%results(i)%model, dim=1)
+         associate (number => found%results(i)%case_index)
+            shown = as_measured(found%results(i)%hookload, found%results(i)%weight_indicator)
+            hookload(number, k) = shown/found%job%units%force
+            percent = percent_error(shown, found%model%cases(number)%measured_hookload)
             if (percent%present) error(number, k) = percent%value
-            if (rotates(model%cases(number)%operation) .or. abs(model%cases(number)%tob) > 0.0_wp) &
-               torque(number, k) = results(i)%torque/job%units%moment
+            if (rotates(found%model%cases(number)%operation) .or. abs(found%model%cases(number)%tob) > 0.0_wp) &
+               torque(number, k) = found%results(i)%torque/found%job%units%moment
          end associate
       end do
    end subroutine find_values

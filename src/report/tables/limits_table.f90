@@ -2,6 +2,7 @@
 !> rest is in limits.csv.
 module dg_limits_table
    use dg_kinds, only: wp
+   use dg_findings, only: findings_type, rows_of
    use dg_named_states, only: buckling_none
    use dg_case_result, only: case_result_type, result_converged
    use dg_casing_wear, only: groove_type
@@ -11,7 +12,7 @@ module dg_limits_table
    use dg_constants, only: pi
    use dg_drillstring, only: component_tops
    use dg_fatigue, only: fatigue_type
-   use dg_job, only: job_type, model_name
+   use dg_job, only: model_name
    use dg_length_change, only: total_change
    use dg_load_case, only: operation_static
    use dg_missing, only: given, is_missing, optional_real
@@ -43,21 +44,19 @@ module dg_limits_table
 contains
 
    !> The lines of the block of every model; a model without a solved case has none.
-   pure subroutine limits_table(job, model, results, wholes, lines)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)
+   pure subroutine limits_table(found, lines)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable, intent(out) :: lines(:)
       integer, allocatable :: rows(:)
-      integer :: i, k
+      integer :: i
       allocate (lines(0))
-      do i = 1, size(job%models)
-         rows = pack([(k, k=1, size(results))], results%model == job%models(i) .and. results%status == result_converged)
+      do i = 1, size(found%job%models)
+         rows = rows_of(found, found%job%models(i))
+         rows = pack(rows, found%results(rows)%status == result_converged)
          if (size(rows) == 0) cycle
          call append_text(lines, '')
-         call append_text(lines, 'Limits, model '//trim(model_name(job%models(i)))//' (all: limits.csv)')
-         call append_block(lines, job%units, model, job%design%von_mises, results(rows), wholes(rows))
+         call append_text(lines, 'Limits, model '//trim(model_name(found%job%models(i)))//' (all: limits.csv)')
+         call append_block(lines, found%job%units, found%model, found%job%design%von_mises, found%results(rows), found%wholes(rows))
       end do
    end subroutine limits_table
 

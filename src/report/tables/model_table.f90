@@ -3,7 +3,8 @@
 module dg_model_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers
-   use dg_job, only: job_type, model_name
+   use dg_findings, only: are_marked, findings_type
+   use dg_job, only: model_name
    use dg_missing, only: given, optional_real
    use dg_model, only: model_type
    use dg_text, only: append_text, text_type
@@ -28,33 +29,32 @@ contains
 
    !> The lines of the comparison, cases in the deck's order, in each the models in the deck's order. No line where
    !> there is one model.
-   pure function model_table(job, model, results, marked) result(lines)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      logical, intent(in) :: marked(:)         !< as many: cannot be done, or no solution
+   pure function model_table(found) result(lines)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: lines(:)
       type(text_table_type) :: table
+      logical :: marked(size(found%results))
       integer :: i, j, first, row
       allocate (lines(0))
-      if (size(job%models) < 2) return
+      if (size(found%job%models) < 2) return
+      marked = are_marked(found)
       call append_text(lines, '')
-      call append_text(lines, 'Models side by side; differences against '//trim(model_name(job%models(1))))
-      do j = 1, size(model%cases)
-         do i = 1, size(job%models)
-            row = findloc(results%model == job%models(i) .and. results%case_index == j, .true., dim=1)
+      call append_text(lines, 'Models side by side; differences against '//trim(model_name(found%job%models(1))))
+      do j = 1, size(found%model%cases)
+         do i = 1, size(found%job%models)
+            row = findloc(found%results%model == found%job%models(i) .and. found%results%case_index == j, .true., dim=1)
             if (i == 1) first = row
             if (row == 0 .or. first == 0) cycle
-            call add_row(table, job%units, model, results(row), results(first), i == 1)
+            call add_row(table, found%job%units, found%model, found%results(row), found%results(first), i == 1)
             call end_row(table, merge(' '//row_mark, '  ', marked(row)))
          end do
       end do
       call close_rows(table)
-      do i = 1, size(job%models)
+      do i = 1, size(found%job%models)
          call add_cell(table, '', name_width, 'all')
-         call add_cell(table, '', model_width, model_name(job%models(i)))
+         call add_cell(table, '', model_width, model_name(found%job%models(i)))
          call add_cell(table, '', 4*number_width + 2*share_width, '')
-         call add_cell(table, '', seconds_width, sum(results%seconds, results%model == job%models(i)), one, 4)
+         call add_cell(table, '', seconds_width, sum(found%results%seconds, found%results%model == found%job%models(i)), one, 4)
          call end_row(table, '')
       end do
       call append_table(lines, table)

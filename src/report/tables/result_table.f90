@@ -2,16 +2,15 @@
 module dg_result_table
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, has_numbers, result_converged, result_status_name, scale_count, scale_name
-   use dg_job, only: job_type, model_meaning, model_name
+   use dg_findings, only: findings_type, rows_of
+   use dg_job, only: model_meaning, model_name
    use dg_load_case, only: load_case_type
-   use dg_model, only: model_type
    use dg_number_text, only: scientific_cell
    use dg_table_1, only: append_table_1
    use dg_text_table, only: add_cell, append_table, close_rows, end_row, text_table_type
    use dg_text, only: append_text, either, text_type, to_text
    use dg_unit_kind, only: in_units, unit_label, unit_length, unit_moment
    use dg_units, only: unit_system_type
-   use dg_whole_string, only: whole_string_type
    implicit none
    private
    public :: cost_table, result_table
@@ -28,42 +27,37 @@ module dg_result_table
 contains
 
    !> The lines of Table 1.
-   function result_table(job, model, results, wholes) result(lines)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
-      type(whole_string_type), intent(in) :: wholes(:)      !< as many
+   function result_table(found) result(lines)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: lines(:)
       integer, allocatable :: rows(:)
-      integer :: i, k
+      integer :: i
       allocate (lines(0))
-      do i = 1, size(job%models)
-         rows = pack([(k, k=1, size(results))], results%model == job%models(i))
+      do i = 1, size(found%job%models)
+         rows = rows_of(found, found%job%models(i))
          if (size(rows) == 0) cycle
          call append_text(lines, '')
-         call append_text(lines, 'Model '//trim(model_name(job%models(i)))//' ('// &
-                          trim(model_meaning(job%models(i)))//')')
-         call append_table_1(lines, job%units, model%cases(results(rows)%case_index), results(rows), &
-                             wholes(rows)%verdict)
+         call append_text(lines, 'Model '//trim(model_name(found%job%models(i)))//' ('// &
+                          trim(model_meaning(found%job%models(i)))//')')
+         call append_table_1(lines, found%job%units, found%model%cases(found%results(rows)%case_index), found%results(rows), &
+                             found%wholes(rows)%verdict)
       end do
    end function result_table
 
    !> The lines of the table of costs.
-   pure function cost_table(job, model, results) result(lines)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+   pure function cost_table(found) result(lines)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: lines(:)
       integer, allocatable :: rows(:)
-      integer :: i, k
+      integer :: i
       allocate (lines(0))
-      do i = 1, size(job%models)
-         rows = pack([(k, k=1, size(results))], results%model == job%models(i))
+      do i = 1, size(found%job%models)
+         rows = rows_of(found, found%job%models(i))
          if (size(rows) == 0) cycle
          call append_text(lines, '')
-         call append_text(lines, 'How it was solved, model '//trim(model_name(job%models(i)))//': elements, contacts by state, '// &
-                          'changes of state and place')
-         call append_costs(lines, job%units, model%cases(results(rows)%case_index), results(rows))
+         call append_text(lines, 'How it was solved, model '//trim(model_name(found%job%models(i)))//': elements, contacts by '// &
+                          'state, changes of state and place')
+         call append_costs(lines, found%job%units, found%model%cases(found%results(rows)%case_index), found%results(rows))
       end do
    end function cost_table
 

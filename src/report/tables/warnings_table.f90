@@ -2,13 +2,14 @@
 !> those without a solution first.
 module dg_warnings_table
    use dg_case_result, only: case_result_type, result_converged, result_locked_up, result_not_converged, result_status_name
+   use dg_findings, only: findings_type
    use dg_job, only: job_type, model_name
    use dg_model, only: model_type
    use dg_text, only: append_text, either, text_type, to_text
    use dg_number_text, only: append_wrapped
    implicit none
    private
-   public :: warnings_table, warning_sentences, warnings_heading, doubt_of_deck
+   public :: warnings_table, warning_sentences, warnings_heading, doubt_of_deck, deck_warnings
 
    !> Statuses as they follow each other in the block.
    integer, parameter :: by_weight(3) = [result_not_converged, result_locked_up, result_converged]
@@ -16,15 +17,13 @@ module dg_warnings_table
 contains
 
    !> The lines of the block; none where deck and cases have no message.
-   pure function warnings_table(job, model, results) result(lines)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+   pure function warnings_table(found) result(lines)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: lines(:)
       type(text_type), allocatable :: sentences(:)
       integer :: i
       allocate (lines(0))
-      allocate (sentences, source=warning_sentences(job, model, results))
+      allocate (sentences, source=warning_sentences(found))
       if (size(sentences) == 0) return
       call append_text(lines, '')
       call append_text(lines, warnings_heading(sentences))
@@ -41,32 +40,30 @@ contains
    end function warnings_heading
 
    !> Notes on the deck, then messages of load cases, those without a solution first; load cases with the same message have one.
-   pure function warning_sentences(job, model, results) result(sentences)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+   pure function warning_sentences(found) result(sentences)
+      type(findings_type), intent(in) :: found
       type(text_type), allocatable :: sentences(:)
       character(:), allocatable :: head, text
       integer, allocatable :: order(:), other(:)
       integer :: i
-      allocate (sentences, source=deck_warnings(job, model))
+      allocate (sentences, source=deck_warnings(found%job, found%model))
       do i = 1, size(sentences)
          sentences(i)%text = 'Deck: '//sentences(i)%text
       end do
-      allocate (order, source=warning_order(results))
+      allocate (order, source=warning_order(found%results))
       do while (size(order) > 0)
-         text = warning_text(results(order(1)))
+         text = warning_text(found%results(order(1)))
          head = ''
          allocate (other(0))
          do i = 1, size(order)
-            associate (result => results(order(i)))
+            associate (result => found%results(order(i)))
                if (warning_text(result) /= text) then
                   other = [other, order(i)]
                   cycle
                end if
-               if (head /= '') head = head//either(',', ';', size(job%models) == 1)//' '
-               head = head//model%cases(result%case_index)%name
-               if (size(job%models) > 1) head = head//', '//trim(model_name(result%model))
+               if (head /= '') head = head//either(',', ';', size(found%job%models) == 1)//' '
+               head = head//found%model%cases(result%case_index)%name
+               if (size(found%job%models) > 1) head = head//', '//trim(model_name(result%model))
             end associate
          end do
          call append_text(sentences, head//': '//text//'.')
@@ -75,17 +72,15 @@ contains
    end function warning_sentences
 
    !> A line above the answers that are made from a deck with warnings; '' without warnings.
-   pure function doubt_of_deck(job, model, results) result(text)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(case_result_type), intent(in) :: results(:)
+   pure function doubt_of_deck(found) result(text)
+      type(findings_type), intent(in) :: found
       character(:), allocatable :: text
-      integer :: found, all
-      found = size(deck_warnings(job, model))
-      all = size(warning_sentences(job, model, results))
+      integer :: on_deck, all
+      on_deck = size(deck_warnings(found%job, found%model))
+      all = size(warning_sentences(found))
       text = ''
-      if (found > 0) text = 'There '//either('is 1 warning', 'are '//to_text(all)//' warnings', all == 1)//', '// &
-                            either('', to_text(found)//' of them ', found == all)//'on the deck. Read '// &
+      if (on_deck > 0) text = 'There '//either('is 1 warning', 'are '//to_text(all)//' warnings', all == 1)//', '// &
+                            either('', to_text(on_deck)//' of them ', on_deck == all)//'on the deck. Read '// &
                             either('it', 'them', all == 1)//' before you use these answers.'
    end function doubt_of_deck
 

@@ -3,10 +3,10 @@
 !> in the run.
 module dg_study
    use dg_case_memory, only: need_type
-   use dg_case_result, only: case_result_type
    use dg_csv_table, only: csv_table_type
    use dg_deck_draft, only: deck_type
    use dg_error, only: error_list_type, error_type
+   use dg_findings, only: findings_type
    use dg_friction_estimate, only: friction_estimate_type
    use dg_job, only: job_type
    use dg_line_list, only: line_list_type
@@ -27,11 +27,8 @@ module dg_study
    integer, parameter :: phase_points = 4    !< at last: it has numbered points, of which a divided run solves some
 
    !> Data shared by the studies of one run.
-   type :: run_type
-      type(job_type) :: job
+   type, extends(findings_type) :: run_type
       type(model_type) :: given                     !< as the deck has it
-      type(model_type) :: model                     !< with friction that a study has found and applied
-      type(case_result_type), allocatable :: results(:)         !< of the load cases
       type(friction_estimate_type), allocatable :: estimates(:) !< in the order of the deck
       type(csv_table_type) :: factors               !< rows of calibration.csv so far
       type(printed_text_type) :: printed            !< what the page takes as it was printed, and what became of solutions
