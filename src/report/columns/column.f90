@@ -15,7 +15,7 @@ module dg_column
    implicit none
    private
    public :: column_type, field_type, row_type, column_header, fields_of, unknown_column
-   public :: csv_header, csv_row, append_csv_value, add, add_filled
+   public :: csv_header, csv_row, add, add_filled
    public :: quantity_none, quantity_text, quantity_length, quantity_width, quantity_angle, quantity_force, quantity_moment, &
              quantity_line_load, quantity_stress, quantity_pressure, quantity_percent, quantity_turns, quantity_curvature, &
              quantity_time, quantity_wall
@@ -122,22 +122,14 @@ contains
             case (field_integer); line = line//to_text(field%integer_value)
             case (field_real)
                filled = 0
-               call append_csv_value(number, filled, field%real_value, unit_factor(units, field%column%quantity))
+               if (.not. is_missing(field%real_value)) call append_csv_number(number, filled, &
+                  field%real_value/unit_factor(units, field%column%quantity))
                line = line//number(:filled)
             case default
             end select
          end associate
       end do
    end function csv_row
-
-   !> Append a number in SI units, divided by the SI value of its unit, to the letters of a row. Nothing is appended if it is
-   !> missing or not finite.
-   pure subroutine append_csv_value(row, filled, value, unit)
-      character(*), intent(inout) :: row      !< with room for `longest_number` letters
-      integer, intent(inout) :: filled        !< letters so far
-      real(wp), intent(in) :: value, unit
-      if (.not. is_missing(value)) call append_csv_number(row, filled, value/unit)
-   end subroutine append_csv_value
 
    !> A column without a value.
    pure subroutine add_none(row, name, quantity, meaning)

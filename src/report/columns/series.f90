@@ -7,7 +7,7 @@ module dg_series
    use dg_text, only: text_type
    implicit none
    private
-   public :: series_type, series_list_type, add, series_of, row_of, value_count
+   public :: series_list_type, add, series_of, row_of, value_count
 
    !> A column and its values: numbers, counts, or states by number.
    type :: series_type
@@ -63,6 +63,8 @@ contains
          associate (series => list%items(i), column => list%items(i)%column)
             if (allocated(series%states)) then
                call add_filled(row, column%name, column%quantity, column%meaning, series%words(series%states(number))%text)
+            else if (series%is_whole .and. .not. is_missing(series%numbers(number))) then
+               call add(row, column%name, column%quantity, column%meaning, nint(series%numbers(number)))
             else
                call add(row, column%name, column%quantity, column%meaning, series%numbers(number))
             end if

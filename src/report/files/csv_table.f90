@@ -1,16 +1,12 @@
 !> CSV files: row after row, or columns with all their values.
 module dg_csv_table
-   use dg_column, only: csv_header, csv_row, append_csv_value, row_type
+   use dg_column, only: csv_header, csv_row, row_type
    use dg_error, only: error_type
    use dg_file_system, only: write_text_file
    use dg_line_list, only: add_line, line_list_type
-   use dg_number_text, only: csv_text
-   use dg_missing, only: is_missing
-   use dg_series, only: series_list_type, series_type, value_count
-   use dg_ten_digits, only: longest_number
-   use dg_text, only: append_piece, text_type, to_text
+   use dg_series, only: row_of, series_list_type, value_count
+   use dg_text, only: text_type
    use dg_units, only: unit_system_type
-   use dg_unit_kind, only: unit_factor
    implicit none
    private
    public :: csv_table_type, begin_table, is_begun, add_row, write_table, write_series
@@ -62,40 +58,11 @@ contains
       type(unit_system_type), intent(in) :: units
       type(error_type), allocatable, intent(out) :: error
       type(text_type) :: lines(0:value_count(list))
-      character(:), allocatable :: row
-      integer :: i, j, filled, room
+      integer :: i
       lines(0)%text = csv_header(list%items(:list%count)%column, units)
-      room = 0
-      do j = 1, list%count
-         room = room + longest_cell(list%items(j))
-      end do
-      allocate (character(room) :: row)
       do i = 1, ubound(lines, 1)
-         filled = 0
-         do j = 1, list%count
-            associate (series => list%items(j))
-               if (allocated(series%states)) then
-                  call append_piece(row, filled, csv_text(series%words(series%states(i))%text))
-               else if (series%is_whole) then
-                  if (.not. is_missing(series%numbers(i))) call append_piece(row, filled, to_text(nint(series%numbers(i))))
-               else
-                  call append_csv_value(row, filled, series%numbers(i), unit_factor(units, series%column%quantity))
-               end if
-            end associate
-            if (j < list%count) call append_piece(row, filled, ',')
-         end do
-         lines(i)%text = row(:filled)
+         lines(i)%text = csv_row(row_of(list, i), units)
       end do
       call write_text_file(path, lines, error)
    end subroutine write_series
-
-   !> Letters of the longest cell of a column, and of the comma behind it.
-   pure function longest_cell(series) result(letters)
-      type(series_type), intent(in) :: series
-      integer :: letters
-      integer :: i
-      letters = longest_number
-      if (allocated(series%states)) letters = maxval([(len(csv_text(series%words(i)%text)), i=0, ubound(series%words, 1))])
-      letters = letters + 1
-   end function longest_cell
 end module dg_csv_table
