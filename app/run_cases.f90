@@ -196,10 +196,10 @@ contains
       type(verdict_type) :: verdict
       if (allocated(result%profile%md)) then
          call find_along_string(model, result, along, job%design)
-         call find_whole_string(model, result, along, job%rig_limit, whole)
-         call find_utilisation(model, result, along, job%design, job%rig_limit, whole%utilisation)
+         call find_whole_string(model, result, along, whole)
+         call find_utilisation(model, result, along, job%design, whole%utilisation)
       end if
-      call find_verdict(model, result, whole, job%design, job%rig_limit, verdict, upper)
+      call find_verdict(model, result, whole, job%design, verdict, upper)
       whole%verdict = verdict
    end subroutine judge_result
 

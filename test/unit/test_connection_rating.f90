@@ -17,7 +17,6 @@ module dg_test_connection_rating
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
    use dg_load_case, only: operation_trip_out
-   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, tensile_strength
    use dg_profile, only: new_profile, side_none
@@ -95,7 +94,7 @@ contains
       type(utilisation_type), intent(out) :: most
       type(along_string_type) :: along
       call find_along_string(model, result, along)
-      call find_utilisation(model, result, along, factors, optional_real(), most)
+      call find_utilisation(model, result, along, factors, most)
    end subroutine use_up
 
    !> Check the largest utilisation of a rating, and its depth.
@@ -191,9 +190,9 @@ contains
       type(whole_string_type) :: whole
       type(design_factors_type) :: factors
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
-      call find_utilisation(model, result, along, factors, optional_real(), whole%utilisation)
-      call find_verdict(model, result, whole, factors, optional_real(), verdict)
+      call find_whole_string(model, result, along, whole)
+      call find_utilisation(model, result, along, factors, whole%utilisation)
+      call find_verdict(model, result, whole, factors, verdict)
    end subroutine judge
 
    !> Connections that bear 10 % of the body in compression where it has 20 %.

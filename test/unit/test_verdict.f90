@@ -103,13 +103,16 @@ contains
       type(along_string_type) :: along
       type(whole_string_type) :: whole
       type(design_factors_type) :: factors
+      type(model_type) :: limited
       type(error_type), allocatable :: error
-      call solve_soft_string(model, 1, result, error)
+      limited = model
+      limited%rig%max_hookload = rig_limit
+      call solve_soft_string(limited, 1, result, error)
       call assertFalse(allocated(error))
-      call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, rig_limit, whole)
-      call find_utilisation(model, result, along, factors, rig_limit, whole%utilisation)
-      call find_verdict(model, result, whole, factors, rig_limit, verdict, upper)
+      call find_along_string(limited, result, along)
+      call find_whole_string(limited, result, along, whole)
+      call find_utilisation(limited, result, along, factors, whole%utilisation)
+      call find_verdict(limited, result, whole, factors, verdict, upper)
    end subroutine judge
 
    !> Running in: hook load W (cos a - f sin a). Friction may be cot a/f times as high until nothing hangs on the hook.
@@ -471,15 +474,15 @@ contains
       model%cases(1)%wob = 2.0_wp*most
       result%case_index = 1
       result%status = result_locked_up
-      call find_verdict(model, result, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_lock_up, verdict%limit)
       call assertRelativelyEqual(most, verdict%most_wob%value, close)
       result%lock_up_load = 0.5_wp*most
-      call find_verdict(model, result, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, verdict)
       call assertRelativelyEqual(0.5_wp*most, verdict%most_wob%value, close, message='what beams bear')
       model%cases(1)%operation = operation_trip_out
-      call find_verdict(model, result, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, verdict)
       call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)
       ! What is left, and a factor next to 1.
       verdict = verdict_type()
@@ -540,7 +543,7 @@ contains
       call build(model, operation_static, 0.0_wp)
       result%case_index = 1
       result%status = result_not_converged
-      call find_verdict(model, result, whole, factors, optional_real(), verdict)
+      call find_verdict(model, result, whole, factors, verdict)
       call assertEqual(answer_unknown, verdict%answer)
       call assertEqual('', verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_no_solution

@@ -13,7 +13,7 @@ module dg_test_both_sides
    use dg_job, only: model_mcge, model_mixed, model_name, model_rigid, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: operation_sliding_drilling, operation_trip_out
-   use dg_missing, only: is_missing, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_profile, only: new_profile, profile_type, side_above, side_below, side_none
    use dg_profile_file, only: profile_series
@@ -68,7 +68,7 @@ contains
       call solve_case(model, method, 1, result, error)
       call assertFalse(allocated(error), message='error')
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
+      call find_whole_string(model, result, along, whole)
    end subroutine find
 
    !> Every method, pulled and pushed, and mixed with beams at the bit.
@@ -157,7 +157,7 @@ contains
          what = trim(model_name(methods(m)))
          associate (profile => result%profile)
             row = findloc(profile%side, side_below, dim=1, back=.true.)
-            call find_utilisation(model, result, along, design_factors_type(), optional_real(), used)
+            call find_utilisation(model, result, along, design_factors_type(), used)
             call assertGreaterThan(profile%axial(row), 0.0_wp, message=what)
             call assertRelativelyEqual(profile%axial(row)/(20.0e6_wp*tube_area(0.17145_wp, 0.0714_wp)), &
                                        used%used(limit_tension)%value, rounding, message=what//': tension of the collar')

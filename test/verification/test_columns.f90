@@ -83,7 +83,8 @@ contains
       result%model = model_mcge
       result%case_index = 1
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, given(rig), whole)
+      model%rig%max_hookload = given(rig)
+      call find_whole_string(model, result, along, whole)
    end subroutine solve_all
 
    !> 1000 m at 40 deg, rotating on bottom, friction m: contact w sin/sqrt(1 + m^2) at 180 deg - atan m, torque r m times that,

@@ -8,7 +8,7 @@ module dg_test_contacts
    use dg_constants, only: degree, pi
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static, operation_trip_out
-   use dg_missing, only: is_missing, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_profile, only: side_above, side_below, state_free
    use dg_test_wells, only: hold_ends, new_well, note, pipe, solve
@@ -153,7 +153,7 @@ contains
       call assertRelativelyEqual(force, result%contacts(blades(1))%force, 0.002_wp, message='blade')
       call check_part(result, below, blade, result%contacts(blades(1))%force)
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
+      call find_whole_string(model, result, along, whole)
       call assertRelativelyEqual(force/joint, whole%side_force, 0.002_wp, message='largest side force')
       call assertEqual(0.5_wp*length, whole%side_force_md, 0.5_wp*blade + 1.0e-6_wp, message='where')
       associate (p => result%profile)

@@ -19,7 +19,7 @@ module dg_test_fatigue
    use dg_job, only: model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotate_off_bottom, operation_trip_out
-   use dg_missing, only: is_missing, optional_real
+   use dg_missing, only: is_missing
    use dg_model, only: model_type
    use dg_solve_case, only: solve_case
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
@@ -262,16 +262,16 @@ contains
       call solve(operation_rotate_off_bottom, fatigue_curve_type(fatigue_own, limit=40.0e6_wp, exponent=5.0_wp), 1000.0_wp, &
                  model, result, parts, fatigue_curve_type(fatigue_own, limit=5.0e6_wp, exponent=5.0_wp))
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
+      call find_whole_string(model, result, along, whole)
       call assertTrue(whole%joint_fatigue%damage > whole%fatigue%damage .and. whole%fatigue%damage > 1.0_wp)
-      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      call find_verdict(model, result, whole, design_factors_type(), verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_joint_fatigue, verdict%limit)
       call assertRelativelyEqual(whole%joint_fatigue%damage, verdict%used%value, 1.0e-12_wp)
       whole%joint_fatigue%damage = 0.5_wp*whole%fatigue%damage
       model%strings(1)%components(1)%name = 'lower pipe'
       model%strings(1)%components(2)%name = 'upper pipe'
-      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      call find_verdict(model, result, whole, design_factors_type(), verdict)
       call assertEqual(limit_fatigue, verdict%limit)
       text = verdict_reason(si_units(), model%cases(1), verdict)
       call assertTrue(index(text, "Fatigue by hours of rotation at ") == 1 .and. index(text, " m in 'upper pipe': 1000 h, ") > 0, &
@@ -302,9 +302,9 @@ contains
          type(verdict_type) :: verdict
          character(:), allocatable :: text
          call find_along_string(model, result, along)
-         call find_whole_string(model, result, along, optional_real(), whole)
-         call find_utilisation(model, result, along, design_factors_type(), optional_real(), whole%utilisation)
-         call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+         call find_whole_string(model, result, along, whole)
+         call find_utilisation(model, result, along, design_factors_type(), whole%utilisation)
+         call find_verdict(model, result, whole, design_factors_type(), verdict)
          call assertEqual(answer_no, verdict%answer)
          text = verdict_reason(si_units(), model%cases(1), verdict)
          call assertTrue(index(text, words) > 0, message=text)
@@ -350,8 +350,8 @@ contains
       type(whole_string_type) :: whole
       call solve(operation_rotate_off_bottom, curve, hours, model, result, parts)
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
-      call find_verdict(model, result, whole, design_factors_type(), optional_real(), verdict)
+      call find_whole_string(model, result, along, whole)
+      call find_verdict(model, result, whole, design_factors_type(), verdict)
       text = unchecked_text(verdict%not_checked, model%strings(1)%components)
       text = text(index(text//'(its', '(its'):)
    end subroutine judge

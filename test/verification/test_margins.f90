@@ -10,7 +10,6 @@ module dg_test_margins
    use dg_job, only: model_mcge, model_soft
    use dg_kinds, only: wp
    use dg_load_case, only: operation_static
-   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
    use dg_soft_string, only: solve_soft_string
@@ -77,7 +76,7 @@ contains
       result%case_index = 1
       result%model = number
       call find_along_string(model, result, along)
-      call find_whole_string(model, result, along, optional_real(), whole)
+      call find_whole_string(model, result, along, whole)
       if (present(stress)) stress = maxval(along%jointed_von_mises)
       call assertLessThan(abs(1.0_wp - 1.0_wp/whole%least_safety%value - whole%least_envelope_margin%value), soft_within, &
                           message='the envelope holds the same stress')

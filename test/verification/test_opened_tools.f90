@@ -10,7 +10,6 @@ module dg_test_opened_tools
    use dg_job, only: job_type
    use dg_kinds, only: wp
    use dg_load_case, only: operation_rotary_drilling, operation_trip_in, operation_trip_out
-   use dg_missing, only: optional_real
    use dg_mixed_string, only: solve_mixed_string
    use dg_model, only: model_type
    use dg_rigid_string, only: solve_rigid_string
@@ -118,8 +117,8 @@ contains
       call find_along_string(second, other, along_other)
       call assertTrue(all(abs(along%sinusoidal - along_other%sinusoidal) <= same*abs(along_other%sinusoidal)), &
                       message=what//': buckling limits')
-      call find_whole_string(first, one, along, optional_real(), whole)
-      call find_whole_string(second, other, along_other, optional_real(), whole_other)
+      call find_whole_string(first, one, along, whole)
+      call find_whole_string(second, other, along_other, whole_other)
       call assertEqual(whole_other%wob_lockup%value, whole%wob_lockup%value, same*whole_other%wob_lockup%value, &
                        message=what//': weight on bit before lock-up')
       call assertEqual(whole_other%wob_yield%value, whole%wob_yield%value, same*whole_other%wob_lockup%value, &
@@ -241,7 +240,7 @@ contains
          end associate
          call solve_by(models(i), 1, operation_trip_in, result)
          call find_along_string(models(i), result, along)
-         call find_whole_string(models(i), result, along, optional_real(), whole)
+         call find_whole_string(models(i), result, along, whole)
          call assertTrue(whole%wob_yield%present)
          weight(i) = whole%wob_yield%value
       end do

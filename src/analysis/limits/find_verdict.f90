@@ -41,12 +41,11 @@ module dg_find_verdict
 contains
 
    !> Find the verdict of a result. It is unknown or no if the case has not converged. `whole` is only read if it has.
-   pure subroutine find_verdict(model, result, whole, design, rig_limit, verdict, upper)
+   pure subroutine find_verdict(model, result, whole, design, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(whole_string_type), intent(in) :: whole
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry [N]
       type(verdict_type), intent(out) :: verdict
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       associate (load_case => model%cases(result%case_index))
@@ -67,7 +66,7 @@ contains
             verdict%wob_yield = whole%wob_yield
             verdict%buckled_by_formula = result%model /= model_mcge
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
-            call note_unrated(model, result%case_index, rig_limit, design, verdict%not_checked)
+            call note_unrated(model, result%case_index, design, verdict%not_checked)
             call judge_strengths(whole%utilisation, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
             if (result%model /= model_mcge) call judge_compressed(load_case, whole, verdict)
@@ -77,14 +76,14 @@ contains
             if (cannot_scale(model, result)) then
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
-               call find_friction_reserve(model, result, design, rig_limit, verdict%friction_reserve, verdict%reserve_limit)
+               call find_friction_reserve(model, result, design, verdict%friction_reserve, verdict%reserve_limit)
                call take_limit_of_beams(result%weight_limits%friction, verdict)
                if (verdict%friction_reserve%present .and. .not. result%weight_limits%friction%present) &
                   verdict%reserve_buckles = buckles_by_friction(model, result, verdict%friction_reserve%value)
             else if (all(verdict%limit /= limits_by_hours) .and. .not. lacks_weight(load_case, verdict)) then
-               call find_possible_friction(model, result, design, rig_limit, verdict%possible_friction)
+               call find_possible_friction(model, result, design, verdict%possible_friction)
             end if
-            if (present(upper)) call judge_upper_end(model, result, design, rig_limit, upper, verdict)
+            if (present(upper)) call judge_upper_end(model, result, design, upper, verdict)
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
             if (block_way(load_case%operation) < 0) &
@@ -94,17 +93,17 @@ contains
             return
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
-            call judge_without_load(model, model, result, design, rig_limit, verdict)
+            call judge_without_load(model, model, result, design, verdict)
          if (lacks_weight(load_case, verdict)) then
             if (verdict%also == 0) call find_turning_loads(model, result%case_index, verdict)
             if (verdict%friction /= friction_upper_end_alone .and. block_way(load_case%operation) <= 0) &
                call find_ways_down(model, result, verdict)
          end if
          if (wants_reach(model, result, verdict)) &
-            call find_limit_reach(model, result, whole%utilisation, design, rig_limit, verdict%reach)
+            call find_limit_reach(model, result, whole%utilisation, design, verdict%reach)
          if (verdict%answer == answer_no .and. verdict%also == 0 .and. verdict%friction /= friction_upper_end_alone .and. &
              all(verdict%passed(limit_count + 1:) <= 1.0_wp)) &
-            call find_pump_pressure(model, result, design, rig_limit, verdict%limit, whole%wob_yield, verdict%pump_pressure, &
+            call find_pump_pressure(model, result, design, verdict%limit, whole%wob_yield, verdict%pump_pressure, &
                                     verdict%fill)
          if (verdict%part > 0) &
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
@@ -155,11 +154,10 @@ contains
    end function lacks_weight
 
    !> Judge the case once more, with calibrated friction at the upper end of its interval.
-   pure subroutine judge_upper_end(model, result, design, rig_limit, upper, verdict)
+   pure subroutine judge_upper_end(model, result, design, upper, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit   !< [N]
       type(upper_friction_type), intent(in) :: upper
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: raised
@@ -176,19 +174,18 @@ contains
       at_end%possible_friction = verdict%friction_reserve
       if (verdict%most_wob%present) &
          at_end%most_wob = given(most_weight_on_bit(raised, result%case_index, coiled=.true., pushed=.false.))
-      call judge_other(model, raised, result, design, rig_limit, at_end)
+      call judge_other(model, raised, result, design, at_end)
       if (at_end%answer /= answer_no) return
       verdict = at_end
-      call judge_without_load(model, raised, result, design, rig_limit, verdict)
+      call judge_without_load(model, raised, result, design, verdict)
    end subroutine judge_upper_end
 
    !> Note the limit that is also passed without weight on bit or overpull, if the case has one of them.
-   pure subroutine judge_without_load(model, other_model, result, design, rig_limit, verdict)
+   pure subroutine judge_without_load(model, other_model, result, design, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit   !< [N]
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: bare
       type(verdict_type) :: without
@@ -205,10 +202,10 @@ contains
          return
       end if
       without%most_wob = verdict%most_wob
-      call judge_other(model, bare, result, design, rig_limit, without)
+      call judge_other(model, bare, result, design, without)
       if (without%answer /= answer_no) then
          if (model%cases(result%case_index)%wob < 0.0_wp) &
-            call find_most_pull(model, other_model, result, design, rig_limit, verdict)
+            call find_most_pull(model, other_model, result, design, verdict)
          return
       end if
       verdict%limit_without_load = without%limit
@@ -216,12 +213,11 @@ contains
    end subroutine judge_without_load
 
    !> Judge a result with another friction or weight on bit, without fatigue. On entry `verdict` has the largest weight on bit.
-   pure subroutine judge_other(model, other_model, result, design, rig_limit, verdict)
+   pure subroutine judge_other(model, other_model, result, design, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model        !< all else equal
       type(case_result_type), intent(in) :: result       !< of `model`, converged
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit       !< [N]
       type(verdict_type), intent(inout) :: verdict
       type(case_result_type) :: other
       type(along_string_type) :: along
@@ -235,7 +231,7 @@ contains
          return
       end if
       call find_along_string(other_model, other, along)
-      call find_utilisation(other_model, other, along, design, rig_limit, utilisation)
+      call find_utilisation(other_model, other, along, design, utilisation)
       call judge_strengths(utilisation, verdict)
       call judge_weight(other_model, other, verdict%most_wob, verdict)
    end subroutine judge_other
@@ -258,12 +254,11 @@ contains
    end subroutine judge_strengths
 
    !> Find the largest overpull with which no limit is passed, for a case that is possible without overpull. Bisection.
-   pure subroutine find_most_pull(model, other_model, result, design, rig_limit, verdict)
+   pure subroutine find_most_pull(model, other_model, result, design, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit   !< [N]
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: less
       type(verdict_type) :: there
@@ -276,7 +271,7 @@ contains
       do i = 1, halvings
          less%cases(result%case_index)%wob = -0.5_wp*(low + high)
          there = verdict_type()
-         call judge_other(model, less, result, design, rig_limit, there)
+         call judge_other(model, less, result, design, there)
          if (there%answer == answer_no) then
             high = 0.5_wp*(low + high)
             verdict%pull_limit = there%limit

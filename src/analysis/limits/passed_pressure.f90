@@ -50,7 +50,7 @@ contains
       still%model = model_soft
       call set_profile(model, case_index, md, side, none, none, spread(none, 1, 3), still)
       call find_along_string(model, still, along)
-      call find_utilisation(model, still, along, design, optional_real(), utilisation)
+      call find_utilisation(model, still, along, design, utilisation)
       limit = 0
       load = 0.0_wp
       allowed = 0.0_wp
@@ -69,11 +69,10 @@ contains
    !> next to the given pressure: less for burst, more for collapse. Pump pressure changes no axial force. Absent if there is no
    !> such pressure, for tubing in a packer, whose forces change, and where compressed pipe yields.
    !> An empty string is to be filled instead, if that prevents collapse.
-   pure subroutine find_pump_pressure(model, result, design, rig_limit, limit, wob_yield, pump, fill)
+   pure subroutine find_pump_pressure(model, result, design, limit, wob_yield, pump, fill)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
       type(design_factors_type), intent(in) :: design
-      type(optional_real), intent(in) :: rig_limit       !< load that the rig may carry [N]
       integer, intent(in) :: limit                       !< that is passed
       type(optional_real), intent(in) :: wob_yield       !< weight on bit at which compressed pipe yields [N]
       type(optional_real), intent(out) :: pump           !< [Pa]
@@ -125,7 +124,7 @@ contains
          other%cases(result%case_index)%pump_pressure = pressure
          if (present(mud)) other%mud = mud
          call find_along_string(other, result, along)
-         call find_utilisation(other, result, along, design, rig_limit, uses)
+         call find_utilisation(other, result, along, design, uses)
       end function uses_at
    end subroutine find_pump_pressure
 

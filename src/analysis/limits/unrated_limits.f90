@@ -6,7 +6,6 @@ module dg_unrated_limits
    use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_tops, topmost
    use dg_load_case, only: rotates
-   use dg_missing, only: optional_real
    use dg_model, only: hold_fixed, hold_free, is_straightened, model_type, string_index
    use dg_trajectory, only: top_md
    use dg_utilisation, only: has_joint_rating, has_rating, joint_ratings, lacks_rating, limit_joint_tension, limit_joint_torsion, &
@@ -20,10 +19,9 @@ contains
 
    !> Mark limits that apply to a load case and have no rating in the deck, for all or for some components, or
    !> cannot be judged.
-   pure subroutine note_unrated(model, case_index, rig_limit, design, unrated)
+   pure subroutine note_unrated(model, case_index, design, unrated)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(optional_real), intent(in) :: rig_limit
       type(design_factors_type), intent(in) :: design
       logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
       logical :: turns
@@ -45,7 +43,7 @@ contains
                                 model%cases(case_index)%wob < 0.0_wp      ! slips are not set under a pull
       end associate
       unrated(limit_bend) = is_straightened(model, model%cases(case_index))
-      unrated(limit_rig) = .not. rig_limit%present
+      unrated(limit_rig) = .not. model%rig%max_hookload%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
       unrated(limit_joint_fatigue) = .false.     ! wanted only if there is a curve

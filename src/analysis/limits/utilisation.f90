@@ -69,12 +69,11 @@ module dg_utilisation
 contains
 
    !> Find all utilisations, from a result and its columns along the string.
-   pure subroutine find_utilisation(model, result, along, factors, rig_limit, utilisation)
+   pure subroutine find_utilisation(model, result, along, factors, utilisation)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
       type(design_factors_type), intent(in) :: factors
-      type(optional_real), intent(in) :: rig_limit   !< load that the rig may carry, with its block [N]
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, depths(size(result%profile%md)), before(limit_count)
@@ -105,8 +104,8 @@ contains
                   factors%tension*max(result%hookload + wob, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
                   slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload + wob, profile%md(1))
          end associate
-         if (rig_limit%present) call use_limit(utilisation, limit_rig, &
-            max(result%hookload + model%rig%block_weight, 0.0_wp)/rig_limit%value, &
+         if (model%rig%max_hookload%present) call use_limit(utilisation, limit_rig, &
+            max(result%hookload + model%rig%block_weight, 0.0_wp)/model%rig%max_hookload%value, &
             result%hookload + model%rig%block_weight, profile%md(1))
          if (model%rig%max_torque%present .and. rotates(model%cases(result%case_index)%operation)) &
             call use_limit(utilisation, limit_top_drive, abs(result%torque)/model%rig%max_torque%value, abs(result%torque), &

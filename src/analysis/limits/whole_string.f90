@@ -95,11 +95,10 @@ contains
    !> Find all of it, from a result and its columns along the string. Weights on bit are those of a soft string with the
    !> friction of this case, whatever the model. With beams they would cost a hundred solutions. The first two neglect the
    !> contact force by buckling. They are absent for operations that pull.
-   pure subroutine find_whole_string(model, result, along, rig_limit, whole)
+   pure subroutine find_whole_string(model, result, along, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
-      type(optional_real), intent(in) :: rig_limit   !< [N]
       type(whole_string_type), intent(out) :: whole
       type(groove_type), allocatable :: grooves(:)
       type(fatigue_type), allocatable :: parts(:)
@@ -155,7 +154,7 @@ contains
       end if
       call copy_number(result%sag_correction, whole%sag_correction)
       call copy_number(result%sensor_md, whole%sensor_md)
-      call add_margins(model, result, rig_limit, whole)
+      call add_margins(model, result, whole)
       call add_weights_on_bit(model, result, along, whole)
    end subroutine find_whole_string
 
@@ -271,16 +270,16 @@ contains
 
    !> Hook load against the rig, and torque against make-up torque. Where two components meet each has a row, so that the
    !> weaker connection counts.
-   pure subroutine add_margins(model, result, rig_limit, whole)
+   pure subroutine add_margins(model, result, whole)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(optional_real), intent(in) :: rig_limit
       type(whole_string_type), intent(inout) :: whole
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, margin, depths(size(result%profile%md))
       integer :: i, string
-      whole%rig_limit = rig_limit
-      if (rig_limit%present) whole%rig_margin = given(rig_limit%value - model%rig%block_weight - result%hookload)
+      whole%rig_limit = model%rig%max_hookload
+      if (whole%rig_limit%present) &
+         whole%rig_margin = given(whole%rig_limit%value - model%rig%block_weight - result%hookload)
       string = string_index(model%strings, model%cases(result%case_index)%string)
       bit = model%cases(result%case_index)%bit_depth
       allocate (tops, source=component_tops(model%strings(string), bit - top_md(model%trajectory)))

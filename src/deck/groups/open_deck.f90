@@ -25,8 +25,10 @@ module dg_open_deck
    use dg_file_lines, only: beside
    use dg_job, only: job_type, model_name
    use dg_meant_units, only: check_units
+   use dg_missing, only: optional_real
    use dg_model, only: model_type
    use dg_numerics, only: settings_of
+   use dg_rig, only: rig_type
    use dg_text, only: append_text, text_type, to_text
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline, new_trajectory
    use dg_units, only: deck_system, unit_system, unit_system_type, si_units
@@ -77,7 +79,7 @@ contains
       call read_draft(deck%groups, deck%draft, faults)
       call apply_tortuosity(deck%groups, deck%draft, faults)
       call read_centralizers(deck%groups, deck%draft, faults)
-      call read_rig_limit(deck%groups, deck%draft, job, faults)
+      call read_rig_limit(deck%groups, deck%draft%rig, faults)
       call close_holes(deck%draft, faults)
       call check_draft(deck%draft, faults)
       deck%inputs = inputs_of(path, deck%groups, catalogue)
@@ -241,29 +243,29 @@ contains
          job%profiles = logical_of(groups(i), 'profiles', .true.)
          job%hdf5 = logical_of(groups(i), 'hdf5', .true.)
          job%plots = logical_of(groups(i), 'plots', .true.)
-         job%rig_limit = optional_of(groups(i), 'rig_limit')
          job%threads = integer_of(groups(i), 'threads', 0)
          if (is_sound(groups(i), 'models')) job%models = places_of(groups(i), 'models', model_name)
          return
       end do
    end subroutine read_job
 
-   !> Read the load that the rig may carry from &job or &rig.
-   subroutine read_rig_limit(groups, draft, job, faults)
+   !> The load that the rig may carry: rig_limit of &job is max_hookload of &rig under another name.
+   subroutine read_rig_limit(groups, rig, faults)
       type(checked_group_type), intent(in) :: groups(:)
       type(draft_type), intent(inout) :: draft
       type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      if (draft%rig%max_hookload%present .and. job%rig_limit%present) then
-         do i = 1, size(groups)
-            if (groups(i)%name /= 'rig') cycle
-            call group_fault(groups(i), 'max_hookload', 'max_hookload is rig_limit of &job under another name; keep one', faults)
-            return
-         end do
-      end if
-      if (draft%rig%max_hookload%present) job%rig_limit = draft%rig%max_hookload
-      draft%rig%max_hookload = job%rig_limit
+      do i = 1, size(groups)
+         if (groups(i)%name == 'job') limit = optional_of(groups(i), 'rig_limit')
+      end do
+      if (.not. limit%present) return
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'rig' .or. .not. rig%max_hookload%present) cycle
+         call group_fault(groups(i), 'max_hookload', 'max_hookload is rig_limit of &job under another name; keep one', faults)
+         return
+      end do
+      rig%max_hookload = limit
    end subroutine read_rig_limit
 
    !> The lines of a file in one text, in linear time.

@@ -44,8 +44,8 @@ contains
       call add_line(list, 'models      '//joined(model_name(job%models), ', '))
       call add_line(list, 'units       '//trim(job%units%name))
       call add_line(list, 'results in  '//job%output_dir)
-      if (job%rig_limit%present) call add_line(list, 'rig         '// &
-         shown(job%units, unit_force, job%rig_limit%value)//' of hook load')
+      if (model%rig%max_hookload%present) call add_line(list, 'rig         '// &
+         shown(job%units, unit_force, model%rig%max_hookload%value)//' of hook load')
       if (model%rig%given) call add_line(list, rig_line(job%units, model%rig))
       call add_hole(list, job%units, model)
       do i = 1, size(model%strings)

@@ -172,7 +172,7 @@ contains
          point%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
       result%hookload = point%hookload
       result%torque = point%torque
-      call find_utilisation(model, result, along, job%design, job%rig_limit, utilisation)
+      call find_utilisation(model, result, along, job%design, utilisation)
       if (utilisation%governing == 0) return
       if (utilisation%used(utilisation%governing)%value > 1.0_wp + as_much) point%limit = utilisation%governing
    end subroutine judge_strengths
