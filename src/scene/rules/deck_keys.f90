@@ -467,21 +467,7 @@ contains
    pure function key_place(group, key) result(place)
       character(*), intent(in) :: group, key
       integer :: place
-      select case (group)
-      case ('job'); place = rule_place(job_keys, key)
-      case ('trajectory'); place = rule_place(trajectory_keys, key)
-      case ('hole'); place = rule_place(hole_keys, key)
-      case ('fluid'); place = rule_place(fluid_keys, key)
-      case ('rig'); place = rule_place(rig_keys, key)
-      case ('component'); place = rule_place(component_keys, key)
-      case ('tortuosity'); place = rule_place(tortuosity_keys, key)
-      case ('strength'); place = rule_place(strength_keys, key)
-      case ('centralizer'); place = rule_place(centralizer_keys, key)
-      case ('boundary'); place = rule_place(boundary_keys, key)
-      case ('load_case'); place = rule_place(load_case_keys, key)
-      case ('solver'); place = rule_place(solver_keys, key)
-      case default; place = 0
-      end select
+      place = rule_place(keys_of(group), key)
    end function key_place
 
    !> Names of all operations, blanks between them: too many for a table row.
