@@ -60,14 +60,12 @@ contains
       type(model_type) :: model
       type(job_type) :: job
       type(studies_type) :: studies
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       type(error_type), allocatable :: error
       character(:), allocatable :: refusal
       integer :: i
 
-      allocate (notes(0))   ! the compiler's flow analysis takes them for undefined otherwise
-      call read_deck(arguments%deck, model, job, notes, faults, studies)
+      call read_deck(arguments%deck, model, job, faults, studies)
       if (faults%count > 0) then
          call report_lines(error_lines(faults))
          status = status_bad_input
@@ -106,25 +104,24 @@ contains
          return
       end if
       if (arguments%check) then
-         call print_echo(job, model, studies, notes)
+         call print_echo(job, model, studies)
          status = status_ok
          return
       end if
-      if (.not. job%quiet .and. (size(model%cases) == 0 .or. is_divided(job))) call print_notes(notes)
+      if (.not. job%quiet .and. (size(model%cases) == 0 .or. is_divided(job))) call print_notes(job%notes)
       call run_deck(job, model, studies, arguments%chosen, status)
    end subroutine work
 
    !> Print the summary of a deck, for a run that only checks it.
-   subroutine print_echo(job, model, studies, notes)
+   subroutine print_echo(job, model, studies)
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(studies_type), intent(in) :: studies
-      type(text_type), intent(in) :: notes(:)
       type(text_type), allocatable :: lines(:), before(:), after(:)
       integer :: i
       call print_line(program_name//' '//program_version//', check of '//job%deck_path//': no fault found, nothing solved')
-      do i = 1, size(notes)
-         call print_line('note        '//notes(i)%text)
+      do i = 1, size(job%notes)
+         call print_line('note        '//job%notes(i)%text)
       end do
       call print_lines(well_head(job%units, model))
       call echo_studies(studies, job, before, after)

@@ -37,7 +37,7 @@ contains
    subroutine run_action(arguments, status)
       type(arguments_type), intent(in) :: arguments
       integer, intent(out) :: status          !< of the program
-      type(text_type), allocatable :: lines(:), deck(:), notes(:)
+      type(text_type), allocatable :: lines(:), deck(:)
       type(error_list_type) :: faults
       type(group_keys_type), allocatable :: groups(:)
       type(model_type) :: model
@@ -58,7 +58,7 @@ contains
          if (failure /= '') then
             call add_fault(faults, name, 0, 'deck '//failure)
          else
-            call build_deck(name, deck, model, job, notes, faults)
+            call build_deck(name, deck, model, job, faults)
          end if
          if (faults%count > 0) then
             call report_lines(error_lines(faults))

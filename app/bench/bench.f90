@@ -29,7 +29,6 @@ program bench
    use dg_process_memory, only: keep_freed_memory
    use dg_read_deck, only: read_deck
    use dg_static_analysis, only: solve_static_analysis
-   use dg_text, only: text_type
    use dg_version, only: program_name, program_version
    implicit none
    character(*), parameter :: deck = 'input/gp1.nml', sweep_deck = 'input/sweep_gp1.nml'
@@ -85,10 +84,8 @@ contains
       real(wp), intent(in) :: lengths(:)     !< of elements [m]
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
-      allocate (notes(0))
-      call read_deck(deck, model, job, notes, faults)
+      call read_deck(deck, model, job, faults)
       if (faults%count > 0) then
          write (error_unit, '(a)') 'bench: cannot read '//deck//'; run it from the root of the repository'
          error stop 2

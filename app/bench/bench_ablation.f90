@@ -8,7 +8,6 @@ module dg_bench_ablation
    use dg_model, only: model_type
    use dg_read_deck, only: read_deck
    use dg_static_analysis, only: solve_static_analysis
-   use dg_text, only: text_type
    use dg_tuning, only: tuning_type
    implicit none
    private
@@ -71,14 +70,11 @@ contains
       type(model_type), allocatable, intent(out) :: models(:)
       type(model_type) :: all(size(decks))
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       integer :: i, n
       n = 0
       do i = 1, size(decks)
-         if (allocated(notes)) deallocate (notes)
-         allocate (notes(0))
-         call read_deck(trim(decks(i)), all(n + 1), job, notes, faults)
+         call read_deck(trim(decks(i)), all(n + 1), job, faults)
          if (faults%count > 0) then
             write (output_unit, '(a)') trim(decks(i))//' cannot be read'
          else

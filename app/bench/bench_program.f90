@@ -93,14 +93,12 @@ contains
       type(model_type) :: model
       type(studies_type) :: studies
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       real(wp) :: seconds, solutions
       integer(int64) :: start
       integer :: i, k
       ratio = 0.0_wp
-      allocate (notes(0))
-      call read_deck(deck, model, job, notes, faults, studies)
+      call read_deck(deck, model, job, faults, studies)
       if (faults%count > 0) return
       call time_run(program, deck, seconds)
       solutions = sum(column_of(out//'/summary.csv', 'seconds'))

@@ -16,7 +16,6 @@ module dg_bench_trade
    use dg_read_deck, only: read_deck
    use dg_sample_statistics, only: quantile
    use dg_solve_case, only: solve_case
-   use dg_text, only: text_type
    implicit none
    private
    public :: print_trade
@@ -59,12 +58,10 @@ contains
       type(trade_type), allocatable, intent(inout) :: trades(:)
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       type(trade_type) :: trade
       integer :: i, first, last
-      allocate (notes(0))
-      call read_deck(deck, model, job, notes, faults)
+      call read_deck(deck, model, job, faults)
       if (faults%count > 0) then
          write (output_unit, '(a)') deck//' cannot be read'
          return

@@ -36,7 +36,7 @@ module drillgap
    use dg_read_deck, only: read_checked_deck => read_deck
    use dg_rig, only: rig_type
    use dg_solve_case, only: solve_case
-   use dg_text, only: lower_case, quoted, text_type
+   use dg_text, only: lower_case, quoted
    use dg_threads, only: thread_count
    use dg_trajectory, only: interpolation_minimum_curvature, interpolation_spline
    implicit none
@@ -107,18 +107,17 @@ contains
       type(deck_type), intent(out) :: deck
       type(error_type), allocatable, intent(out) :: error
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       integer :: i
       !$omp critical (drillgap_words)
-      call read_checked_deck(path, deck%model%inner, job, notes, faults)
+      call read_checked_deck(path, deck%model%inner, job, faults)
       deck%notes = ''
       if (faults%count > 0) then
          call raise(error, status_bad_input, joined_errors(faults))
       else
-         do i = 1, size(notes)
+         do i = 1, size(job%notes)
             if (i > 1) deck%notes = deck%notes//new_line('a')
-            deck%notes = deck%notes//notes(i)%text
+            deck%notes = deck%notes//job%notes(i)%text
          end do
          deck%cases = deck%model%inner%cases
          deck%methods = method_name(job%models)

@@ -15,33 +15,30 @@ module dg_read_deck
 
 contains
 
-   !> Reads the deck `path` ('-': standard input). `model` and `job` are whole only where `faults%count` is 0. `notes` tells what
-   !> is legal but hardly meant.
-   subroutine read_deck(path, model, job, notes, faults, studies)
+   !> Reads the deck `path` ('-': standard input). `model` and `job` are whole only where `faults%count` is 0. The notes of
+   !> the job tell what is legal but hardly meant.
+   subroutine read_deck(path, model, job, faults, studies)
       character(*), intent(in) :: path
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
-      type(text_type), allocatable, intent(out) :: notes(:)
       type(error_list_type), intent(out) :: faults
       type(studies_type), intent(out), optional :: studies   !< that the deck asks for
       type(text_type), allocatable :: lines(:)
       character(:), allocatable :: name, failure
-      allocate (notes(0))
       call read_source(path, name, lines, failure)
       if (failure /= '') then
          call add_fault(faults, name, 0, 'deck '//failure)
          return
       end if
-      call build_deck(name, lines, model, job, notes, faults, studies)
+      call build_deck(name, lines, model, job, faults, studies)
    end subroutine read_deck
 
    !> The same of a deck whose lines are read already: a pipe gives them once.
-   subroutine build_deck(path, lines, model, job, notes, faults, studies)
+   subroutine build_deck(path, lines, model, job, faults, studies)
       character(*), intent(in) :: path
       type(text_type), intent(in) :: lines(:)
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
-      type(text_type), allocatable, intent(out) :: notes(:)
       type(error_list_type), intent(out) :: faults
       type(studies_type), intent(out), optional :: studies
       type(studies_type) :: found
@@ -49,15 +46,15 @@ contains
       type(group_keys_type), allocatable :: rules(:)
       logical :: known
       integer :: i
-      allocate (notes(0))
+      allocate (job%notes(0))
       call deck_groups(rules)
       call open_deck(path, lines, rules, deck, job, known, faults)
       if (.not. known) return
       call register_studies(found)
       do i = 1, size(found%items)
-         call found%items(i)%study%read(deck, job, notes, faults)
+         call found%items(i)%study%read(deck, job, faults)
       end do
-      call close_deck(deck, job, model, notes, faults)
+      call close_deck(deck, job, model, faults)
       if (.not. present(studies)) return
       call move_alloc(found%items, studies%items)
       call move_alloc(deck%estimates, studies%estimates)

@@ -40,17 +40,16 @@ contains
       call delete_file(path)
    end subroutine remove_deck
 
-   subroutine read_text(lines, model, job, notes)
+   subroutine read_text(lines, model, job)
       type(text_type), intent(in) :: lines(:)
       type(model_type), intent(out) :: model
       type(job_type), intent(out) :: job
-      type(text_type), allocatable, intent(out) :: notes(:)
       type(error_list_type) :: faults
       type(error_type), allocatable :: error
       character(:), allocatable :: first
       call write_text_file(path, lines, error)
       call assertFalse(allocated(error), message='scratch deck written')
-      call read_deck(path, model, job, notes, faults)
+      call read_deck(path, model, job, faults)
       first = ''
       if (faults%count > 0) first = error_text(faults%items(1))
       call assertEqual('', first, message='no fault')
@@ -59,17 +58,17 @@ contains
    subroutine test_si()
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: lines(:), notes(:)
+      type(text_type), allocatable :: lines(:)
       type(numerics_type) :: default
       call append_text(lines, '&trajectory md = 0, 1000, inc = 0, 90 azi = 0, 0 /')
       call append_text(lines, '&hole diameter = 215.9 friction = 0.25 /')
       call append_text(lines, "&component kind = 'pipe' od = 127 id = 108.6 /")
       call append_text(lines, "&load_case name='a' operation='up' bit_depth=900 friction_axial=0.1 measured_hookload = 300 /")
-      call read_text(lines, model, job, notes)
+      call read_text(lines, model, job)
       if (.not. allocated(model%cases)) return
       call assertEqual([model_mcge], job%models)
       call assertEqual('output/test_deck_model', job%output_dir)
-      call assertEqual(1, size(notes), message='no fluid')
+      call assertEqual(1, size(job%notes), message='no fluid')
       call assertEqual(90.0_wp*degree, model%trajectory%inclination(2), rounding)
       call assertEqual(0.0_wp, model%holes(1)%md_top)
       call assertEqual(1000.0_wp, model%holes(1)%md_bottom, message='to the last station')
@@ -108,7 +107,7 @@ contains
       real(wp), parameter :: printed_digits = 1.0e-8_wp   ! relative, of the factors above
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: lines(:), notes(:)
+      type(text_type), allocatable :: lines(:)
       call append_text(lines, "&job units = 'FIELD', models = 'soft', 'mcge' /")
       call append_text(lines, '&trajectory md = 0, 1000, inc = 0, 0 /')
       call append_text(lines, '&hole diameter = 8.5 /')
@@ -116,7 +115,7 @@ contains
       call append_text(lines, '&component od = 5, mass = 20 /')
       call append_text(lines, "&load_case name = 'a', operation = 'rotary', bit_depth = 1000, wob = 10, tob = 1")
       call append_text(lines, '  pump_pressure = 3000 /')
-      call read_text(lines, model, job, notes)
+      call read_text(lines, model, job)
       if (.not. allocated(model%cases)) return
       call assertEqual([model_soft, model_mcge], job%models)
       call assertEqual('field', trim(job%units%name))
@@ -134,7 +133,7 @@ contains
    subroutine test_all_keys()
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: lines(:), notes(:)
+      type(text_type), allocatable :: lines(:)
       call append_text(lines, "&job title='t' output_dir='x/y' gravity=9.81 hdf5=.true. plots=.true. profiles=f threads=2 /")
       call append_text(lines, "&trajectory md=0,1000 inc=0,20 azi=350,370 interpolation='spline' /")
       call append_text(lines, "&hole name='lower' md_top=600 md_bottom=1000 diameter=200 friction=0.2 friction_rotary=0.1 /")
@@ -151,9 +150,9 @@ contains
       call append_text(lines, "&solver element_length=5 gap_location='nodes' tolerance=1e-6 max_iterations=7 load_steps=3")
       call append_text(lines, "  gk_min=1e-5 gk_contact=2e6 eps_n0=1e-7 eps_nmax=0.1 r_n0=0.01 history=.true. relocation=0.1")
       call append_text(lines, "  step_limit=2 imperfection=0.01 linear_solver='banded' fidelity='standard' /")
-      call read_text(lines, model, job, notes)
+      call read_text(lines, model, job)
       if (.not. allocated(model%cases)) return
-      call assertEqual(4, size(notes), message='no fluid, a solid bar, two materials, string main is used by no case')
+      call assertEqual(4, size(job%notes), message='no fluid, a solid bar, two materials, string main is used by no case')
       call assertEqual(2, job%threads)
       call assertEqual('x/y', job%output_dir)
       call assertFalse(job%profiles)
@@ -213,12 +212,12 @@ contains
    subroutine test_hair()
       type(model_type) :: model
       type(job_type) :: job
-      type(text_type), allocatable :: lines(:), notes(:)
+      type(text_type), allocatable :: lines(:)
       call append_text(lines, '&trajectory md = 0, 999.9999 inc = 0, 0 /')
       call append_text(lines, '&hole diameter = 200 /')
       call append_text(lines, '&component od = 100 /')
       call append_text(lines, "&load_case name = 'a', operation = 'static', bit_depth = 1000 /")
-      call read_text(lines, model, job, notes)
+      call read_text(lines, model, job)
       if (.not. allocated(model%cases)) return
       call assertEqual(999.9999_wp, model%cases(1)%bit_depth)
    end subroutine test_hair

@@ -118,7 +118,8 @@ contains
       call append_text(lines, '&component od = 244.5 id = 220.5 yield = 550 /')
       call append_text(lines, "&load_case name='a' operation='up' bit_depth=2000 pump_pressure = 15 /")
       call append_text(lines, fluids)
-      call build_deck('deck', lines, model, job, notes, faults)
+      call build_deck('deck', lines, model, job, faults)
+      notes = job%notes
    end subroutine read_with
 
    subroutine test_deck()

@@ -234,7 +234,8 @@ contains
       call append_text(lines, '&fluid density = 1200 /')
       call append_text(lines, '&component kind = ''tubing'', od = 127, id = 108.6 /')
       call append_text(lines, "&load_case name = 'a', operation = 'static', bit_depth = 900 /")
-      call build_deck('deck', lines, model, job, notes, faults)
+      call build_deck('deck', lines, model, job, faults)
+      notes = job%notes
       call assertEqual(0, faults%count)
    end function model_of
 end module dg_test_tortuosity

@@ -417,7 +417,7 @@ contains
       type(case_result_type), intent(out) :: result
       integer, intent(in), optional :: status       !< expected; default: converged
       logical, intent(in), optional :: totals_only  !< as of a point of a sweep
-      type(text_type), allocatable :: lines(:), notes(:)
+      type(text_type), allocatable :: lines(:)
       type(model_type) :: model
       type(job_type) :: job
       type(error_list_type) :: faults
@@ -425,14 +425,14 @@ contains
       integer :: i, expected
       expected = result_converged
       if (present(status)) expected = status
-      allocate (lines(0), notes(0))
+      allocate (lines(0))
       call append_text(lines, "&job title = 'lone contacts' /")
       do i = 1, size(deck)
          call append_text(lines, deck(i)%text)
       end do
       call write_text_file(path, lines, error)
       call assertFalse(allocated(error), message='deck written')
-      call read_deck(path, model, job, notes, faults)
+      call read_deck(path, model, job, faults)
       call assertEqual(0, faults%count, message='deck read')
       if (length > 0.0_wp) model%numerics%element_length = length
       if (proven) model%numerics%halve_moments = .true.

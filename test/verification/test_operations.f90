@@ -14,7 +14,6 @@ module dg_test_operations
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_test_wells, only: note
-   use dg_text, only: text_type
    implicit none
    private
    public :: operations_suite
@@ -42,12 +41,11 @@ contains
       type(model_type), intent(out) :: model
       type(case_result_type), allocatable, intent(out) :: results(:, :)   !< (case, model)
       type(job_type) :: job
-      type(text_type), allocatable :: notes(:)
       type(error_list_type) :: faults
       type(error_type), allocatable :: error
       character(:), allocatable :: first
       integer :: i
-      call read_deck('input/operations.nml', model, job, notes, faults)
+      call read_deck('input/operations.nml', model, job, faults)
       first = ''
       if (faults%count > 0) first = error_text(faults%items(1))
       call assertEqual('', first, message='no fault')

@@ -59,12 +59,11 @@ module dg_deck_notes
 
 contains
 
-   !> Add unusual data of a deck without fault to `notes`.
-   subroutine note_oddities(draft, job, uses, notes)
+   !> Add unusual data of a deck without fault to the notes of its job.
+   subroutine note_oddities(draft, job, uses)
       type(draft_type), intent(in) :: draft
-      type(job_type), intent(in) :: job
+      type(job_type), intent(inout) :: job
       type(string_use_type), intent(in) :: uses(:)     !< of strings, beside those of load cases
-      type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), dimension(size(draft%components)) :: deepest_bit, below
       real(wp) :: narrowest, pressure
       integer :: i, before
@@ -73,39 +72,39 @@ contains
          associate (fluid => draft%fluids(i)%fluid, units => draft%units)
             ! a fluid of one side alone may well be gas
             if (fluid%inside .and. fluid%outside .and. fluid%density > 0.0_wp .and. fluid%density < lightest_mud) &
-               call append_text(notes, 'group &fluid: density = '//in_units(units, unit_density, fluid%density, digits)// &
+               call append_text(job%notes, 'group &fluid: density = '//in_units(units, unit_density, fluid%density, digits)// &
                                 ' is that of a gas or foam, water has '//in_units(units, unit_density, water, few_digits)// &
                                 either('', mud_question(units, fluid%density, few_digits), &
                                        pressure > 0.0_wp .and. is_gas(fluid%density, pressure)))
          end associate
       end do
       if (job%design%slip_length > 0.0_wp) &
-         call note_range(draft%units, 'group &strength', usual_slips, job%design%slip_length, notes)
-      if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(notes, &
+         call note_range(draft%units, 'group &strength', usual_slips, job%design%slip_length, job%notes)
+      if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(job%notes, &
          'group &solver: eps_n0 is large: contact this close to the wall is ignored, so contact force and friction are '// &
          'too small')
-      call note_path(draft, notes)
-      if (draft%interpolation == interpolation_spline) call note_spline(draft, notes)
+      call note_path(draft, job%notes)
+      if (draft%interpolation == interpolation_spline) call note_spline(draft, job%notes)
       call find_uses(draft, uses, deepest_bit, below)
       narrowest = minval(draft%holes%section%diameter)
-      before = size(notes)
+      before = size(job%notes)
       do i = 1, size(draft%components)
-         call note_component(draft, draft%components(i), narrowest, notes)
-         call note_unused(draft, draft%components(i), deepest_bit(i), below(i), notes)
+         call note_component(draft, draft%components(i), narrowest, job%notes)
+         call note_unused(draft, draft%components(i), deepest_bit(i), below(i), job%notes)
          if (.not. is_missing(deepest_bit(i))) &
-            call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), notes)
-         if (draft%components(i)%component%centralizer%bow) call note_bows(draft, uses, draft%components(i), below(i), notes)
-         if (size(notes) < before + most_notes) cycle
-         call append_text(notes, 'more notes on components are left out')
+            call note_closed(draft, draft%components(i), deepest_bit(i) - below(i), job%notes)
+         if (draft%components(i)%component%centralizer%bow) call note_bows(draft, uses, draft%components(i), below(i), job%notes)
+         if (size(job%notes) < before + most_notes) cycle
+         call append_text(job%notes, 'more notes on components are left out')
          exit
       end do
-      call note_tools(draft, job, notes)
+      call note_tools(draft, job%models, job%notes)
    end subroutine note_oddities
 
    !> Note bent housings, pads and eccentric blades that a model leaves out.
-   subroutine note_tools(draft, job, notes)
+   subroutine note_tools(draft, models, notes)
       type(draft_type), intent(in) :: draft
-      type(job_type), intent(in) :: job
+      integer, intent(in) :: models(:)         !< of the job
       type(text_type), allocatable, intent(inout) :: notes(:)
       integer :: i
       do i = 1, size(draft%components)
@@ -120,9 +119,9 @@ contains
          integer, intent(in) :: line
          character(*), intent(in) :: ignored
          integer :: m
-         do m = 1, size(job%models)
-            if (job%models(m) == model_mcge .or. (job%models(m) == model_mixed .and. draft%numerics%mixed_elements)) cycle
-            call append_text(notes, 'group &component in line '//to_text(line)//': model '//trim(model_name(job%models(m)))// &
+         do m = 1, size(models)
+            if (models(m) == model_mcge .or. (models(m) == model_mixed .and. draft%numerics%mixed_elements)) cycle
+            call append_text(notes, 'group &component in line '//to_text(line)//': model '//trim(model_name(models(m)))// &
                              ' ignores '//ignored//'. Use mcge')
          end do
       end subroutine note_model

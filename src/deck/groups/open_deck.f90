@@ -85,29 +85,27 @@ contains
       deck%inputs = inputs_of(path, deck%groups, catalogue)
    end subroutine open_deck
 
-   !> Build the model of a deck without faults. `notes` name legal but unusual settings.
-   subroutine close_deck(deck, job, model, notes, faults)
+   !> Build the model of a deck without faults. Notes of the job name legal but unusual settings.
+   subroutine close_deck(deck, job, model, faults)
       type(deck_type), intent(inout) :: deck
       type(job_type), intent(inout) :: job
       type(model_type), intent(out) :: model
-      type(text_type), allocatable, intent(inout) :: notes(:)
       type(error_list_type), intent(inout) :: faults
       type(model_type) :: sound
       logical :: fitted
       job%inputs = deck%inputs
       if (faults%count == 0) call build_model(deck%draft, model, faults)
       if (faults%count > 0) return
-      if (allocated(deck%draft%path_notes)) notes = [notes, deck%draft%path_notes]
-      if (allocated(deck%draft%path_warnings)) notes = [notes, deck%draft%path_warnings]
+      if (allocated(deck%draft%path_notes)) job%notes = [job%notes, deck%draft%path_notes]
+      if (allocated(deck%draft%path_warnings)) job%notes = [job%notes, deck%draft%path_warnings]
       fitted = .false.
       if (allocated(deck%estimates)) fitted = size(deck%estimates) > 0
-      call note_unusual(deck%draft, deck%uses, fitted, notes)
-      call note_deviations(deck%draft%units, deck%groups, notes)
-      call note_oddities(deck%draft, job, deck%uses, notes)
+      call note_unusual(deck%draft, deck%uses, fitted, job%notes)
+      call note_deviations(deck%draft%units, deck%groups, job%notes)
+      call note_oddities(deck%draft, job, deck%uses)
       sound = usual_inside(model)
-      call note_fluids(sound, deck%draft%units, notes)
-      call note_rig(sound, deck%uses, deck%draft%units, notes)
-      job%notes = notes
+      call note_fluids(sound, deck%draft%units, job%notes)
+      call note_rig(sound, deck%uses, deck%draft%units, job%notes)
    end subroutine close_deck
 
    !> Groups: known, not given twice where once is enough, none missing.
@@ -252,9 +250,9 @@ contains
    !> The load that the rig may carry: rig_limit of &job is max_hookload of &rig under another name.
    subroutine read_rig_limit(groups, rig, faults)
       type(checked_group_type), intent(in) :: groups(:)
-      type(draft_type), intent(inout) :: draft
-      type(job_type), intent(inout) :: job
+      type(rig_type), intent(inout) :: rig
       type(error_list_type), intent(inout) :: faults
+      type(optional_real) :: limit
       integer :: i
       do i = 1, size(groups)
          if (groups(i)%name == 'job') limit = optional_of(groups(i), 'rig_limit')

@@ -57,15 +57,12 @@ module dg_accuracy_study
 contains
 
    !> Reads its group.
-   subroutine read_plan(self, deck, job, notes, faults)
+   subroutine read_plan(self, deck, job, faults)
       class(accuracy_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
-      associate (not_needed => notes)
-         call read_study(deck%draft, deck%groups, job%models, self%plan, faults)
-      end associate
+      call read_study(deck%draft, deck%groups, job%models, self%plan, faults)
       self%asked = allocated(self%plan)
       self%files = text_list(file)
       self%forms = self%files

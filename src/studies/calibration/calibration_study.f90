@@ -52,15 +52,14 @@ module dg_calibration_study
 contains
 
    !> Reads its groups, and announces what they will find of friction.
-   subroutine read_calibrations(self, deck, job, notes, faults)
+   subroutine read_calibrations(self, deck, job, faults)
       class(calibration_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
       type(friction_estimate_type), allocatable :: longer(:)
       integer :: i
-      associate (not_needed => job, nor => notes)
+      associate (not_needed => job)
          call read_calibration_groups(deck%draft, deck%groups, self%calibrations, faults)
       end associate
       self%estimates = size(deck%estimates)

@@ -59,13 +59,12 @@ module dg_study
 
    abstract interface
       !> Read its groups of an open deck. Notes name legal but unusual settings.
-      subroutine read_interface(self, deck, job, notes, faults)
-         import :: study_type, deck_type, job_type, text_type, error_list_type
+      subroutine read_interface(self, deck, job, faults)
+         import :: study_type, deck_type, job_type, error_list_type
          implicit none
          class(study_type), intent(inout) :: self
          type(deck_type), intent(inout) :: deck
-         type(job_type), intent(in) :: job
-         type(text_type), allocatable, intent(inout) :: notes(:)
+         type(job_type), intent(inout) :: job     !< with the notes
          type(error_list_type), intent(inout) :: faults
       end subroutine read_interface
 

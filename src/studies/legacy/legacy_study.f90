@@ -44,16 +44,13 @@ module dg_legacy_study
 contains
 
    !> Reads its groups, with the files that they name.
-   subroutine read_tables(self, deck, job, notes, faults)
+   subroutine read_tables(self, deck, job, faults)
       class(legacy_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      associate (not_needed => job)
-         call read_legacy(deck%draft, deck%groups, self%tables, faults)
-      end associate
+      call read_legacy(deck%draft, deck%groups, self%tables, faults)
       self%asked = size(self%tables) > 0
       self%forms = text_list('legacy_*.csv')
       allocate (self%files(0))
@@ -61,7 +58,7 @@ contains
          call append_text(self%files, file_of(self%tables(i)))
          call append_text(deck%inputs, self%tables(i)%file)
          if (self%tables(i)%skipped /= '') &
-            call append_text(notes, 'legacy '//self%tables(i)%file//': '//self%tables(i)%skipped)
+            call append_text(job%notes, 'legacy '//self%tables(i)%file//': '//self%tables(i)%skipped)
       end do
    end subroutine read_tables
 

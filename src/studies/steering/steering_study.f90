@@ -39,21 +39,18 @@ module dg_steering_study
 contains
 
    !> Reads its group.
-   subroutine read_steering(self, deck, job, notes, faults)
+   subroutine read_steering(self, deck, job, faults)
       class(steering_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
-      associate (not_needed => job)
-         call read_steering_group(deck%draft, deck%groups, self%steering, faults)
-      end associate
+      call read_steering_group(deck%draft, deck%groups, self%steering, faults)
       self%asked = allocated(self%steering)
       if (self%asked) then
          if (self%steering%hole_enlargement > 0.0_wp) call note_range(deck%draft%units, 'group &steering', usual_enlargement, &
-                                                                      self%steering%hole_enlargement, notes)
+                                                                      self%steering%hole_enlargement, job%notes)
          if (self%steering%side_cutting%present) call note_range(deck%draft%units, 'group &steering', usual_side_cutting, &
-                                                                 self%steering%side_cutting%value, notes)
+                                                                 self%steering%side_cutting%value, job%notes)
       end if
       self%files = text_list(file)
       self%forms = self%files

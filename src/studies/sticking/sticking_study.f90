@@ -44,13 +44,12 @@ module dg_sticking_study
 contains
 
    !> Reads its groups.
-   subroutine read_stickings(self, deck, job, notes, faults)
+   subroutine read_stickings(self, deck, job, faults)
       class(sticking_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
-      associate (not_needed => job, nor => notes)
+      associate (not_needed => job)
          call read_sticking_groups(deck%draft, deck%groups, self%stickings, faults)
       end associate
       self%asked = size(self%stickings) > 0

@@ -47,14 +47,13 @@ module dg_sweep_study
 contains
 
    !> Reads its groups.
-   subroutine read_sweeps(self, deck, job, notes, faults)
+   subroutine read_sweeps(self, deck, job, faults)
       class(sweep_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      call read_sweep_groups(deck%draft, deck%groups, job%models, self%ranges, notes, faults)
+      call read_sweep_groups(deck%draft, deck%groups, job%models, self%ranges, job%notes, faults)
       call name_ranges(self, range_text_type('sweep', 'points', 'points solved', '', &
                                              'fewer frictions or a larger bit_depth_step'), spread(1, 1, size(self%ranges)))
       do i = 1, size(self%ranges)

@@ -69,16 +69,13 @@ module dg_uncertainty_study
 contains
 
    !> Reads its groups.
-   subroutine read_uncertainties(self, deck, job, notes, faults)
+   subroutine read_uncertainties(self, deck, job, faults)
       class(uncertainty_study_type), intent(inout) :: self
       type(deck_type), intent(inout) :: deck
-      type(job_type), intent(in) :: job
-      type(text_type), allocatable, intent(inout) :: notes(:)
+      type(job_type), intent(inout) :: job
       type(error_list_type), intent(inout) :: faults
       integer :: i
-      associate (not_needed => notes)
-         call read_uncertainty_groups(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
-      end associate
+      call read_uncertainty_groups(deck%draft, deck%groups, job%models, deck%estimates, self%uncertainties, faults)
       allocate (self%ranges(size(self%uncertainties)))
       do i = 1, size(self%uncertainties)
          self%ranges(i) = self%uncertainties(i)%range
