@@ -252,7 +252,7 @@ contains
       subroutine reach(what, bottom)
          character(*), intent(in) :: what
          real(wp), intent(in) :: bottom
-         call check_reach(item%load_case%bit_depth, 0, trim(item%depth_key), what, bottom, draft%units, found)
+         call check_reach(item%load_case%bit_depth, trim(item%depth_key), what, bottom, draft%units, found)
       end subroutine reach
    end subroutine check_depth
 
@@ -277,7 +277,7 @@ contains
             parts(n) = k
          end do
          if (n == 0) then
-            call check_string_name(case%string, 0, string_names(draft), found)
+            call check_string_name(case%string, string_names(draft), found)
             call report_faults(draft, found, faults, item)
             return
          end if
@@ -287,7 +287,7 @@ contains
          do k = 1, size(parts)
             string(k) = draft%components(parts(k))%component
          end do
-         call check_string_length(string, parts(size(parts)), case, 0, trim(item%depth_key), draft%units, found)
+         call check_string_length(string, parts(size(parts)), case, trim(item%depth_key), draft%units, found)
          call report_faults(draft, found, faults, item)
          if (.not. all(draft%holes%sound)) return
          call check_passage(string, parts, sections_of(draft), case%bit_depth, trim(item%what)//' '//quoted(case%name), &

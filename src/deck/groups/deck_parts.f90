@@ -262,7 +262,7 @@ contains
             case%name = ''
          end if
       end associate
-      if (is_sound(group, 'operation')) call check_operation(item%load_case, 0, found)
+      if (is_sound(group, 'operation')) call check_operation(item%load_case, found)
       do i = 1, found%count
          associate (wrong => found%items(i))
             if (is_sound(group, key_of(wrong))) call group_fault(group, key_of(wrong), wrong%message, faults)

@@ -39,13 +39,12 @@ module dg_case_check
 contains
 
    !> Check speeds. Reaming needs both, whose ratio divides the friction. Hours of rotation need its speed.
-   subroutine check_operation(load_case, place, found, speed)
+   subroutine check_operation(load_case, found, speed)
       type(load_case_type), intent(in) :: load_case
-      integer, intent(in) :: place
       type(error_list_type), intent(inout) :: found
       character(*), intent(in), optional :: speed  !< the caller's name of the speed of rotation; absent: rpm, as in decks
       if (load_case%hours > 0.0_wp .and. .not. load_case%angular_speed > 0.0_wp) &
-         call add_part_fault(found, 'load_case', place, 'rpm', 'hours needs rpm > 0')
+         call add_part_fault(found, 'load_case', 0, 'rpm', 'hours needs rpm > 0')
       if (.not. (rotates(load_case%operation) .and. moves_axially(load_case%operation))) return
       if (.not. load_case%angular_speed > 0.0_wp) then
          if (present(speed)) then
@@ -58,22 +57,21 @@ contains
    contains
       subroutine need(key, called)
          character(*), intent(in) :: key, called
-         call add_part_fault(found, 'load_case', place, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
+         call add_part_fault(found, 'load_case', 0, key, 'operation '//trim(operation_name(load_case%operation))//' needs '// &
                              called//' > 0')
       end subroutine need
    end subroutine check_operation
 
    !> Check that the bit is not below `what`. A depth beyond its end by round-off becomes its end.
-   subroutine check_reach(depth, place, key, what, bottom, units, found)
+   subroutine check_reach(depth, key, what, bottom, units, found)
       real(wp), intent(inout) :: depth             !< of the bit [m]
-      integer, intent(in) :: place                 !< of the load case
       character(*), intent(in) :: key              !< of the depth
       character(*), intent(in) :: what             !< 'survey' or the like
       real(wp), intent(in) :: bottom               !< its end [m]
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       if (lies_below(depth, bottom)) then
-         call add_part_fault(found, 'load_case', place, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
+         call add_part_fault(found, 'load_case', 0, 'bit_depth', key//' = '//depth_words(units, depth)//' lies below the '// &
                              what//', which ends at '//depth_words(units, bottom)//'; needs a number, > 0 and <= '// &
                              depth_words(units, bottom)//either(metres_question(units, depth, bottom), '', what == 'survey'))
       else
@@ -101,23 +99,21 @@ contains
    end function metres_question
 
    !> Check that there is a string of that name.
-   subroutine check_string_name(string, place, names, found)
+   subroutine check_string_name(string, names, found)
       character(*), intent(in) :: string
-      integer, intent(in) :: place                 !< of the load case
       character(*), intent(in) :: names(:)         !< of strings, each once
       type(error_list_type), intent(inout) :: found
       if (any(names == string)) return
-      call add_part_fault(found, 'load_case', place, 'string', 'no component belongs to string '//quoted(string)//'; '// &
+      call add_part_fault(found, 'load_case', 0, 'string', 'no component belongs to string '//quoted(string)//'; '// &
                           suggestion(string, names))
    end subroutine check_string_name
 
    !> Check that a string whose uppermost component has a length reaches from the bit to surface. Pipe may be longer, a tool
    !> may not.
-   subroutine check_string_length(components, uppermost, load_case, place, key, units, found)
+   subroutine check_string_length(components, uppermost, load_case, key, units, found)
       type(component_type), intent(in) :: components(:)   !< from the bit upwards, one at least
       integer, intent(in) :: uppermost                    !< place of the last one
       type(load_case_type), intent(in) :: load_case
-      integer, intent(in) :: place
       character(*), intent(in) :: key                     !< of the depth of the bit
       type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
@@ -139,10 +135,10 @@ contains
          if (goes_up .and. allocated(last%kind)) goes_up = last%kind /= 'hwdp'      ! heavy weight pipe does not reach surface
       end associate
       if (goes_up) then
-         call add_part_fault(found, 'load_case', place, 'bit_depth', words//'leave out the length of its last component (', &
+         call add_part_fault(found, 'load_case', 0, 'bit_depth', words//'leave out the length of its last component (', &
                              'component', uppermost, ')')
       else
-         call add_part_fault(found, 'load_case', place, 'bit_depth', words// &
+         call add_part_fault(found, 'load_case', 0, 'bit_depth', words// &
                              'add drill pipe without a length as last component, after '// &
                              quoted(components(size(components))%name)//' (', 'component', uppermost, &
                              '); drillgap --list-catalogue prints its sizes')

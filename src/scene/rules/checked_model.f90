@@ -76,20 +76,20 @@ contains
       do i = 1, size(names)
          names(i) = model%strings(i)%name
       end do
-      call check_case_ranges(load_case, 0, base_units(), found)
+      call check_case_ranges(load_case, found)
       if (found%count == 0) then
-         call check_operation(load_case, 0, found, 'angular_speed')
-         call check_reach(load_case%bit_depth, 0, 'bit_depth', 'survey', bottom_md(model%trajectory), base_units(), found)
-         call check_reach(load_case%bit_depth, 0, 'bit_depth', 'lowest hole section', model%holes(size(model%holes))%md_bottom, &
+         call check_operation(load_case, found, 'angular_speed')
+         call check_reach(load_case%bit_depth, 'bit_depth', 'survey', bottom_md(model%trajectory), base_units(), found)
+         call check_reach(load_case%bit_depth, 'bit_depth', 'lowest hole section', model%holes(size(model%holes))%md_bottom, &
                           base_units(), found)
          if (load_case%bit_depth <= top_md(model%trajectory)) call add_part_fault(found, 'load_case', 0, 'bit_depth', &
             'bit_depth must lie below the first station')
       end if
       string = string_index(model%strings, load_case%string)
-      if (string == 0) call check_string_name(load_case%string, 0, names, found)
+      if (string == 0) call check_string_name(load_case%string, names, found)
       if (found%count == 0) then
          associate (components => model%strings(string)%components)
-            call check_string_length(components, size(components), load_case, 0, 'bit_depth', base_units(), found)
+            call check_string_length(components, size(components), load_case, 'bit_depth', base_units(), found)
             call check_passage(components, [(k, k=1, size(components))], model%holes, load_case%bit_depth, &
                                'case '//quoted(load_case%name), base_units(), found)
          end associate
@@ -123,7 +123,7 @@ contains
       else
          azimuth = [(0.0_wp, i=1, size(md))]
       end if
-      call check_station_numbers(md, inclination, azimuth, base_units(), found)
+      call check_station_numbers(md, inclination, azimuth, found)
       if (found%count == 0) call check_station_order(md, base_units(), found)
       if (found%count == 0) then
          if (begins_below(md(1)) .and. .not. begins_vertical(inclination(1))) call add_part_fault(found, 'trajectory', 0, 'md', &
@@ -178,7 +178,7 @@ contains
             if (.not. sound_survey .and. is_shown(model%holes(i)%md_top)) &
                model%holes(i)%md_bottom = model%holes(i)%md_top + some_depth
          end if
-         call check_section_ranges(model%holes(i), i, base_units(), found)
+         call check_section_ranges(model%holes(i), i, found)
       end subroutine check_section_ranges_of
    end subroutine check_holes
 
@@ -197,7 +197,7 @@ contains
       if (size(parts%fluids) == 0) return
       model%mud%fluids = parts%fluids
       do i = 1, size(parts%fluids)
-         call check_fluid_ranges(parts%fluids(i), i, base_units(), found)
+         call check_fluid_ranges(parts%fluids(i), i, found)
          if (found%count == 0) call check_fluid(parts%fluids(i), i, found)
          call report_all(found, 'fluids('//to_text(i)//')', 0, report)
       end do
@@ -256,7 +256,7 @@ contains
          if (allocated(part%name)) call check_text(part%name, 'name', where, report)
          if (.not. allocated(part%name)) part%name = part%kind
          call check_text(part%kind, 'kind', where, report)
-         call check_component_ranges(part, place, base_units(), found)
+         call check_component_ranges(part, place, found)
          if (is_zero(part%mass)) call add_part_fault(found, 'component', place, 'mass', &
             'mass = 0; give it per length, as add_component does by od, id and density')
          if (found%count == 0) then
@@ -271,7 +271,7 @@ contains
             end if
             call report_all(found, where, string, report)
             if (.not. part%centralizer%present) return
-            call check_centralizer_ranges(part%centralizer, place, base_units(), found)
+            call check_centralizer_ranges(part%centralizer, place, found)
             if (found%count == 0) call check_centralizer(part%centralizer, part, place, base_units(), found)
             where = where//'%centralizer'
          end if
@@ -298,15 +298,15 @@ contains
       type(error_list_type), intent(inout) :: report
       type(error_list_type) :: found
       type(ranges_type) :: ranges
-      call check_numerics_ranges(model%numerics, base_units(), found)
+      call check_numerics_ranges(model%numerics, found)
       if (found%count == 0) call check_numerics(model%numerics, found)
       call report_all(found, 'numerics', 0, report)
-      call check_rig_ranges(model%rig, base_units(), found)
+      call check_rig_ranges(model%rig, found)
       call report_all(found, 'rig', 0, report)
-      call set_ranges('boundary', 0, base_units(), ranges)
+      call set_ranges('boundary', 0, ranges)
       call check_range(ranges, 'packer_bore', model%boundary%packer_bore, found)
       call report_all(found, 'boundary', 0, report)
-      call set_ranges('job', 0, base_units(), ranges)
+      call set_ranges('job', 0, ranges)
       call check_range(ranges, 'gravity', model%gravity, found)
       call report_all(found, 'model', 0, report)
    end subroutine check_settings

@@ -17,7 +17,7 @@ module dg_range_check
    use dg_rig, only: rig_type, visit_rig
    use dg_text, only: joined, to_text
    use dg_unit_kind, only: in_units, unit_none
-   use dg_units, only: unit_system_type
+   use dg_units, only: base_units
    implicit none
    private
    public :: ranges_type, set_ranges, check_range, is_zero
@@ -31,7 +31,6 @@ module dg_range_check
    type :: ranges_type
       character(12) :: part                          !< name of the group
       integer :: place = 0                           !< number of the part among those of its kind; 0: there is one
-      type(unit_system_type) :: units                !< of messages
       type(key_rule_type), allocatable :: rules(:)
    end type ranges_type
 
@@ -58,14 +57,12 @@ contains
    end subroutine check_visited
 
    !> Set the ranges of the group `part`.
-   subroutine set_ranges(part, place, units, ranges)
+   subroutine set_ranges(part, place, ranges)
       character(*), intent(in) :: part              !< name of a group, and of one of its keys
       integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units   !< of messages
       type(ranges_type), intent(out) :: ranges
       ranges%part = part
       ranges%place = place
-      ranges%units = units
       allocate (ranges%rules, source=keys_of(part))
    end subroutine set_ranges
 
@@ -89,7 +86,7 @@ contains
          call add_part_fault(found, ranges%part, ranges%place, key, name//' has no rule among the keys of &'//trim(ranges%part))
          return
       end if
-      associate (rule => ranges%rules(k), units => ranges%units)
+      associate (rule => ranges%rules(k))
          ! checked by its bits first, as comparing a NaN may be trapped
          holds = is_shown(number)
          if (holds) then
@@ -98,14 +95,14 @@ contains
             if (holds) return
          end if
          needed = '; needs a number'
-         range = range_text(rule, units)
+         range = range_text(rule, base_units())
          if (range /= '') needed = needed//', '//range
          if (.not. is_shown(number)) then
             fault = ' is not a finite number'
          else if (rule%unit == unit_none) then
             fault = ' = '//to_text(number, digits)//' is out of range'
          else
-            fault = ' = '//in_units(units, rule%unit, number, digits)//' is out of range'
+            fault = ' = '//in_units(base_units(), rule%unit, number, digits)//' is out of range'
          end if
       end associate
       call add_part_fault(found, ranges%part, ranges%place, key, name//fault//needed)
@@ -120,31 +117,29 @@ contains
       if (.not. is_mark(number)) call check_range(ranges, key, number, found)
    end subroutine check_where_there
 
-   !> Report numbers of a hole section outside the ranges of dg_deck_keys. `place` is its number, `units` are the message's.
-   subroutine check_section_ranges(hole, place, units, found)
+   !> Report numbers of a hole section outside the ranges of dg_deck_keys. `place` is its number.
+   subroutine check_section_ranges(hole, place, found)
       type(hole_section_type), intent(in) :: hole
       integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout), target :: found
       type(range_checker_type) :: checker
       type(hole_section_type) :: visited
       visited = hole
       checker%found => found
-      call set_ranges('hole', place, units, checker%ranges)
+      call set_ranges('hole', place, checker%ranges)
       call visit_hole(visited, checker)
    end subroutine check_section_ranges
 
    !> Check a component in the same way.
-   subroutine check_component_ranges(component, place, units, found)
+   subroutine check_component_ranges(component, place, found)
       type(component_type), intent(in) :: component
       integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout), target :: found
       type(range_checker_type) :: checker
       type(component_type) :: visited
       visited = component
       checker%found => found
-      call set_ranges('component', place, units, checker%ranges)
+      call set_ranges('component', place, checker%ranges)
       call visit_forces(visited, checker)
       call visit_ratings(visited, checker)
       call check_fatigue_ranges(checker%ranges, '', component%fatigue, found)
@@ -167,13 +162,12 @@ contains
    end subroutine check_fatigue_ranges
 
    !> Check the centralizers of a component in the same way.
-   subroutine check_centralizer_ranges(centralizer, place, units, found)
+   subroutine check_centralizer_ranges(centralizer, place, found)
       type(centralizer_type), intent(in) :: centralizer    !< that is present
       integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
-      call set_ranges('centralizer', place, units, ranges)
+      call set_ranges('centralizer', place, ranges)
       call check_range(ranges, 'od', centralizer%od, found)
       call check_range(ranges, 'spacing', centralizer%spacing, found)
       call check_range(ranges, 'first', centralizer%first, found)
@@ -187,13 +181,12 @@ contains
    end subroutine check_centralizer_ranges
 
    !> Check a fluid in the same way.
-   subroutine check_fluid_ranges(fluid, place, units, found)
+   subroutine check_fluid_ranges(fluid, place, found)
       type(fluid_type), intent(in) :: fluid
       integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
-      call set_ranges('fluid', place, units, ranges)
+      call set_ranges('fluid', place, ranges)
       call check_range(ranges, 'density', fluid%density, found)
       call check_range(ranges, 'md_top', fluid%md_top, found)
       if (.not. is_zero(fluid%above_bit)) call check_range(ranges, 'above_bit', fluid%above_bit, found)
@@ -203,26 +196,23 @@ contains
    end subroutine check_fluid_ranges
 
    !> Check a load case in the same way.
-   subroutine check_case_ranges(load_case, place, units, found)
+   subroutine check_case_ranges(load_case, found)
       type(load_case_type), intent(in) :: load_case
-      integer, intent(in) :: place
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout), target :: found
       type(range_checker_type) :: checker
       type(load_case_type) :: visited
-      if (load_case%operation < 1 .or. load_case%operation > operation_count) call add_part_fault(found, 'load_case', place, &
+      if (load_case%operation < 1 .or. load_case%operation > operation_count) call add_part_fault(found, 'load_case', 0, &
          'operation', 'operation = '//to_text(load_case%operation)//' is not a valid operation; needs a number from 1 to '// &
          to_text(operation_count))
       visited = load_case
       checker%found => found
-      call set_ranges('load_case', place, units, checker%ranges)
+      call set_ranges('load_case', 0, checker%ranges)
       call visit_case(visited, checker)
    end subroutine check_case_ranges
 
    !> Check the settings of the solver in the same way.
-   subroutine check_numerics_ranges(numerics, units, found)
+   subroutine check_numerics_ranges(numerics, found)
       type(numerics_type), intent(in) :: numerics
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout), target :: found
       type(range_checker_type) :: checker
       type(numerics_type) :: visited
@@ -230,7 +220,7 @@ contains
          trim(numerics%unknown_fidelity)//') is unknown; legal: '//joined(fidelity_name, ', '))
       visited = numerics
       checker%found => found
-      call set_ranges('solver', 0, units, checker%ranges)
+      call set_ranges('solver', 0, checker%ranges)
       call visit_numerics(visited, checker)
       call check_choice('gap_location', numerics%gap_location, gap_location_count)
       call check_choice('linear_solver', numerics%linear_solver, size(solver_name))
@@ -260,15 +250,14 @@ contains
    end subroutine check_numerics
 
    !> Report numbers of the rig outside the ranges.
-   subroutine check_rig_ranges(rig, units, found)
+   subroutine check_rig_ranges(rig, found)
       type(rig_type), intent(in) :: rig
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout), target :: found
       type(range_checker_type) :: checker
       type(rig_type) :: visited
       visited = rig
       checker%found => found
-      call set_ranges('rig', 0, units, checker%ranges)
+      call set_ranges('rig', 0, checker%ranges)
       call visit_rig(visited, checker)
    end subroutine check_rig_ranges
 

@@ -21,10 +21,9 @@ module dg_survey_check
 contains
 
    !> Check numbers of stations: as many angles as depths, each in its range.
-   subroutine check_station_numbers(md, inclination, azimuth, units, found)
+   subroutine check_station_numbers(md, inclination, azimuth, found)
       real(wp), intent(in) :: md(:)                          !< [m]
       real(wp), intent(in) :: inclination(:), azimuth(:)     !< [rad]
-      type(unit_system_type), intent(in) :: units
       type(error_list_type), intent(inout) :: found
       type(ranges_type) :: ranges
       integer :: i
@@ -34,7 +33,7 @@ contains
       call count_of('inclination', size(inclination))
       call count_of('azimuth', size(azimuth))
       if (found%count > 0) return
-      call set_ranges('trajectory', 0, units, ranges)
+      call set_ranges('trajectory', 0, ranges)
       do i = 1, size(md)
          ranges%place = i
          call check_range(ranges, 'md', md(i), found)
