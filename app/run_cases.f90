@@ -149,9 +149,9 @@ contains
       do row = 1, size(run%results)
          call solve_watched(run%model, number_of(row), case_of(row), watches(row), run%results(row), failures(row)%error)
          if (run%results(row)%joints_apart) then
-            call judge_result(run%job, with_joints_apart(run%model), upper, run%results(row), run%alongs(row), run%wholes(row))
+            call judge_result(with_joints_apart(run%model), upper, run%results(row), run%alongs(row), run%wholes(row))
          else
-            call judge_result(run%job, run%model, upper, run%results(row), run%alongs(row), run%wholes(row))
+            call judge_result(run%model, upper, run%results(row), run%alongs(row), run%wholes(row))
          end if
          !$omp critical (results_in_order)
          solved(row) = .true.
@@ -186,8 +186,7 @@ contains
    end subroutine solve_all
 
    !> Find stresses, limits and the answer of a result.
-   subroutine judge_result(job, model, upper, result, along, whole)
-      type(job_type), intent(in) :: job
+   subroutine judge_result(model, upper, result, along, whole)
       type(model_type), intent(in) :: model        !< by which the result was found
       type(upper_friction_type), intent(in) :: upper
       type(case_result_type), intent(in) :: result
@@ -195,11 +194,11 @@ contains
       type(whole_string_type), intent(inout) :: whole
       type(verdict_type) :: verdict
       if (allocated(result%profile%md)) then
-         call find_along_string(model, result, along, job%design)
+         call find_along_string(model, result, along)
          call find_whole_string(model, result, along, whole)
-         call find_utilisation(model, result, along, job%design, whole%utilisation)
+         call find_utilisation(model, result, along, whole%utilisation)
       end if
-      call find_verdict(model, result, whole, job%design, verdict, upper)
+      call find_verdict(model, result, whole, verdict, upper)
       whole%verdict = verdict
    end subroutine judge_result
 

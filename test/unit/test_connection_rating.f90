@@ -92,9 +92,12 @@ contains
       type(case_result_type), intent(in) :: result
       type(design_factors_type), intent(in) :: factors
       type(utilisation_type), intent(out) :: most
+      type(model_type) :: judged
       type(along_string_type) :: along
-      call find_along_string(model, result, along)
-      call find_utilisation(model, result, along, factors, most)
+      judged = model
+      judged%design = factors
+      call find_along_string(judged, result, along)
+      call find_utilisation(judged, result, along, most)
    end subroutine use_up
 
    !> Check the largest utilisation of a rating, and its depth.
@@ -188,11 +191,10 @@ contains
       type(verdict_type), intent(out) :: verdict
       type(along_string_type) :: along
       type(whole_string_type) :: whole
-      type(design_factors_type) :: factors
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, whole)
-      call find_utilisation(model, result, along, factors, whole%utilisation)
-      call find_verdict(model, result, whole, factors, verdict)
+      call find_utilisation(model, result, along, whole%utilisation)
+      call find_verdict(model, result, whole, verdict)
    end subroutine judge
 
    !> Connections that bear 10 % of the body in compression where it has 20 %.

@@ -236,7 +236,8 @@ contains
       factors%slip_length = 16.0_wp*inch
       call find_along_string(model, result, along)
       model%rig%max_hookload = given(4.0_wp*result%hookload)
-      call find_utilisation(model, result, along, factors, most)
+      model%design = factors
+      call find_utilisation(model, result, along, most)
       call used(limit_tension, 0.6_wp, 0.0_wp)
       call used(limit_torsion, 0.15_wp, 0.0_wp)
       call used(limit_joint_torsion, 1.5_wp*0.08_wp, depth - 100.0_wp)
@@ -248,7 +249,7 @@ contains
       ! a block that weighs as much as half the string, at the same limit
       model%rig%block_weight = 0.5_wp*result%hookload
       model%rig%max_hookload = given(4.0_wp*result%hookload)
-      call find_utilisation(model, result, along, factors, most)
+      call find_utilisation(model, result, along, most)
       call used(limit_rig, 0.375_wp, 0.0_wp)
       ! 0.5 Y of tension, 0.1 x 0.577 Y of shear
       call used(limit_von_mises, 1.1_wp*sqrt(0.25_wp + 3.0_wp*0.0577_wp**2), 0.0_wp)
@@ -256,22 +257,23 @@ contains
       ! weight on bit comes back to the hook, a pull at the bit is on it while no slips are set
       model%cases(1)%wob = 0.5_wp*result%hookload
       model%rig%max_hookload = optional_real()
-      call find_utilisation(model, result, along, factors, most)
+      call find_utilisation(model, result, along, most)
       call used(limit_slips, 0.9_wp*sqrt(1.0_wp + 0.625_wp + 0.625_wp**2), 0.0_wp)
       model%cases(1)%wob = -model%cases(1)%wob
-      call find_utilisation(model, result, along, factors, most)
+      call find_utilisation(model, result, along, most)
       call assertFalse(most%used(limit_slips)%present, message='slips under a pull')
       model%cases(1)%wob = 0.0_wp
       factors%burst = 1.2_wp
       factors%collapse = 1.1_wp
       model%cases(1)%pump_pressure = 20.0e6_wp
       call find_along_string(model, result, along)
-      call find_utilisation(model, result, along, factors, most)
+      model%design = factors
+      call find_utilisation(model, result, along, most)
       call used(limit_burst, 1.2_wp*20.0e6_wp/burst_strength(model%strings(1)%components(2)), 0.0_wp)
       model%cases(1)%pump_pressure = 0.0_wp
       model%mud%fluids(1)%inside = .false.
       call find_along_string(model, result, along)
-      call find_utilisation(model, result, along, factors, most)
+      call find_utilisation(model, result, along, most)
       associate (part => model%strings(1)%components(2), outside => 1200.0_wp*model%gravity*900.0_wp)
          call used(limit_burst, 0.0_wp, 0.0_wp)
          call used(limit_collapse, 1.1_wp*outside/collapse_strength(part, (result%profile%axial(2) - outside* &
@@ -279,7 +281,8 @@ contains
       end associate
       factors%slip_length = 0.0_wp
       factors%torsion = 7.0_wp
-      call find_utilisation(model, result, along, factors, most)
+      model%design = factors
+      call find_utilisation(model, result, along, most)
       call assertFalse(most%used(limit_slips)%present .or. most%used(limit_rig)%present)
       call assertEqual('torsion', trim(governing_name(most)))
    contains
@@ -301,7 +304,8 @@ contains
       call build(model, result)
       model%strings(1)%components(2)%yield = 0.0_wp
       call find_along_string(model, result, along)
-      call find_utilisation(model, result, along, design_factors_type(slip_length=0.4_wp), most)
+      model%design = design_factors_type(slip_length=0.4_wp)
+      call find_utilisation(model, result, along, most)
       call assertFalse(any(most%used%present))
       call assertEqual(0, most%governing)
       call assertEqual('', trim(governing_name(most)))
@@ -358,7 +362,8 @@ contains
       model%cases(1)%above_ambient_top = 100.0_wp
       model%cases(1)%above_ambient_bottom = 100.0_wp
       call find_along_string(model, result, warm)
-      call find_utilisation(model, result, warm, factors, most)
+      model%design = factors
+      call find_utilisation(model, result, warm, most)
       model%cases(1)%above_ambient_top = 0.0_wp
       model%cases(1)%above_ambient_bottom = 0.0_wp
       associate (part => model%strings(1)%components(2))
@@ -366,7 +371,7 @@ contains
          part%joint_torsion = (1.0_wp - 0.054_wp)*part%joint_torsion
       end associate
       call find_along_string(model, result, weak)
-      call find_utilisation(model, result, weak, factors, expected)
+      call find_utilisation(model, result, weak, expected)
       call assertRelativelyEqual(weak%safety_factor(1), warm%safety_factor(1), rounding)
       call assertRelativelyEqual(weak%envelope_margin(1), warm%envelope_margin(1), 1.0e-10_wp)
       call assertRelativelyEqual(weak%overpull(1), warm%overpull(1), rounding)

@@ -5,7 +5,6 @@ module dg_test_verdict
    use dg_case_result, only: case_result_type, result_locked_up, result_not_converged
    use dg_component, only: buoyed_weight, tube_area
    use dg_constants, only: degree, pi
-   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_find_verdict, only: find_verdict
    use dg_fluid, only: standing_mud
@@ -102,7 +101,6 @@ contains
       type(case_result_type) :: result
       type(along_string_type) :: along
       type(whole_string_type) :: whole
-      type(design_factors_type) :: factors
       type(model_type) :: limited
       type(error_type), allocatable :: error
       limited = model
@@ -111,8 +109,8 @@ contains
       call assertFalse(allocated(error))
       call find_along_string(limited, result, along)
       call find_whole_string(limited, result, along, whole)
-      call find_utilisation(limited, result, along, factors, whole%utilisation)
-      call find_verdict(limited, result, whole, factors, verdict, upper)
+      call find_utilisation(limited, result, along, whole%utilisation)
+      call find_verdict(limited, result, whole, verdict, upper)
    end subroutine judge
 
    !> Running in: hook load W (cos a - f sin a). Friction may be cot a/f times as high until nothing hangs on the hook.
@@ -466,7 +464,6 @@ contains
       type(case_result_type) :: result
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
-      type(design_factors_type) :: factors
       character(:), allocatable :: text
       real(wp) :: most
       call build(model, operation_sliding_drilling, 0.0_wp)
@@ -474,15 +471,15 @@ contains
       model%cases(1)%wob = 2.0_wp*most
       result%case_index = 1
       result%status = result_locked_up
-      call find_verdict(model, result, whole, factors, verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_lock_up, verdict%limit)
       call assertRelativelyEqual(most, verdict%most_wob%value, close)
       result%lock_up_load = 0.5_wp*most
-      call find_verdict(model, result, whole, factors, verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertRelativelyEqual(0.5_wp*most, verdict%most_wob%value, close, message='what beams bear')
       model%cases(1)%operation = operation_trip_out
-      call find_verdict(model, result, whole, factors, verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertTrue(index(verdict_reason(si_units(), model%cases(1), verdict), 'a pull does not move it') > 0)
       ! What is left, and a factor next to 1.
       verdict = verdict_type()
@@ -539,11 +536,10 @@ contains
       type(case_result_type) :: result
       type(whole_string_type) :: whole
       type(verdict_type) :: verdict
-      type(design_factors_type) :: factors
       call build(model, operation_static, 0.0_wp)
       result%case_index = 1
       result%status = result_not_converged
-      call find_verdict(model, result, whole, factors, verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertEqual(answer_unknown, verdict%answer)
       call assertEqual('', verdict_reason(si_units(), model%cases(1), verdict))
    end subroutine test_no_solution

@@ -7,7 +7,6 @@ module dg_test_both_sides
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type
    use dg_component, only: tube_area
-   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_fluid, only: collar_closed, fluid_type
    use dg_job, only: model_mcge, model_mixed, model_name, model_rigid, model_soft
@@ -157,7 +156,7 @@ contains
          what = trim(model_name(methods(m)))
          associate (profile => result%profile)
             row = findloc(profile%side, side_below, dim=1, back=.true.)
-            call find_utilisation(model, result, along, design_factors_type(), used)
+            call find_utilisation(model, result, along, used)
             call assertGreaterThan(profile%axial(row), 0.0_wp, message=what)
             call assertRelativelyEqual(profile%axial(row)/(20.0e6_wp*tube_area(0.17145_wp, 0.0714_wp)), &
                                        used%used(limit_tension)%value, rounding, message=what//': tension of the collar')

@@ -9,7 +9,6 @@ module dg_test_fatigue
    use dg_case_result, only: case_result_type, result_converged
    use dg_component, only: bending_stiffness, component_type, tube_area, tube_inertia
    use dg_constants, only: degree, pi
-   use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
    use dg_fatigue, only: fatigue_type, find_fatigue, permitted_dogleg
    use dg_fatigue_curve, only: fatigue_curve_type, fatigue_e75, fatigue_own, fatigue_s135, permitted_amplitude, turns_to_failure
@@ -264,14 +263,14 @@ contains
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, whole)
       call assertTrue(whole%joint_fatigue%damage > whole%fatigue%damage .and. whole%fatigue%damage > 1.0_wp)
-      call find_verdict(model, result, whole, design_factors_type(), verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertEqual(answer_no, verdict%answer)
       call assertEqual(limit_joint_fatigue, verdict%limit)
       call assertRelativelyEqual(whole%joint_fatigue%damage, verdict%used%value, 1.0e-12_wp)
       whole%joint_fatigue%damage = 0.5_wp*whole%fatigue%damage
       model%strings(1)%components(1)%name = 'lower pipe'
       model%strings(1)%components(2)%name = 'upper pipe'
-      call find_verdict(model, result, whole, design_factors_type(), verdict)
+      call find_verdict(model, result, whole, verdict)
       call assertEqual(limit_fatigue, verdict%limit)
       text = verdict_reason(si_units(), model%cases(1), verdict)
       call assertTrue(index(text, "Fatigue by hours of rotation at ") == 1 .and. index(text, " m in 'upper pipe': 1000 h, ") > 0, &
@@ -303,8 +302,8 @@ contains
          character(:), allocatable :: text
          call find_along_string(model, result, along)
          call find_whole_string(model, result, along, whole)
-         call find_utilisation(model, result, along, design_factors_type(), whole%utilisation)
-         call find_verdict(model, result, whole, design_factors_type(), verdict)
+         call find_utilisation(model, result, along, whole%utilisation)
+         call find_verdict(model, result, whole, verdict)
          call assertEqual(answer_no, verdict%answer)
          text = verdict_reason(si_units(), model%cases(1), verdict)
          call assertTrue(index(text, words) > 0, message=text)
@@ -351,7 +350,7 @@ contains
       call solve(operation_rotate_off_bottom, curve, hours, model, result, parts)
       call find_along_string(model, result, along)
       call find_whole_string(model, result, along, whole)
-      call find_verdict(model, result, whole, design_factors_type(), verdict)
+      call find_verdict(model, result, whole, verdict)
       text = unchecked_text(verdict%not_checked, model%strings(1)%components)
       text = text(index(text//'(its', '(its'):)
    end subroutine judge

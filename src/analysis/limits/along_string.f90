@@ -10,7 +10,6 @@ module dg_along_string
    use dg_case_result, only: case_result_type, contact_joint
    use dg_component, only: bending_stiffness, component_type, contact_diameter, has_joints, &
                            joint_bore, tube_inertia, worn_od
-   use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_at, component_tops, pipe_joint
    use dg_fluid, only: side_inside, side_outside
    use dg_fluid_pressure, only: fluid_column_type, new_fluid_column, pressure_at, weight_at
@@ -72,19 +71,16 @@ module dg_along_string
 
 contains
 
-   !> Compute all columns, one value a row of `result%profile`. Only the overpull takes the design factors, of 1 where absent.
-   pure subroutine find_along_string(model, result, along, design)
+   !> Compute all columns, one value a row of `result%profile`. Only the overpull takes the design factors.
+   pure subroutine find_along_string(model, result, along)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(out) :: along
-      type(design_factors_type), intent(in), optional :: design
-      type(design_factors_type) :: factors
       real(wp), allocatable :: tops(:)
       type(fluid_column_type) :: outside, inside
       real(wp) :: bit, weight, curvature, moment, depths(size(result%profile%md))
       integer :: i, k, n, string, part, hole, first, last, arc(2)
       logical :: apart, solved      ! joint by joint; bending between contacts
-      if (present(design)) factors = design
       apart = model%numerics%discrete_joints .and. result%model == model_mcge
       n = size(result%profile%md)
       depths = piece_depths(result%profile)
@@ -134,8 +130,8 @@ contains
                along%buckling(i) = buckled_state(-profile%axial(i), along%sinusoidal(i), along%helical(i))
             end if
             if (components(part)%yield > 0.0_wp) along%overpull(i) = min( &
-               along%yield_left(i)*tensile_strength(components(part))/factors%tension - profile%axial(i), &
-               pull_margin(components(part), along%yield_left(i)*components(part)%yield/factors%von_mises, profile%axial(i), &
+               along%yield_left(i)*tensile_strength(components(part))/model%design%tension - profile%axial(i), &
+               pull_margin(components(part), along%yield_left(i)*components(part)%yield/model%design%von_mises, profile%axial(i), &
                            profile%torque(i), profile%bending(i), along%curvature(i), solved, &
                            along%buckling(i) /= buckling_none, along%inside_pressure(i) - along%pressure(i)))
          end do

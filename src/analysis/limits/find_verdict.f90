@@ -9,7 +9,6 @@ module dg_find_verdict
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
    use dg_casing_wear, only: groove_type
    use dg_contact_friction, only: frictions_met
-   use dg_design_factors, only: design_factors_type
    use dg_fatigue, only: fatigue_type, hour
    use dg_friction_estimate, only: has_upper_friction, upper_friction_type
    use dg_friction_reserve, only: buckles_by_friction, find_friction_reserve, find_possible_friction, find_shifted
@@ -41,11 +40,10 @@ module dg_find_verdict
 contains
 
    !> Find the verdict of a result. It is unknown or no if the case has not converged. `whole` is only read if it has.
-   pure subroutine find_verdict(model, result, whole, design, verdict, upper)
+   pure subroutine find_verdict(model, result, whole, verdict, upper)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(whole_string_type), intent(in) :: whole
-      type(design_factors_type), intent(in) :: design
       type(verdict_type), intent(out) :: verdict
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       associate (load_case => model%cases(result%case_index))
@@ -56,7 +54,7 @@ contains
             verdict%limit = limit_lock_up
             verdict%alone = .true.
             verdict%max_push = model%rig%max_push
-            call find_passed_pressure(model, result%case_index, design, verdict%also, verdict%also_load, verdict%also_allowed, &
+            call find_passed_pressure(model, result%case_index, verdict%also, verdict%also_load, verdict%also_allowed, &
                                       verdict%pressures_judged)
             if (block_way(load_case%operation) <= 0) &
                verdict%most_wob = given(weight_that_arrives(model, result))
@@ -66,7 +64,7 @@ contains
             verdict%wob_yield = whole%wob_yield
             verdict%buckled_by_formula = result%model /= model_mcge
             verdict%buckled_length = merge(whole%helical_length, whole%coiled_length, verdict%buckled_by_formula)
-            call note_unrated(model, result%case_index, design, verdict%not_checked)
+            call note_unrated(model, result%case_index, verdict%not_checked)
             call judge_strengths(whole%utilisation, verdict)
             call judge_weight(model, result, whole%wob_lockup, verdict)
             if (result%model /= model_mcge) call judge_compressed(load_case, whole, verdict)
@@ -76,14 +74,14 @@ contains
             if (cannot_scale(model, result)) then
                verdict%reserve_unknown = verdict%answer == answer_yes
             else if (verdict%answer == answer_yes) then
-               call find_friction_reserve(model, result, design, verdict%friction_reserve, verdict%reserve_limit)
+               call find_friction_reserve(model, result, verdict%friction_reserve, verdict%reserve_limit)
                call take_limit_of_beams(result%weight_limits%friction, verdict)
                if (verdict%friction_reserve%present .and. .not. result%weight_limits%friction%present) &
                   verdict%reserve_buckles = buckles_by_friction(model, result, verdict%friction_reserve%value)
             else if (all(verdict%limit /= limits_by_hours) .and. .not. lacks_weight(load_case, verdict)) then
-               call find_possible_friction(model, result, design, verdict%possible_friction)
+               call find_possible_friction(model, result, verdict%possible_friction)
             end if
-            if (present(upper)) call judge_upper_end(model, result, design, upper, verdict)
+            if (present(upper)) call judge_upper_end(model, result, upper, verdict)
             call note_uncertain(result%unlike_contact%warned, whole%utilisation%used(limit_von_mises)%value, result%coiled, &
                                 verdict)
             if (block_way(load_case%operation) < 0) &
@@ -93,17 +91,17 @@ contains
             return
          end if
          if (verdict%answer == answer_no .and. verdict%friction /= friction_upper_end_alone) &
-            call judge_without_load(model, model, result, design, verdict)
+            call judge_without_load(model, model, result, verdict)
          if (lacks_weight(load_case, verdict)) then
             if (verdict%also == 0) call find_turning_loads(model, result%case_index, verdict)
             if (verdict%friction /= friction_upper_end_alone .and. block_way(load_case%operation) <= 0) &
                call find_ways_down(model, result, verdict)
          end if
          if (wants_reach(model, result, verdict)) &
-            call find_limit_reach(model, result, whole%utilisation, design, verdict%reach)
+            call find_limit_reach(model, result, whole%utilisation, verdict%reach)
          if (verdict%answer == answer_no .and. verdict%also == 0 .and. verdict%friction /= friction_upper_end_alone .and. &
              all(verdict%passed(limit_count + 1:) <= 1.0_wp)) &
-            call find_pump_pressure(model, result, design, verdict%limit, whole%wob_yield, verdict%pump_pressure, &
+            call find_pump_pressure(model, result, verdict%limit, whole%wob_yield, verdict%pump_pressure, &
                                     verdict%fill)
          if (verdict%part > 0) &
             call set_name(model%strings(string_index(model%strings, load_case%string))%components(verdict%part), verdict)
@@ -154,10 +152,9 @@ contains
    end function lacks_weight
 
    !> Judge the case once more, with calibrated friction at the upper end of its interval.
-   pure subroutine judge_upper_end(model, result, design, upper, verdict)
+   pure subroutine judge_upper_end(model, result, upper, verdict)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(design_factors_type), intent(in) :: design
       type(upper_friction_type), intent(in) :: upper
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: raised
@@ -174,18 +171,17 @@ contains
       at_end%possible_friction = verdict%friction_reserve
       if (verdict%most_wob%present) &
          at_end%most_wob = given(most_weight_on_bit(raised, result%case_index, coiled=.true., pushed=.false.))
-      call judge_other(model, raised, result, design, at_end)
+      call judge_other(model, raised, result, at_end)
       if (at_end%answer /= answer_no) return
       verdict = at_end
-      call judge_without_load(model, raised, result, design, verdict)
+      call judge_without_load(model, raised, result, verdict)
    end subroutine judge_upper_end
 
    !> Note the limit that is also passed without weight on bit or overpull, if the case has one of them.
-   pure subroutine judge_without_load(model, other_model, result, design, verdict)
+   pure subroutine judge_without_load(model, other_model, result, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
-      type(design_factors_type), intent(in) :: design
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: bare
       type(verdict_type) :: without
@@ -202,10 +198,10 @@ contains
          return
       end if
       without%most_wob = verdict%most_wob
-      call judge_other(model, bare, result, design, without)
+      call judge_other(model, bare, result, without)
       if (without%answer /= answer_no) then
          if (model%cases(result%case_index)%wob < 0.0_wp) &
-            call find_most_pull(model, other_model, result, design, verdict)
+            call find_most_pull(model, other_model, result, verdict)
          return
       end if
       verdict%limit_without_load = without%limit
@@ -213,11 +209,10 @@ contains
    end subroutine judge_without_load
 
    !> Judge a result with another friction or weight on bit, without fatigue. On entry `verdict` has the largest weight on bit.
-   pure subroutine judge_other(model, other_model, result, design, verdict)
+   pure subroutine judge_other(model, other_model, result, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model        !< all else equal
       type(case_result_type), intent(in) :: result       !< of `model`, converged
-      type(design_factors_type), intent(in) :: design
       type(verdict_type), intent(inout) :: verdict
       type(case_result_type) :: other
       type(along_string_type) :: along
@@ -231,7 +226,7 @@ contains
          return
       end if
       call find_along_string(other_model, other, along)
-      call find_utilisation(other_model, other, along, design, utilisation)
+      call find_utilisation(other_model, other, along, utilisation)
       call judge_strengths(utilisation, verdict)
       call judge_weight(other_model, other, verdict%most_wob, verdict)
    end subroutine judge_other
@@ -254,11 +249,10 @@ contains
    end subroutine judge_strengths
 
    !> Find the largest overpull with which no limit is passed, for a case that is possible without overpull. Bisection.
-   pure subroutine find_most_pull(model, other_model, result, design, verdict)
+   pure subroutine find_most_pull(model, other_model, result, verdict)
       type(model_type), intent(in) :: model
       type(model_type), intent(in) :: other_model    !< with the friction of the answer
       type(case_result_type), intent(in) :: result   !< of `model`
-      type(design_factors_type), intent(in) :: design
       type(verdict_type), intent(inout) :: verdict
       type(model_type) :: less
       type(verdict_type) :: there
@@ -271,7 +265,7 @@ contains
       do i = 1, halvings
          less%cases(result%case_index)%wob = -0.5_wp*(low + high)
          there = verdict_type()
-         call judge_other(model, less, result, design, there)
+         call judge_other(model, less, result, there)
          if (there%answer == answer_no) then
             high = 0.5_wp*(low + high)
             verdict%pull_limit = there%limit

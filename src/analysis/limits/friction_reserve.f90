@@ -7,7 +7,6 @@ module dg_friction_reserve
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
-   use dg_design_factors, only: design_factors_type
    use dg_fluid_pressure, only: needed_push, surface_push
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: block_way, rotates
@@ -42,13 +41,12 @@ module dg_friction_reserve
 contains
 
    !> Find the factor, > 1. Absent if no limit is passed up to ten times the given friction, and if one is passed already.
-   pure subroutine find_friction_reserve(model, result, design, reserve, limit)
+   pure subroutine find_friction_reserve(model, result, reserve, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
-      type(design_factors_type), intent(in) :: design
       type(optional_real), intent(out) :: reserve
       integer, intent(out) :: limit                      !< limit that is passed beyond the factor; 0: none
-      call find_factor(model, result, design, [1.0_wp, most], reserve, limit)
+      call find_factor(model, result, [1.0_wp, most], reserve, limit)
    end subroutine find_friction_reserve
 
    !> True for beams that the soft string sees buckled with all friction times a factor. The friction of their coils is not known
@@ -71,21 +69,19 @@ contains
 
    !> Find the part of the given friction, < 1, with which a result that passes a limit does not pass it. Absent if friction
    !> does not decide.
-   pure subroutine find_possible_friction(model, result, design, part)
+   pure subroutine find_possible_friction(model, result, part)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
-      type(design_factors_type), intent(in) :: design
       type(optional_real), intent(out) :: part
       integer :: limit
-      call find_factor(model, result, design, [least, 1.0_wp], part, limit)
+      call find_factor(model, result, [least, 1.0_wp], part, limit)
    end subroutine find_possible_friction
 
    !> Find the factor between two at which a limit is reached. Absent if none is passed at the upper one, or one is passed at
    !> the lower one.
-   pure subroutine find_factor(model, result, design, between, found, passed)
+   pure subroutine find_factor(model, result, between, found, passed)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(design_factors_type), intent(in) :: design
       real(wp), intent(in) :: between(2)       !< [-]
       type(optional_real), intent(out) :: found
       integer, intent(out) :: passed           !< limit that is passed just beyond the factor; 0: none
@@ -98,14 +94,14 @@ contains
       call begin_soft(model, result, soft)
       if (.not. allocated(soft%axial)) return
       do i = 1, 2
-         call find_margin(model, result, design, soft, between(i), margin(i), limit)
+         call find_margin(model, result, soft, between(i), margin(i), limit)
       end do
       if (margin(2) >= 0.0_wp .or. margin(1) < 0.0_wp) return
       passed = limit
       bracket = new_bracket(between(1), margin(1), between(2), margin(2))
       do while (.not. is_narrow(bracket, narrowness*between(2)))
          factor = next_try(bracket, narrowness*between(2))
-         call find_margin(model, result, design, soft, factor, here, limit)
+         call find_margin(model, result, soft, factor, here, limit)
          if (here < 0.0_wp) passed = limit
          call narrow(bracket, factor, here)
       end do
@@ -178,10 +174,9 @@ contains
    end subroutine shift_result
 
    !> Find one minus the share of the most used limit with all friction times a factor, and that limit.
-   pure subroutine find_margin(model, result, design, soft, factor, margin, limit)
+   pure subroutine find_margin(model, result, soft, factor, margin, limit)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
-      type(design_factors_type), intent(in) :: design
       type(soft_type), intent(in) :: soft
       real(wp), intent(in) :: factor       !< [-]
       real(wp), intent(out) :: margin      !< [-]
@@ -199,7 +194,7 @@ contains
          return
       end if
       call find_along_string(model, other, along)
-      call find_utilisation(model, other, along, design, utilisation)
+      call find_utilisation(model, other, along, utilisation)
       margin = 1.0_wp
       limit = utilisation%governing
       if (limit > 0) margin = 1.0_wp - utilisation%used(limit)%value

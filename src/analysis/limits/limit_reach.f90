@@ -6,7 +6,6 @@ module dg_limit_reach
    use dg_along_string, only: along_string_type, find_along_string
    use dg_case_result, only: case_result_type
    use dg_depth_search, only: depth_search_type, new_depth_search, next_depth, take_value
-   use dg_design_factors, only: design_factors_type
    use dg_job, only: model_mcge, model_soft
    use dg_load_case, only: rotates
    use dg_missing, only: given, optional_real
@@ -29,17 +28,16 @@ contains
 
    !> Find the depth [m]. It is 0 if no depth of the search is possible, and absent if the soft string locks up at the depth of
    !> the result.
-   pure subroutine find_limit_reach(model, result, utilisation, design, reach)
+   pure subroutine find_limit_reach(model, result, utilisation, reach)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result             !< converged, with a profile
       type(utilisation_type), intent(in) :: utilisation        !< of the result
-      type(design_factors_type), intent(in) :: design
       type(optional_real), intent(out) :: reach
       type(depth_search_type) :: search
       real(wp) :: used(limit_count), ratio(limit_count), top, span, depth, left
       top = top_md(model%trajectory)
       span = model%cases(result%case_index)%bit_depth - top
-      call find_uses(model, result, design, top + span, used)
+      call find_uses(model, result, top + span, used)
       if (minval(used) >= too_much) return
       ratio = 1.0_wp
       where (used > 0.0_wp .and. utilisation%used%present .and. utilisation%used%value > 0.0_wp) &
@@ -61,17 +59,16 @@ contains
          real(wp), intent(in) :: depth   !< [m]
          real(wp) :: left
          real(wp) :: there(limit_count)
-         call find_uses(model, result, design, top + depth, there)
+         call find_uses(model, result, top + depth, there)
          left = 1.0_wp - maxval(ratio*there)
       end function left_at
    end subroutine find_limit_reach
 
    !> Find the uses of all limits by the soft string with the bit at a depth. They are 0 for limits that are not known, and
    !> `too_much` if string weight is not enough.
-   pure subroutine find_uses(given_model, result, design, bit_depth, used)
+   pure subroutine find_uses(given_model, result, bit_depth, used)
       type(model_type), intent(in) :: given_model
       type(case_result_type), intent(in) :: result   !< its load case and method count
-      type(design_factors_type), intent(in) :: design
       real(wp), intent(in) :: bit_depth              !< [m]
       real(wp), intent(out) :: used(limit_count)     !< [-]
       type(model_type) :: model
@@ -98,7 +95,7 @@ contains
          soft%model = model_soft
          call set_profile(model, case_index, md, side, axial, torque, contact, soft)
          call find_along_string(model, soft, along)
-         call find_utilisation(model, soft, along, design, utilisation)
+         call find_utilisation(model, soft, along, utilisation)
          if (passed_weight(model, model_soft, case_index, soft%hookload, maxval(abs(axial))) > 0) return
          used = merge(utilisation%used%value, 0.0_wp, utilisation%used%present)
       end associate

@@ -5,7 +5,6 @@ module dg_passed_pressure
    use dg_along_string, only: along_string_type, find_along_string
    use dg_bracket, only: bracket_type, is_narrow, narrow, new_bracket, next_try
    use dg_case_result, only: case_result_type
-   use dg_design_factors, only: design_factors_type
    use dg_fluid, only: density_at, fills, mud_type, side_inside, side_outside
    use dg_job, only: model_soft
    use dg_missing, only: given, optional_real
@@ -29,10 +28,9 @@ contains
 
    !> Find the limit that is exceeded most. Axial force counts as zero. The compression of a locked-up string would not reduce
    !> burst and collapse as they are judged.
-   pure subroutine find_passed_pressure(model, case_index, design, limit, load, allowed, checked)
+   pure subroutine find_passed_pressure(model, case_index, limit, load, allowed, checked)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(design_factors_type), intent(in) :: design
       integer, intent(out) :: limit              !< number of dg_utilisation; 0: none is exceeded
       real(wp), intent(out) :: load, allowed     !< difference of pressures there, and the allowed one [Pa]
       logical, intent(out) :: checked            !< true if a strength against pressure is known
@@ -50,7 +48,7 @@ contains
       still%model = model_soft
       call set_profile(model, case_index, md, side, none, none, spread(none, 1, 3), still)
       call find_along_string(model, still, along)
-      call find_utilisation(model, still, along, design, utilisation)
+      call find_utilisation(model, still, along, utilisation)
       limit = 0
       load = 0.0_wp
       allowed = 0.0_wp
@@ -69,10 +67,9 @@ contains
    !> next to the given pressure: less for burst, more for collapse. Pump pressure changes no axial force. Absent if there is no
    !> such pressure, for tubing in a packer, whose forces change, and where compressed pipe yields.
    !> An empty string is to be filled instead, if that prevents collapse.
-   pure subroutine find_pump_pressure(model, result, design, limit, wob_yield, pump, fill)
+   pure subroutine find_pump_pressure(model, result, limit, wob_yield, pump, fill)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result       !< converged
-      type(design_factors_type), intent(in) :: design
       integer, intent(in) :: limit                       !< that is passed
       type(optional_real), intent(in) :: wob_yield       !< weight on bit at which compressed pipe yields [N]
       type(optional_real), intent(out) :: pump           !< [Pa]
@@ -124,7 +121,7 @@ contains
          other%cases(result%case_index)%pump_pressure = pressure
          if (present(mud)) other%mud = mud
          call find_along_string(other, result, along)
-         call find_utilisation(other, result, along, design, uses)
+         call find_utilisation(other, result, along, uses)
       end function uses_at
    end subroutine find_pump_pressure
 

@@ -3,7 +3,6 @@ module dg_unrated_limits
    use dg_kinds, only: wp
    use dg_component, only: is_coiled_tubing
    use dg_connection_rating, only: is_rated
-   use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: component_tops, topmost
    use dg_load_case, only: rotates
    use dg_model, only: hold_fixed, hold_free, is_straightened, model_type, string_index
@@ -19,10 +18,9 @@ contains
 
    !> Mark limits that apply to a load case and have no rating in the deck, for all or for some components, or
    !> cannot be judged.
-   pure subroutine note_unrated(model, case_index, design, unrated)
+   pure subroutine note_unrated(model, case_index, unrated)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      type(design_factors_type), intent(in) :: design
       logical, intent(inout) :: unrated(:)       !< one for each limit (dg_verdict)
       logical :: turns
       integer :: i, string, top
@@ -39,7 +37,7 @@ contains
          ! connections carry the pull of the pipe, also of one that does not turn
          if (.not. any(has_joint_rating(parts))) unrated(limit_joint_tension) = .not. any(is_coiled_tubing(parts))
          top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
-         unrated(limit_slips) = .not. (design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp) .or. &
+         unrated(limit_slips) = .not. (model%design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp) .or. &
                                 model%cases(case_index)%wob < 0.0_wp      ! slips are not set under a pull
       end associate
       unrated(limit_bend) = is_straightened(model, model%cases(case_index))

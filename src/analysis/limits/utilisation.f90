@@ -69,11 +69,10 @@ module dg_utilisation
 contains
 
    !> Find all utilisations, from a result and its columns along the string.
-   pure subroutine find_utilisation(model, result, along, factors, utilisation)
+   pure subroutine find_utilisation(model, result, along, utilisation)
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: result
       type(along_string_type), intent(in) :: along
-      type(design_factors_type), intent(in) :: factors
       type(utilisation_type), intent(out) :: utilisation
       real(wp), allocatable :: tops(:)
       real(wp) :: bit, depths(size(result%profile%md)), before(limit_count)
@@ -88,21 +87,22 @@ contains
             number = component_at(tops, bit - depths(i))
             associate (part => string%components(number))
                if (along%yield_left(i) < 1.0_wp) then
-                  call use_row(warmed(part, along%yield_left(i)), factors, profile, along, i, utilisation)
+                  call use_row(warmed(part, along%yield_left(i)), model%design, profile, along, i, utilisation)
                else
-                  call use_row(part, factors, profile, along, i, utilisation)
+                  call use_row(part, model%design, profile, along, i, utilisation)
                end if
                if (.not. is_missing(along%safety_factor(i))) call use_limit(utilisation, limit_von_mises, &
-                  factors%von_mises*along%jointed_von_mises(i)/(along%yield_left(i)*part%yield), along%jointed_von_mises(i), &
+                  model%design%von_mises*along%jointed_von_mises(i)/(along%yield_left(i)*part%yield), along%jointed_von_mises(i), &
                   profile%md(i))
             end associate
             where (utilisation%used%value > before) utilisation%part = number
          end do
          associate (uppermost => string%components(topmost(tops)), wob => model%cases(result%case_index)%wob)
-            if (factors%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp .and. .not. wob < 0.0_wp) &
+            if (model%design%slip_length > 0.0_wp .and. uppermost%yield > 0.0_wp .and. .not. wob < 0.0_wp) &
                call use_limit(utilisation, limit_slips, &
-                  factors%tension*max(result%hookload + wob, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
-                  slip_share(worn_od(uppermost), factors%slip_lateral, factors%slip_length)), result%hookload + wob, profile%md(1))
+                  model%design%tension*max(result%hookload + wob, 0.0_wp)/(along%yield_left(1)*tensile_strength(uppermost)* &
+                  slip_share(worn_od(uppermost), model%design%slip_lateral, model%design%slip_length)), &
+                  result%hookload + wob, profile%md(1))
          end associate
          if (model%rig%max_hookload%present) call use_limit(utilisation, limit_rig, &
             max(result%hookload + model%rig%block_weight, 0.0_wp)/model%rig%max_hookload%value, &

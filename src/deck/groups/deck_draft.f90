@@ -5,6 +5,7 @@ module dg_deck_draft
    use dg_constants, only: standard_gravity
    use dg_checked_group, only: checked_group_type, is_sound, line_of, texts_of
    use dg_component, only: component_type
+   use dg_design_factors, only: design_factors_type
    use dg_error, only: add_fault, error_list_type
    use dg_fluid, only: fluid_type
    use dg_friction_estimate, only: friction_estimate_type
@@ -85,6 +86,7 @@ module dg_deck_draft
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
       type(rig_type) :: rig
+      type(design_factors_type) :: design
       logical :: block_given = .false.         !< the rig has its block_weight, be it 0
       type(draft_fluid_type), allocatable :: fluids(:)
       real(wp) :: gravity = standard_gravity   !< [m/s2]

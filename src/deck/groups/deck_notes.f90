@@ -78,8 +78,8 @@ contains
                                        pressure > 0.0_wp .and. is_gas(fluid%density, pressure)))
          end associate
       end do
-      if (job%design%slip_length > 0.0_wp) &
-         call note_range(draft%units, 'group &strength', usual_slips, job%design%slip_length, job%notes)
+      if (draft%design%slip_length > 0.0_wp) &
+         call note_range(draft%units, 'group &strength', usual_slips, draft%design%slip_length, job%notes)
       if (draft%numerics%eps_n0 >= large_eps_n0) call append_text(job%notes, &
          'group &solver: eps_n0 is large: contact this close to the wall is ignored, so contact force and friction are '// &
          'too small')

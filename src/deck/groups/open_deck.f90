@@ -231,9 +231,6 @@ contains
       job%models = [1]
       allocate (models(0))
       do i = 1, size(groups)
-         if (groups(i)%name == 'strength') job%design = draft_design(groups(i))
-      end do
-      do i = 1, size(groups)
          if (groups(i)%name /= 'job') cycle
          job%title = text_of(groups(i), 'title', '')
          job%output_dir = text_of(groups(i), 'output_dir', job%output_dir)
@@ -323,6 +320,8 @@ contains
          case ('load_case')
             cases = cases + 1
             call draft_case(groups(i), draft%cases(cases), faults)
+         case ('strength')
+            draft%design = draft_design(groups(i))
          case ('boundary')
             call draft_boundary(groups(i), draft%boundary, faults)
          case ('solver')
@@ -366,6 +365,7 @@ contains
       model%boundary = draft%boundary
       model%numerics = draft%numerics
       model%rig = draft%rig
+      model%design = draft%design
       call place_fluids(draft, model%trajectory, model%mud, faults)
       model%gravity = draft%gravity
       model%units = draft%units

@@ -183,7 +183,7 @@ contains
                   friction_text(' axial ', part%friction_axial, part%scale_axial)// &
                   friction_text(' rotary ', part%friction_rotary, part%scale_rotary)// &
                   tools_text(units, part))
-               call add_strength(lines, units, part, job%design)
+               call add_strength(lines, units, part, model%design)
                if (part%centralizer%present) call add_line(lines, '    '//centralizer_text(units, part%centralizer))
             end associate
          end do

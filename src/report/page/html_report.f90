@@ -263,7 +263,7 @@ contains
                     'on bit that would bring the moving string there. Load cases without WOB have these values, too. '// &
                     'Lock-up counts friction of helical buckling, zero hook load does not.</p>')
       call add_line(lines, '<p>Most used limit: of pipe, connections, slips and rig. String weight, lock-up and buckling '// &
-                    'are not included. '//factors_text(found%job%design)//' Largest mean side force: over the length of a '// &
+                    'are not included. '//factors_text(found%model%design)//' Largest mean side force: over the length of a '// &
                     'joint of pipe. Bit side force: force of the bit on the formation. '// &
                     'Bit tilt: angle between bit and hole axis. Clock angles count from the high side.</p>')
       do k = 1, size(found%job%models)

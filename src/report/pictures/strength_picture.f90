@@ -68,8 +68,8 @@ contains
                call add(alongs(k)%safety_factor, 1.0_wp, '', colour_of(k))
                least = min(least, minval(alongs(k)%safety_factor, mask=.not. is_missing(alongs(k)%safety_factor)))
             end do
-            call add_depth_curve(chart, [0.0_wp, load_case%bit_depth], spread(job%design%von_mises, 1, 2), 1.0_wp, factor_look, &
-                                 'design factor '//to_text(job%design%von_mises, 3), '')
+            call add_depth_curve(chart, [0.0_wp, load_case%bit_depth], spread(model%design%von_mises, 1, 2), 1.0_wp, factor_look, &
+                                 'design factor '//to_text(model%design%von_mises, 3), '')
             call fit_range(chart, most=max(most_of_least*least, most_factor))
          end if
          call add_depth_panel(chart, place(), either('range of bending in a turn', 'bending stress', turns), &

@@ -56,15 +56,14 @@ contains
          if (size(rows) == 0) cycle
          call append_text(lines, '')
          call append_text(lines, 'Limits, model '//trim(model_name(found%job%models(i)))//' (all: limits.csv)')
-         call append_block(lines, found%job%units, found%model, found%job%design%von_mises, found%results(rows), found%wholes(rows))
+         call append_block(lines, found%job%units, found%model, found%results(rows), found%wholes(rows))
       end do
    end subroutine limits_table
 
-   pure subroutine append_block(lines, units, model, factor, results, wholes)
+   pure subroutine append_block(lines, units, model, results, wholes)
       type(text_type), allocatable, intent(inout) :: lines(:)
       type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
-      real(wp), intent(in) :: factor       !< design factor on von Mises stress [-]
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       type(optional_real), dimension(size(results)) :: numbers, nowhere
@@ -105,8 +104,8 @@ contains
          deciders(i)%text = names(i)%text//', '//deciders(i)%text
       end do
       call append_extreme(lines, units, deciders, 'Overpull left, pipe or rig', quantity_force, 1, numbers, nowhere, .false.)
-      if (any(bends_between_joints(wholes, factor))) call append_text(lines, '    safety and overpull of the pipe leave out '// &
-         'bending between tool joints, which the answers include')
+      if (any(bends_between_joints(wholes, model%design%von_mises))) call append_text(lines, '    safety and overpull of the '// &
+         'pipe leave out bending between tool joints, which the answers include')
       call append_extreme(lines, units, names, 'Least margin to rig limit', quantity_force, 1, &
                           (wholes%rig_margin), nowhere, .false.)
       call append_extreme(lines, units, names, 'Least margin to make-up', quantity_moment, 2, &

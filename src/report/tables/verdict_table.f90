@@ -148,7 +148,7 @@ contains
       do k = 1, size(found%results)
          unrated(:, k) = found%wholes(k)%verdict%not_checked
          if (.not. left(k)) cycle
-         if (unrated(limit_slips, k) .and. found%job%design%slip_length > 0.0_wp .and. &
+         if (unrated(limit_slips, k) .and. found%model%design%slip_length > 0.0_wp .and. &
              found%model%cases(found%results(k)%case_index)%wob < 0.0_wp) then
             unrated(limit_slips, k) = .false.
             pulled = pulled//either(', ', '', pulled /= '')//quoted(name_of(found, k))

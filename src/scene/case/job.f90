@@ -1,6 +1,5 @@
 !> Models to run and place of results: the part of a deck outside mechanics.
 module dg_job
-   use dg_design_factors, only: design_factors_type
    use dg_text, only: text_type
    use dg_units, only: unit_system_type
    implicit none
@@ -30,7 +29,6 @@ module dg_job
       type(text_type), allocatable :: study_records(:)  !< names of the records of unfinished work
       type(text_type), allocatable :: study_forms(:)    !< forms of names of results by studies of any deck: sweep_*.csv
       type(text_type), allocatable :: study_kinds(:)    !< beginnings of names of such records: sweep
-      type(design_factors_type) :: design      !< on loads, for strengths
       character(:), allocatable :: deck_text   !< the deck itself, for the record
       type(text_type), allocatable :: notes(:) !< legal but unusual settings of the deck
       logical :: profiles = .true.             !< write profiles along the string

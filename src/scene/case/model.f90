@@ -3,6 +3,7 @@ module dg_model
    use dg_kinds, only: wp
    use dg_component, only: has_bend, has_joints
    use dg_constants, only: standard_gravity
+   use dg_design_factors, only: design_factors_type
    use dg_drillstring, only: drillstring_type
    use dg_fluid, only: mud_type
    use dg_hole_section, only: hole_section_type
@@ -40,6 +41,7 @@ module dg_model
       type(boundary_type) :: boundary
       type(numerics_type) :: numerics
       type(rig_type) :: rig                               !< only for the weight indicator and limits, not for forces in the string
+      type(design_factors_type) :: design                 !< on loads, for strengths
       type(mud_type) :: mud
       real(wp) :: gravity = standard_gravity              !< [m/s2]
       type(optional_real) :: hookload                     !< given hook load with an unknown load at the bit; absent: the load is
@@ -91,6 +93,7 @@ contains
       copy%boundary = model%boundary
       copy%numerics = model%numerics
       copy%rig = model%rig
+      copy%design = model%design
       copy%mud = model%mud
       copy%gravity = model%gravity
       copy%stiff_drag = model%stiff_drag

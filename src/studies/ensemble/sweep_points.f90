@@ -141,7 +141,7 @@ contains
             place = point_at(sweep, n)
             call point_case(sweep, place, mine%cases(1))
             call point_holes(sweep, place, mine%holes)
-            if (rated .and. .not. is_interrupted()) call judge_strengths(job, mine, points(n))
+            if (rated .and. .not. is_interrupted()) call judge_strengths(mine, points(n))
             passed = passed_weight(mine, sweep%models(place%model), 1, points(n)%hookload, abs(points(n)%hookload))
             if (passed > 0) points(n)%limit = passed
          end do
@@ -157,8 +157,7 @@ contains
    end subroutine add_limits
 
    !> Set the most used of rig and strengths if it is passed, and the pull until yield.
-   subroutine judge_strengths(job, model, point)
-      type(job_type), intent(in) :: job
+   subroutine judge_strengths(model, point)
       type(model_type), intent(in) :: model                !< its first load case is that of the point
       type(sweep_result_type), intent(inout) :: point
       type(case_result_type) :: result
@@ -167,12 +166,12 @@ contains
       type(error_type), allocatable :: error
       call solve_case(model, model_soft, 1, result, error, stop=by_signals())
       if (result%status /= result_converged) return
-      call find_along_string(model, result, along, job%design)
+      call find_along_string(model, result, along)
       if (.not. all(is_missing(along%overpull))) &
          point%overpull_margin = minval(along%overpull, mask=.not. is_missing(along%overpull))
       result%hookload = point%hookload
       result%torque = point%torque
-      call find_utilisation(model, result, along, job%design, utilisation)
+      call find_utilisation(model, result, along, utilisation)
       if (utilisation%governing == 0) return
       if (utilisation%used(utilisation%governing)%value > 1.0_wp + as_much) point%limit = utilisation%governing
    end subroutine judge_strengths
