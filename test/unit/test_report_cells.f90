@@ -7,7 +7,8 @@ module dg_test_report_cells
    use dg_load_case, only: moves_axially, operation_backream, operation_rotary_drilling, operation_sliding_drilling, &
       operation_static, operation_trip_out, rotates
    use dg_missing, only: given, is_shown, missing, optional_real
-   use dg_number_text, only: count_cell, csv_text, fixed_cell, left_aligned, append_csv_number, right_aligned, scientific_cell
+   use dg_number_text, only: append_wrapped, count_cell, csv_text, fixed_cell, left_aligned, append_csv_number, right_aligned, &
+                             scientific_cell
    use dg_ten_digits, only: longest_number
    use dg_text, only: text_type
    use dg_text_table, only: add_cell, add_instead, append_table, close_rows, end_row, text_table_type
@@ -30,6 +31,7 @@ contains
       call suite%addTest(TestMethod('no_numbers', test_no_numbers))
       call suite%addTest(TestMethod('csv_text', test_csv_text))
       call suite%addTest(TestMethod('long_texts', test_long_texts))
+      call suite%addTest(TestMethod('wrapped', test_wrapped))
       call suite%addTest(TestMethod('percent_error', test_percent_error))
       call suite%addTest(TestMethod('which_column_applies', test_which_column_applies))
    end function report_cells_suite
@@ -162,6 +164,21 @@ contains
       call cpu_time(finish)
       call assertTrue(finish - start < bound)
    end subroutine test_long_texts
+
+   !> Lines break at blanks, but not between a number and its unit.
+   subroutine test_wrapped()
+      type(text_type), allocatable :: lines(:)
+      allocate (lines(0))
+      call append_wrapped(lines, 'a load of 701.3 kN, 40.1 % used, and a word that is longer', 16)
+      call assertEqual(5, size(lines))
+      if (size(lines) /= 5) return
+      call assertEqual('a load of|  701.3 kN,|  40.1 % used,|  and a word|  that is longer', lines(1)%text//'|'//lines(2)%text// &
+                       '|'//lines(3)%text//'|'//lines(4)%text//'|'//lines(5)%text)
+      deallocate (lines)
+      allocate (lines(0))
+      call append_wrapped(lines, '0123456789012345678', 16)
+      call assertEqual('0123456789012345', lines(1)%text, message='no blank')
+   end subroutine test_wrapped
 
    !> First row of the paper's Table 1: 733.4 against 745.0 kN is 1.56 %.
    subroutine test_percent_error()

@@ -156,7 +156,7 @@ contains
    end function csv_text
 
    !> Appends a text in lines of at most `width`, broken at blanks where there are any, later lines
-   !> indented by two. No line for an empty text.
+   !> indented by two. A number stays with its unit. No line for an empty text.
    pure subroutine append_wrapped(lines, text, width)
       type(text_type), allocatable, intent(inout) :: lines(:)
       character(*), intent(in) :: text
@@ -170,10 +170,18 @@ contains
       rest = text
       do while (len_trim(rest) > most)
          cut = index(rest(:most + 1), ' ', back=.true.)
+         if (ends_in_number(rest(:cut - 1))) cut = index(rest(:cut - 1), ' ', back=.true.)
          if (cut <= len(indent) + 1) cut = most + 1
          call append_text(lines, trim(rest(:cut - 1)))
          rest = indent//trim(adjustl(rest(cut:)))
       end do
       call append_text(lines, trim(rest))
+   contains
+      pure function ends_in_number(words) result(does)
+         character(*), intent(in) :: words
+         logical :: does
+         does = .false.
+         if (words /= '') does = scan(words(len(words):), '0123456789') > 0
+      end function ends_in_number
    end subroutine append_wrapped
 end module dg_number_text
