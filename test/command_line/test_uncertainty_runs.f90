@@ -57,6 +57,7 @@ contains
                                "samples = "//to_text(samples)))
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, 'Uncertainty m: 4000 samples, seed 5') > 0, message=run%output)
+      call assertTrue(index(run%output, 'P10 and P90 are uncertain by 4.1 % of their distance from P50') > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/uncertainty_m.csv'))
       if (anyExceptions()) return
       call assertEqual(3, size(lines))
