@@ -11,7 +11,7 @@ module dg_test_calibration_runs
    private
    public :: calibration_runs_suite
 
-   character(*), parameter :: newline = achar(10)
+   character(*), parameter :: newline = achar(10), few_depths = 'measured at too few depths'
    !> Straight hole of 1000 m at 60 deg, pipe of 20 kg/m without mud: weight along the hole and across it [kN].
    real(wp), parameter :: along = 20.0_wp*9.80665_wp*0.5_wp, across = 20.0_wp*9.80665_wp*0.8660254037844386_wp
    !> Fits end at steps of 1e-7.
@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('measured_on_one_side', test_one_side))
       call suite%addTest(TestMethod('without_scatter', test_without_scatter))
       call suite%addTest(TestMethod('predicted', test_predicted))
+      call suite%addTest(TestMethod('six_depths', test_six_depths))
       call suite%addTest(TestMethod('coverage', test_coverage))
       call suite%addTest(TestMethod('all_models_and_torque', test_models))
       call suite%addTest(TestMethod('hook_loads_against_torques', test_apart))
@@ -215,6 +216,7 @@ contains
       call assertEqual(0, run%status, message=run%diagnostics)
       call assertTrue(index(run%output, '1 measured values predicted: mean error') > 0, message=run%output)
       call assertTrue(index(run%output, '1 of 1 within their 95 % interval') > 0, message=run%output)
+      call assertTrue(index(run%output, few_depths) > 0, message=run%output)
       allocate (lines, source=lines_of(results_path//'/calibration_prediction.csv'))
       if (anyExceptions()) return
       call assertEqual(2, size(lines))
@@ -237,6 +239,26 @@ contains
          call assertTrue(index(run%diagnostics, expected) > 0, message=run%diagnostics)
       end subroutine refuse_prediction
    end subroutine test_predicted
+
+   !> Hook loads at six depths show whether errors grow with depth: no warning.
+   subroutine test_six_depths()
+      type(run_type) :: run
+      character(:), allocatable :: deck
+      real(wp) :: depth
+      integer :: i
+      deck = straight_deck(70.0_wp, 150.0_wp, 60.0_wp, '')
+      deck = deck(:index(deck, '&load_case') - 1)
+      do i = 1, 7
+         depth = 0.3_wp + 0.1_wp*i
+         deck = deck//"&load_case name = '"//to_text(i)//"', operation = 'up', bit_depth = "//to_text(1000.0_wp*depth)
+         if (i < 7) deck = deck//', measured_hookload = '//to_text(depth*(along + 0.2_wp*across) + 2.0_wp*modulo(i, 2))
+         deck = deck//' /'//newline
+      end do
+      run = run_deck_text(deck//"&calibrate parameter = 'friction_axial', separate = 'none', predict = '7' /"//newline)
+      call assertEqual(0, run%status, message=run%diagnostics)
+      call assertTrue(index(run%output, 'Predicted load case') > 0, message=run%output)
+      call assertEqual(0, index(run%output, few_depths), message=run%output)
+   end subroutine test_six_depths
 
    !> Friction 0.2 and 0.3, hook loads of tripping out and in at 500 and 1000 m with a noise of 3 kN, 100 times: the intervals
    !> of 95 % hold what is true in 95 % of them, within four standard errors (0.087), from the residuals (two degrees of freedom)

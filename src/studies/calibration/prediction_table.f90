@@ -2,7 +2,7 @@
 !> of a single measurement. Measured values are beside them if known. Every line fits 120 columns.
 module dg_prediction_table
    use dg_kinds, only: wp
-   use dg_calibration, only: ahead_of, calibration_type, hookload_datum
+   use dg_calibration, only: ahead_of, calibration_type, hookload_datum, torque_datum
    use dg_calibration_result, only: calibration_result_type
    use dg_column, only: add, quantity_force, quantity_length, quantity_moment, quantity_percent, quantity_text, row_type
    use dg_csv_table, only: add_row, begin_table, csv_table_type
@@ -11,7 +11,7 @@ module dg_prediction_table
    use dg_load_case, only: load_case_type, operation_count, operation_label, operation_name
    use dg_missing, only: is_missing, known, missing, optional_real
    use dg_model, only: model_type
-   use dg_number_text, only: fixed_text
+   use dg_number_text, only: append_wrapped, fixed_text
    use dg_text, only: append_text, text_type, to_text
    use dg_text_table, only: add_cell, add_right, append_table, end_row, text_table_type
    use dg_unit_kind, only: unit_label, unit_moment
@@ -61,7 +61,22 @@ contains
       end do
       call append_table(lines, table)
       call append_verdict(lines, units, model, ahead, result)
+      call warn_of_drift(lines, ahead, result)
    end subroutine append_predictions
+
+   !> Warn of data that are too few to show errors that grow with depth: the intervals of predictions leave these out.
+   subroutine warn_of_drift(lines, ahead, result)
+      type(text_type), allocatable, intent(inout) :: lines(:)
+      type(calibration_type), intent(in) :: ahead
+      type(calibration_result_type), intent(in) :: result
+      character(*), parameter :: what(hookload_datum:torque_datum) = [character(10) :: 'hook loads', 'torques']
+      integer :: kind
+      do kind = hookload_datum, torque_datum
+         if (.not. any(ahead%data%kind == kind) .or. result%drifts(kind)%visible) cycle
+         call append_wrapped(lines, 'Warning: '//trim(what(kind))//' are measured at too few depths to see errors that grow '// &
+                             'with depth. The intervals assume that there are none')
+      end do
+   end subroutine warn_of_drift
 
    !> Both ends of an interval; '-' where it is not known.
    pure function interval_text(value, half, unit, decimals, least) result(text)

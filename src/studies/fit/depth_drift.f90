@@ -20,6 +20,7 @@ module dg_depth_drift
    type :: drift_type
       real(wp) :: rate = 0.0_wp       !< standard deviation of the rates [N/m or N.m/m]; 0: none is found
       real(wp) :: centre = missing    !< mean depth of the data [m]
+      logical :: visible = .false.    !< the data are enough to find one
    end type drift_type
 
 contains
@@ -59,6 +60,7 @@ contains
       spare = spare_of(both, inverse, kind)
       if (spare < 1.0_wp) return
       scatter = sum(left**2, mask=kind)/spare
+      drift%visible = .true.
       chance = (1.0_wp - 2.0_wp/(9.0_wp*real(rates, wp)))**3
       excess = 0.0_wp
       do k = first + 1, first + rates
