@@ -16,7 +16,7 @@ module dg_read_deck
 contains
 
    !> Reads the deck `path` ('-': standard input). `model` and `job` are whole only where `faults%count` is 0. The notes of
-   !> the job tell what is legal but hardly meant.
+   !> the job tell what is legal but unusual.
    subroutine read_deck(path, model, job, faults, studies)
       character(*), intent(in) :: path
       type(model_type), intent(out) :: model

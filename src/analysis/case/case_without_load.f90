@@ -52,7 +52,7 @@ contains
       bare = model
       bare%cases(case_index)%wob = 0.0_wp
       bare%cases(case_index)%tob = 0.0_wp       ! the bit is off bottom
-      call solve_again(bare, case_index, stop, result, found)
+      call solve_again(bare, case_index, stop, result%seconds, result%iterations, found)
       result%without_load = without_load_type(found%status, found%hookload)
       if (found%status /= result_converged) return
       scale = matching_friction(model, case_index, 0.0_wp, found%hookload)

@@ -154,7 +154,7 @@ contains
       other%cases(case_index)%wob = start
       other%hookload = hookload
       other%numerics%max_iterations = min(model%numerics%max_iterations, iterations)
-      call solve_again(other, case_index, stop, result, solved)
+      call solve_again(other, case_index, stop, result%seconds, result%iterations, solved)
       found = solved%status == result_converged
       load = merge(solved%weight_on_bit, solved%lock_up_load, found)
    end subroutine try_load

@@ -9,7 +9,7 @@ module dg_reach_by_beams
    use dg_load_case, only: rotates
    use dg_missing, only: optional_real
    use dg_model, only: model_type
-   use dg_solve_again, only: comes_short, solve_limit
+   use dg_solve_again, only: comes_short, solve_again
    use dg_stopping, only: stop_type
    use dg_weight_on_bit, only: find_reach, friction_by_beams, matching_friction
    implicit none
@@ -45,7 +45,7 @@ contains
          do i = 1, solutions
             if (.not. estimate%value > 0.0_wp) return
             there%cases(case_index)%bit_depth = estimate%value
-            call solve_limit(there, case_index, stop, result, found)
+            call solve_again(there, case_index, stop, result%seconds, result%weight_limits%iterations, found)
             if (found%status /= result_converged) return
             scale = matching_friction(there, case_index, load_case%wob, found%hookload)
             if (.not. scale > 0.0_wp) return

@@ -1,5 +1,6 @@
 !> Solve a load case once more with other loads, to learn more about the first solution.
 module dg_solve_again
+   use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, is_pushed, result_converged, result_locked_up, result_not_converged
    use dg_error, only: error_type
    use dg_load_case, only: block_way
@@ -8,7 +9,7 @@ module dg_solve_again
    use dg_stopping, only: stop_type
    implicit none
    private
-   public :: comes_short, solve_again, solve_limit
+   public :: comes_short, solve_again
 
 contains
 
@@ -23,38 +24,18 @@ contains
       short = short .and. block_way(model%cases(case_index)%operation) < 0
    end function comes_short
 
-   !> Solve a case by beams, without a profile. Its iterations and seconds are added to `result`.
-   subroutine solve_again(other, case_index, stop, result, found)
+   !> Solve a case by beams, without a profile. A refused case counts as not converged.
+   subroutine solve_again(other, case_index, stop, seconds, iterations, found)
       type(model_type), intent(in) :: other               !< the model with other loads
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
-      type(case_result_type), intent(inout) :: result     !< first solution, whose iterations and seconds grow
-      type(case_result_type), intent(out) :: found
-      call solve_totals(other, case_index, stop, result, found)
-      result%iterations = result%iterations + found%iterations
-   end subroutine solve_again
-
-   !> The same for a limit of a case. Iterations count as those of the limits.
-   subroutine solve_limit(other, case_index, stop, result, found)
-      type(model_type), intent(in) :: other
-      integer, intent(in) :: case_index
-      type(stop_type), intent(in) :: stop
-      type(case_result_type), intent(inout) :: result
-      type(case_result_type), intent(out) :: found
-      call solve_totals(other, case_index, stop, result, found)
-      result%weight_limits%iterations = result%weight_limits%iterations + found%iterations
-   end subroutine solve_limit
-
-   !> Solve a case and add its seconds to `result`. A refused case counts as not converged.
-   subroutine solve_totals(other, case_index, stop, result, found)
-      type(model_type), intent(in) :: other
-      integer, intent(in) :: case_index
-      type(stop_type), intent(in) :: stop
-      type(case_result_type), intent(inout) :: result
+      real(wp), intent(inout) :: seconds                  !< of the first solution, to which those of this one are added
+      integer, intent(inout) :: iterations                !< the same
       type(case_result_type), intent(out) :: found
       type(error_type), allocatable :: error
       call solve_static_analysis(other, case_index, found, error, totals_only=.true., stop=stop)
-      result%seconds = result%seconds + found%seconds
+      seconds = seconds + found%seconds
+      iterations = iterations + found%iterations
       if (allocated(error)) found%status = result_not_converged
-   end subroutine solve_totals
+   end subroutine solve_again
 end module dg_solve_again

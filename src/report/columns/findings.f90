@@ -1,4 +1,4 @@
-!> What a run has found of its load cases: a result for each case and model, with what follows from it. Reports are made from it.
+!> What a run has found: results of all load cases, with stresses, limits and answers. Tables, files, pictures and page show it.
 module dg_findings
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type
@@ -37,7 +37,7 @@ contains
       rows = pack([(i, i=1, size(found%results))], found%results%model == model)
    end function rows_of
 
-   !> Results that have a mark in tables and pictures: the operation cannot be done, or there is no solution.
+   !> True for results that tables and pictures mark: the answer is NO, or it is not known.
    pure function are_marked(found) result(marked)
       type(findings_type), intent(in) :: found
       logical :: marked(size(found%results))

@@ -74,7 +74,7 @@ contains
       do kind = hookload_datum, torque_datum
          if (.not. any(ahead%data%kind == kind) .or. result%drifts(kind)%visible) cycle
          call append_wrapped(lines, 'Warning: '//trim(what(kind))//' are measured at too few depths to see errors that grow '// &
-                             'with depth. The intervals assume that there are none')
+                             'with depth. The intervals leave such errors out')
       end do
    end subroutine warn_of_drift
 

@@ -20,7 +20,7 @@ module dg_deck_sweep
 
 contains
 
-   !> All sweeps of a deck, in its order, and the faults of each. `notes` gets what is legal but hardly meant.
+   !> All sweeps of a deck, in its order, and the faults of each. `notes` gets what is legal but unusual.
    subroutine read_sweep_groups(draft, groups, models, sweeps, notes, faults)
       type(draft_type), intent(in) :: draft
       type(checked_group_type), intent(in) :: groups(:)
