@@ -11,7 +11,7 @@ over, and at last left to end by itself. After each ending:
   whatever signal   every file under its final name is whole: profiles, sweeps and pictures are those of the undisturbed run,
                     summary.csv has a row for every case, each solved as undisturbed or marked
 at the end          every file is that of the undisturbed run but for times, nothing else is left
-Other lives:        the output folder is removed during the run, and a real disk runs full in it (where mounting is allowed):
+Other lives:        the output folder is removed or emptied during the run, and a real disk runs full in it (where mounting is allowed):
                     exit status 1 with a message, no traceback, nothing half done under a final name
 Read only:          a folder that cannot be written to, empty or with results: exit status 1, the reason, results unchanged
 Full disk, pictures: a picture under its final name is whole, and the message names the disk and the page
@@ -258,12 +258,24 @@ def other_names(program, deck, _, seconds, rng):
 
 
 def folder_removed(program, deck, whole, seconds, rng):
+    return after_removal(program, deck, whole, rng.uniform(0.1, 0.8) * seconds, lambda out: shutil.rmtree(out, ignore_errors=True))
+
+
+def folder_emptied(program, deck, whole, seconds, rng):
+    """As removal that meets a new file: the folder stays."""
+    def empty(out):
+        for path in filter(pathlib.Path.is_file, out.rglob("*")):
+            path.unlink(missing_ok=True)
+    return after_removal(program, deck, whole, rng.uniform(0.1, 0.8) * seconds, empty)
+
+
+def after_removal(program, deck, whole, seconds, remove):
     place = Place(program, deck)
     process = place.start()
-    time.sleep(rng.uniform(0.1, 0.8) * seconds)
+    time.sleep(seconds)
+    remove(place.out)
     if process.poll() is not None:
         return place, []                                # it was faster
-    shutil.rmtree(place.out, ignore_errors=True)
     status = process.wait(TIME_LIMIT)
     faults = []
     if status not in (0, 1) or (status == 1 and not place.told()):
@@ -358,8 +370,8 @@ def disk_full(program, deck, whole, rng):
     return place, [*story, *faults] if faults else []
 
 
-OTHER_LIVES = {"folder removed": folder_removed, "two runs": two_runs, "other names": other_names, "gnuplot left": gnuplot_left,
-               "read only": read_only, "pictures on a full disk": pictures_on_full_disk}
+OTHER_LIVES = {"folder removed": folder_removed, "folder emptied": folder_emptied, "two runs": two_runs,
+               "other names": other_names, "gnuplot left": gnuplot_left, "read only": read_only, "pictures on a full disk": pictures_on_full_disk}
 
 
 def main():
@@ -383,7 +395,7 @@ def main():
     passed = failed = skipped = 0
     lives = [("signals", seed) for seed in range(options.count)]
     lives += [(kind, 0) for kind in ("gnuplot left", "read only", "pictures on a full disk")]
-    lives += [(kind, seed) for kind in ("folder removed", "disk full", "two runs", "other names")
+    lives += [(kind, seed) for kind in ("folder removed", "folder emptied", "disk full", "two runs", "other names")
               for seed in range(max(1, options.count // 4))]
     for kind, seed in lives:
         rng = random.Random(f"{options.seed} {kind} {seed}")

@@ -189,7 +189,8 @@ contains
       if (status /= 0) call raise(error, status_failure, 'cannot write '//folder//'/'//list_name//' (is the disk full?)')
    end subroutine note_file
 
-   !> End the results of a run: the list has the existing files.
+   !> End the results of a run: the list has the existing files. Failure if the list itself is gone: whoever removed it may
+   !> have removed results, too.
    subroutine end_files(job, error)
       type(job_type), intent(in) :: job
       type(error_type), allocatable, intent(out) :: error
@@ -197,6 +198,12 @@ contains
       type(identity_type) :: file
       integer :: i, n
       if (job%parts > 0) return
+      file = identity_of_link(job%output_dir//'/'//list_name)
+      if (.not. file%is_regular) then
+         call raise(error, status_failure, job%output_dir//'/'//list_name//' was removed during the run, and results may be '// &
+                    'missing; run again')
+         return
+      end if
       allocate (names(0))   ! as above
       call read_list(job, names)
       allocate (there(size(names)))
