@@ -26,6 +26,7 @@ contains
       use dg_test_report_cells, only: report_cells_suite
       use dg_test_report_files, only: report_files_suite
       use dg_test_report_table, only: report_table_suite
+      use dg_test_round_wall, only: round_wall_suite
       use dg_test_run_outcome, only: run_outcome_suite
       use dg_test_survey_file, only: survey_file_suite
       use dg_test_survey_heading, only: survey_heading_suite
@@ -102,6 +103,7 @@ contains
       call suite%addTest(report_cells_suite())
       call suite%addTest(report_files_suite())
       call suite%addTest(report_table_suite())
+      call suite%addTest(round_wall_suite())
       call suite%addTest(run_outcome_suite())
       call suite%addTest(zero_crossing_suite())
       call suite%addTest(survey_file_suite())

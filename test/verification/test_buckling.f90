@@ -321,7 +321,7 @@ contains
             model%cases(1)%wob = 300.0e3_wp
             call solve_case(model, model_mcge, 1, result, error)
             model%cases(1)%wob = 0.998_wp*result%lock_up_load
-            model%numerics%max_iterations = 30
+            model%numerics%max_iterations = 60
             model%numerics%tuning%longest_quiet = 1000     ! held coils find an equilibrium in as many iterations
             call solve_case(model, model_mcge, 1, other, error)
             call assertEqual(result_locked_up, other%status, message=other%message)

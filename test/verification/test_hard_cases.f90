@@ -2,6 +2,7 @@
 module dg_test_hard_cases
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertRelativelyEqual, assertTrue, &
                     TestMethod, TestSuite
+   use dg_constants, only: degree
    use dg_case_result, only: case_result_type, judged_start, result_converged, result_locked_up, &
                             result_not_converged
    use dg_error, only: error_type
@@ -12,7 +13,7 @@ module dg_test_hard_cases
    use dg_soft_string, only: solve_soft_string
    use dg_static_analysis, only: solve_static_analysis
    use dg_stiff_drag, only: find_stiff_drag
-   use dg_test_wells, only: hold_ends, new_well, note, pipe, solve, string_weight
+   use dg_test_wells, only: hold_ends, new_well, note, part, pipe, solve, string_weight
    implicit none
    private
    public :: hard_cases_suite
@@ -33,6 +34,7 @@ contains
       call suite%addTest(TestMethod('drifting_coils', test_drifting_coils))
       call suite%addTest(TestMethod('more_than_pipe_bears', test_more_than_pipe_bears))
       call suite%addTest(TestMethod('noisy_survey', test_noisy_survey))
+      call suite%addTest(TestMethod('sliding_motor', test_sliding_motor))
    end function hard_cases_suite
 
    !> Walls of 1e9 to 1e17 N/m2, ten million times as stiff as solid steel. A place of some hundred metres is known to 1e-13 m, and
@@ -301,4 +303,32 @@ contains
       call solve_static_analysis(model, 1, finer, error)
       call assertRelativelyEqual(result%hookload, finer%hookload, refined, message='elements a third as long')
    end subroutine test_noisy_survey
+
+   !> A motor that slides in a wide hole, its bit free. Its bend crosses the hole axis, so that short stiff elements are next to
+   !> it. Turns about the axis bent them with meganewtons in each step: 462 and 318 iterations, and no equilibrium in a well with
+   !> more friction.
+   subroutine test_sliding_motor()
+      real(wp), parameter :: wob(2) = [100.0e3_wp, 160.0e3_wp]
+      integer, parameter :: most = 40           ! 9 and 19 are seen
+      type(model_type) :: model
+      type(case_result_type) :: result
+      integer :: i
+      do i = 1, size(wob)
+         call new_well(model, [0.0_wp, 900.0_wp, 1290.0_wp, 1923.0_wp], [0.0_wp, 0.0_wp, 66.8_wp, 66.8_wp], &
+                       spread(90.0_wp, 1, 4), 0.3423_wp, 0.3_wp, &
+                       part('drillpipe', 0.0_wp, 0.1492_wp, 0.1308_wp, 37.5_wp, 0.1778_wp))
+         model%strings(1)%components = [part('bit', 0.3_wp, 0.2096_wp, 0.0714_wp, 239.43_wp, 0.3112_wp), &
+                                        part('motor', 6.0_wp, 0.2096_wp, 0.0714_wp, 191.54_wp, 0.0_wp), &
+                                        part('stabilizer', 1.5_wp, 0.2096_wp, 0.0714_wp, 239.43_wp, 0.3048_wp), &
+                                        part('mwd', 10.0_wp, 0.2096_wp, 0.0714_wp, 191.54_wp, 0.0_wp), &
+                                        part('stabilizer', 1.5_wp, 0.2096_wp, 0.0714_wp, 239.43_wp, 0.3048_wp), &
+                                        part('drillpipe', 140.0_wp, 0.1492_wp, 0.1016_wp, 85.0_wp, 0.1778_wp), &
+                                        model%strings(1)%components(1)]
+         model%strings(1)%components(2)%bend = 2.61_wp*degree
+         model%strings(1)%components(2)%bend_position = 0.96_wp
+         model%boundary%top_centred = .true.
+         call solve(model, operation_sliding_drilling, wob(i), 4.95e3_wp, result, 'sliding motor')
+         call assertLessThan(result%iterations, most, message='iterations')
+      end do
+   end subroutine test_sliding_motor
 end module dg_test_hard_cases

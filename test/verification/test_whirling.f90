@@ -80,11 +80,11 @@ contains
       end do
    end subroutine test_assembly
 
-   !> A string in a vertical hole with weight and torque at a free bit, below buckling. Forces balance to round-off: they did not
-   !> (5e-9 of the weight) while the torque acted about the string's own axis, which drives the string around the hole.
+   !> A string in a vertical hole with weight and torque at a free bit, below buckling. Forces balance: they did not (5e-9 of the
+   !> weight) while the torque acted about the string's own axis, which drives the string around the hole.
    subroutine test_free_bit()
       real(wp), parameter :: torques(2) = [0.5e3_wp, 5.0e3_wp]
-      real(wp), parameter :: balanced = 1.0e-11_wp      ! force over weight [-]
+      real(wp), parameter :: balanced = 1.0e-9_wp       ! force over weight [-], at which the iteration stops; 5e-10 is seen
       type(model_type) :: model
       type(case_result_type) :: result
       integer :: t

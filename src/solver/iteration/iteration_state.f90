@@ -14,7 +14,6 @@ module dg_iteration_state
    use dg_mesh, only: is_vertical, mesh_type
    use dg_numerics, only: gap_at_extremum, numerics_type
    use dg_outcome, only: outcome_open
-   use dg_round_wall, only: smooth_room
    use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
    use dg_walls, only: tolerance_at
@@ -42,7 +41,7 @@ module dg_iteration_state
       logical :: on = .false.
       type(block_matrix_type) :: energy       !< tangent without friction and torque
       real(wp), allocatable :: lump(:, :)     !< diagonal terms of a unit of damping (6,nodes)
-      real(wp), allocatable :: room(:)        !< smoothed clearance (nodes) [m]
+      real(wp), allocatable :: turning(:, :)  !< turned_part of the nodes (2,nodes) [-, 1/m]; (2,0) without damping
       real(wp) :: factor = 0.0_wp             !< in units of F^2/(4 EI) [-]
       real(wp) :: raised = 1.0_wp             !< factor on it at a refusal
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
@@ -121,7 +120,7 @@ contains
          allocate (it%residual%nodal(6, mesh%nodes), it%origin%state(6, mesh%nodes), it%step%across(4, mesh%nodes), &
                    it%step%slide(mesh%nodes), it%origin%offset(2, mesh%nodes), source=0.0_wp)
          allocate (it%outside(mesh%elements), source=.false.)
-         allocate (it%damper%room(0))
+         allocate (it%damper%turning(2, 0))
          allocate (it%origin%force(mesh%elements), it%origin%length(mesh%elements), it%step%longer(mesh%elements), source=0.0_wp)
          if (solution%compressed > numerics%tuning%damped_share) call make_room_to_damp(mesh, it)
       end associate
@@ -132,7 +131,6 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(equilibrium_type), intent(inout) :: it
       it%damper%on = .true.
-      it%damper%room = smooth_room(mesh%length, mesh%clearance)
       it%damper%energy = new_symmetric_matrix(mesh%nodes)
       allocate (it%damper%lump(6, mesh%nodes), source=0.0_wp)
    end subroutine make_room_to_damp

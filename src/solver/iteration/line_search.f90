@@ -11,6 +11,7 @@ module dg_line_search
    use dg_held_coils, only: hold_sideways
    use dg_iteration_state, only: energy_slope, equilibrium_type, go_back, judge_gaps, stiffen_walls
    use dg_node_moves, only: move_across, slide_along, slide_on
+   use dg_round_wall, only: turned_part
    use dg_solution, only: solution_type
    use dg_trajectory, only: trajectory_type
    use dg_workspace, only: dof_twist, place_node, place_nodes
@@ -35,6 +36,7 @@ contains
       solution%equations%iterations = solution%equations%iterations + 1
       call find_lengths(solution, it%origin%length, it%step%longer)
       if (it%damper%on) then
+         it%damper%turning = turned_part(it%origin%offset, solution%mesh%clearance, solution%mesh%length)
          it%damper%slope = slope_at_start(it, solution%equations, solution%work%normal)
          associate (tuning => it%numerics%tuning)
             do search = 0, tuning%most_searches
@@ -123,7 +125,7 @@ contains
       real(wp) :: slide, chord(3), tangent(3), curvature(3)
       integer :: n, e
       associate (equations => solution%equations, mesh => solution%mesh, work => solution%work, state => solution%state)
-         call move_across(it%damper%on, it%damper%room, it%origin%offset, it%step%share, it%step%across, state)
+         call move_across(it%damper%turning, it%origin%offset, it%step%share, it%step%across, state)
          slide = 0.0_wp
          do n = 1, mesh%nodes
             state(dof_twist, n) = state(dof_twist, n) + equations%step(dof_twist, n)

@@ -52,10 +52,9 @@ contains
       across(3:4) = step(dof_slope_1:dof_slope_2) - slide*k
    end subroutine split
 
-   !> Move the nodes across the hole. If `turning`, they turn around it (dg_round_wall).
-   pure subroutine move_across(turning, room, offset, share, across, state)
-      logical, intent(in) :: turning
-      real(wp), intent(in) :: room(:)                    !< smooth_room of each node [m]; only read if `turning`
+   !> Move the nodes across the hole, in part as turns about its axis (dg_round_wall).
+   pure subroutine move_across(turning, offset, share, across, state)
+      real(wp), intent(in) :: turning(:, :)              !< turned_part of the nodes (2,nodes) [-, 1/m]; (2,0): straight moves
       real(wp), contiguous, intent(in) :: offset(:, :)   !< offset of the nodes at `state` (2,nodes) [m]
       real(wp), intent(in) :: share                      !< share of `across` that is taken [-]
       real(wp), contiguous, intent(in) :: across(:, :)   !< lateral (2) and slopes (2) by the whole step (4,nodes) [m, -]
@@ -64,8 +63,8 @@ contains
       integer :: n
       do n = 1, size(state, 2)
          moved = share*across(1:2, n)
-         if (turning) then
-            call round_move(room(n), offset(:, n), share*across(1:2, n), share*across(3:4, n), moved, &
+         if (size(turning) > 0) then
+            call round_move(turning(:, n), offset(:, n), share*across(1:2, n), share*across(3:4, n), moved, &
                             state(dof_slope_1:dof_slope_2, n))
          else
             state(dof_slope_1:dof_slope_2, n) = state(dof_slope_1:dof_slope_2, n) + share*across(3:4, n)
