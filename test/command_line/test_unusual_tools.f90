@@ -63,6 +63,8 @@ contains
       character(*), parameter :: expected = 'Are these angles in radians? They are read as degrees'
       call mistake('toolface = 45', 'toolface = 0.785', '0.785 as toolface or clock angle, and none above 6.3 deg. '//expected)
       call mistake('toolface = 45', 'toolface = 3.14', expected)
+      call mistake('hole_enlargement = 2', 'hole_enlargement = 2, toolfaces = 0, 1.57, 3.14', expected)
+      call usual('hole_enlargement = 2', 'hole_enlargement = 2, toolfaces = 0, 90')
       call usual('toolface = 45', 'toolface = 5')
       call usual('toolface = 45', 'toolface = 0')
       call usual('blade_offset = 3', 'blade_offset = 3, blade_clock = 1.25')      ! beside a toolface of 45

@@ -12,7 +12,7 @@ module dg_unusual_tool
    use dg_usual_range, only: note_range, usual_blade_offset, usual_pad
    implicit none
    private
-   public :: note_tool_shapes
+   public :: note_tool_shapes, note_radians
 
    !> Greatest height of a bend above the lower end of its motor [m], and over its length [-]. Motors bend 1 to 3 m above.
    real(wp), parameter :: highest_bend = 4.0_wp, lower_half = 0.5_wp
@@ -51,21 +51,27 @@ contains
       end do
    end subroutine note_tool_shapes
 
-   !> Tool faces and clock angles that are all below a full turn in radians, one of them with two decimals or more.
+   !> Tool faces and clock angles of cases and components.
    subroutine note_angles(draft, notes)
       type(draft_type), intent(in) :: draft
       type(text_type), allocatable, intent(inout) :: notes(:)
       real(wp), allocatable :: angles(:)
-      integer :: i
       allocate (angles(0))
       if (size(draft%cases) > 0) angles = draft%cases%load_case%toolface
-      angles = [angles, pack(draft%components%component%pad_clock, has_pad(draft%components%component)), &
-                pack(draft%components%component%blade_clock, is_eccentric(draft%components%component))]
+      call note_radians([angles, pack(draft%components%component%pad_clock, has_pad(draft%components%component)), &
+                         pack(draft%components%component%blade_clock, is_eccentric(draft%components%component))], notes)
+   end subroutine note_angles
+
+   !> Note tool faces or clock angles that are all below a full turn in radians, one of them with two decimals or more.
+   subroutine note_radians(angles, notes)
+      real(wp), intent(in) :: angles(:)    !< [rad]
+      type(text_type), allocatable, intent(inout) :: notes(:)
+      integer :: i
       i = findloc(abs(angles - one_decimal*anint(angles/one_decimal)) > round_off, .true., dim=1)
       if (i == 0 .or. any(abs(angles) > 2.0_wp*pi*degree)) return
       call append_text(notes, 'The deck has '//to_text(angles(i)/degree, digits)//' as toolface or clock angle, and none above '// &
                        '6.3 deg. Are these angles in radians? They are read as degrees')
-   end subroutine note_angles
+   end subroutine note_radians
 
    !> The first case with a speed that does not rotate, beside one that does. Decks of programs have all keys in each case.
    subroutine note_speeds(draft, notes)

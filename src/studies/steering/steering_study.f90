@@ -20,6 +20,7 @@ module dg_steering_study
    use dg_text, only: either, quoted, text_list, text_type, to_text
    use dg_threads, only: thread_count
    use dg_csv_table, only: add_row, csv_table_type, write_table
+   use dg_unusual_tool, only: note_radians
    use dg_usual_range, only: note_range, usual_enlargement, usual_side_cutting
    implicit none
    private
@@ -47,6 +48,7 @@ contains
       call read_steering_group(deck%draft, deck%groups, self%steering, faults)
       self%asked = allocated(self%steering)
       if (self%asked) then
+         call note_radians(self%steering%toolfaces, job%notes)
          if (self%steering%hole_enlargement > 0.0_wp) call note_range(deck%draft%units, 'group &steering', usual_enlargement, &
                                                                       self%steering%hole_enlargement, job%notes)
          if (self%steering%side_cutting%present) call note_range(deck%draft%units, 'group &steering', usual_side_cutting, &
