@@ -28,7 +28,8 @@ module dg_confirm_lock_up
    !> possible load.
    real(wp), parameter :: less(3) = [0.01_wp, 0.05_wp, 0.2_wp]
    integer, parameter :: nearly = 1
-   !> Most iterations under a load at the bit, and under a hook load. Of 38 strings that beams confirm under a load, one needs 126.
+   !> Most iterations under a load at the bit, and under a hook load. Of 32 strings that beams confirm under a load, two need 104
+   !> and 126.
    integer, parameter :: quick = 130, under_hookload = 150
    !> A case without equilibrium may lock up if its load is above that of the soft string less this part of it [-].
    real(wp), parameter :: near_lock_up = 0.5_wp
