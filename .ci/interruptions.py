@@ -274,15 +274,14 @@ def after_removal(program, deck, whole, seconds, remove):
     process = place.start()
     time.sleep(seconds)
     remove(place.out)
-    if process.poll() is not None:
-        return place, []                                # it was faster
+    faster = process.poll() is not None
     status = process.wait(TIME_LIMIT)
     faults = []
     if status not in (0, 1) or (status == 1 and not place.told()):
         faults.append(f"exit status {status}: {place.told()[:300]}")
     if "Backtrace" in place.told() or "rror termination" in place.told():
         faults.append(place.told()[:300])
-    if status == 0 and set(whole) - set(place.files()):
+    if status == 0 and not faster and set(whole) - set(place.files()):
         faults.append(f"exit status 0 with {len(set(whole) - set(place.files()))} files missing")
     return place, faults + [fault for fault in faults_of_files(place, whole, False) if "is not that" in fault]
 

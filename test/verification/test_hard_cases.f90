@@ -309,7 +309,7 @@ contains
    !> more friction.
    subroutine test_sliding_motor()
       real(wp), parameter :: wob(2) = [100.0e3_wp, 160.0e3_wp]
-      integer, parameter :: most = 40           ! 9 and 19 are seen
+      integer, parameter :: most = 40           ! 10 and 18 are seen
       type(model_type) :: model
       type(case_result_type) :: result
       integer :: i

@@ -1,4 +1,5 @@
-!> What a run has found: results of all load cases, with stresses, limits and answers. Tables, files, pictures and page show it.
+!> All results of a run: its load cases with their stresses, limits and verdicts. Tables, files, pictures and the page are
+!> made from them.
 module dg_findings
    use dg_along_string, only: along_string_type
    use dg_case_result, only: case_result_type

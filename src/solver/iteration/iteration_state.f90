@@ -41,7 +41,7 @@ module dg_iteration_state
       logical :: on = .false.
       type(block_matrix_type) :: energy       !< tangent without friction and torque
       real(wp), allocatable :: lump(:, :)     !< diagonal terms of a unit of damping (6,nodes)
-      real(wp), allocatable :: turning(:, :)  !< turned_part of the nodes (2,nodes) [-, 1/m]; (2,0) without damping
+      real(wp), allocatable :: turning(:, :)  !< turned_part of the nodes (2,nodes) [-, 1/m]; 0 without damping
       real(wp) :: factor = 0.0_wp             !< in units of F^2/(4 EI) [-]
       real(wp) :: raised = 1.0_wp             !< factor on it at a refusal
       real(wp) :: slope = 0.0_wp, slope_after = 0.0_wp   !< of the energy along the step, at its start and end [J]
@@ -120,7 +120,7 @@ contains
          allocate (it%residual%nodal(6, mesh%nodes), it%origin%state(6, mesh%nodes), it%step%across(4, mesh%nodes), &
                    it%step%slide(mesh%nodes), it%origin%offset(2, mesh%nodes), source=0.0_wp)
          allocate (it%outside(mesh%elements), source=.false.)
-         allocate (it%damper%turning(2, 0))
+         allocate (it%damper%turning(2, mesh%nodes), source=0.0_wp)
          allocate (it%origin%force(mesh%elements), it%origin%length(mesh%elements), it%step%longer(mesh%elements), source=0.0_wp)
          if (solution%compressed > numerics%tuning%damped_share) call make_room_to_damp(mesh, it)
       end associate

@@ -54,7 +54,7 @@ contains
 
    !> Move the nodes across the hole, in part as turns about its axis (dg_round_wall).
    pure subroutine move_across(turning, offset, share, across, state)
-      real(wp), intent(in) :: turning(:, :)              !< turned_part of the nodes (2,nodes) [-, 1/m]; (2,0): straight moves
+      real(wp), intent(in) :: turning(:, :)              !< turned_part of the nodes (2,nodes) [-, 1/m]; 0: straight moves
       real(wp), contiguous, intent(in) :: offset(:, :)   !< offset of the nodes at `state` (2,nodes) [m]
       real(wp), intent(in) :: share                      !< share of `across` that is taken [-]
       real(wp), contiguous, intent(in) :: across(:, :)   !< lateral (2) and slopes (2) by the whole step (4,nodes) [m, -]
@@ -62,13 +62,8 @@ contains
       real(wp) :: moved(2)
       integer :: n
       do n = 1, size(state, 2)
-         moved = share*across(1:2, n)
-         if (size(turning) > 0) then
-            call round_move(turning(:, n), offset(:, n), share*across(1:2, n), share*across(3:4, n), moved, &
-                            state(dof_slope_1:dof_slope_2, n))
-         else
-            state(dof_slope_1:dof_slope_2, n) = state(dof_slope_1:dof_slope_2, n) + share*across(3:4, n)
-         end if
+         call round_move(turning(:, n), offset(:, n), share*across(1:2, n), share*across(3:4, n), moved, &
+                         state(dof_slope_1:dof_slope_2, n))
          state(dof_lateral_1:dof_lateral_2, n) = state(dof_lateral_1:dof_lateral_2, n) + moved
       end do
    end subroutine move_across
