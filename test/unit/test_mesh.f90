@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('nodes_at_every_change', test_nodes_at_every_change))
       call suite%addTest(TestMethod('no_sliver', test_no_sliver))
       call suite%addTest(TestMethod('ends_of_components', test_ends_of_components))
+      call suite%addTest(TestMethod('step_beside_edge', test_step_beside_edge))
       call suite%addTest(TestMethod('centralizers', test_centralizers))
       call suite%addTest(TestMethod('subdivided', test_subdivided))
       call suite%addTest(TestMethod('graded', test_graded))
@@ -93,7 +94,7 @@ contains
       model%holes(:)%md_bottom = [173.001_wp, 300.0_wp]
       allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
       call assertEqual(1, count(abs(md - 173.0_wp) < 1.0_wp))
-      model%holes(:)%md_bottom = [290.995_wp, 300.0_wp]
+      model%holes(:)%md_bottom = [290.999_wp, 300.0_wp]
       deallocate (md)
       allocate (md, source=node_depths(model, model%cases(1), 10.0_wp))
       call assertEqual(1, count(abs(md - 291.0_wp) < 1.0_wp), message='nor at the bit')
@@ -114,6 +115,24 @@ contains
          call assertEqual(1, count(abs(md - wanted(i)) < 1.0e-9_wp), message='a node at every end, once')
       end do
    end subroutine test_ends_of_components
+
+   !> A hole section that ends 2 mm and more below the upper end of the collars, at 251: that end stays in it.
+   subroutine test_step_beside_edge()
+      type(model_type) :: model
+      type(mesh_type) :: mesh
+      real(wp), parameter :: below(3) = [0.002_wp, 0.01_wp, 0.05_wp]
+      integer :: i, e
+      call build(model)
+      do i = 1, size(below)
+         model%holes(:)%md_bottom = [251.0_wp + below(i), 300.0_wp]
+         model%holes(2)%md_top = model%holes(1)%md_bottom
+         call new_mesh(model, model%cases(1), node_depths(model, model%cases(1), 1000.0_wp), mesh)
+         e = count(mesh%md < 251.0_wp + 0.5_wp*below(i))
+         call assertEqual(251.0_wp, mesh%md(e), 1.0e-9_wp, message='the end of the collars')
+         call assertEqual(0.5_wp*(0.22_wp - 0.16_wp), mesh%clearance(e), 1.0e-12_wp, message='in the upper hole')
+         call assertEqual(0.5_wp*(0.21_wp - 0.16_wp), mesh%clearance(e + 1), 1.0e-12_wp, message='in the lower one')
+      end do
+   end subroutine test_step_beside_edge
 
    !> Bow springs every 12 m from 5 m above the lower end of the pipe, which stands at 251: 246, 234 ... Each has an element of half
    !> a metre, a load of 24 times the mean, and the stiffness of its rating, 6 kN at 0.33 of 20 mm.

@@ -62,11 +62,11 @@ module dg_mesh
       real(wp), allocatable :: blade(:, :)
    end type mesh_type
 
-   !> Depths closer than this part of the element length are one node. Survey, components and hole sections often end at the
-   !> same depth but for round-off.
+   !> Depths closer than this part of the element length are one node: survey, components and hole often share a depth.
    real(wp), parameter :: merge_share = 1.0e-3_wp
-   !> Depths farther apart than this are two nodes, however long elements may be [m].
-   real(wp), parameter :: longest_merge = 0.06_wp
+   !> Depths farther apart than this are two nodes, however long elements may be [m]. Decks round depths to millimetres. The edge
+   !> of a blade may touch just above a wider hole.
+   real(wp), parameter :: longest_merge = 0.0015_wp
 
    real(wp), parameter :: upright = 1.0_wp - 1.0e-12_wp      !< vertical to round-off: cosine of the inclination
 
