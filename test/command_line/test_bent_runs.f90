@@ -23,7 +23,25 @@ contains
       call suite%addTest(TestMethod('doglegs_by_name', test_doglegs))
       call suite%addTest(TestMethod('page_without_warnings', test_page))
       call suite%addTest(TestMethod('sag_at_rest', test_sag))
+      call suite%addTest(TestMethod('what_holds_a_string', test_holding))
    end function bent_runs_suite
+
+   !> A motor in a lateral. Its 7 kN of friction are the little that locks the string up, but helical buckling is what holds it. The
+   !> stiff assembly was given as the reason.
+   subroutine test_holding()
+      type(run_type) :: run
+      run = run_deck_text('&job plots = .false., hdf5 = .false., profiles = .false. /'//newline// &
+         '&trajectory md = 0, 609.6, 883.92, 5943.6, inc = 0, 0, 90, 90, azi = 4*0 /'//newline// &
+         '&hole md_bottom = 883.92, diameter = 224.4, friction = 0.2, cased = .true. /'//newline// &
+         '&hole md_bottom = 5943.6, diameter = 222.25, friction = 0.3 /'//newline//'&fluid density = 1198.3 /'//newline// &
+         "&component kind = 'bit', length = 0.3, od = 152.4, id = 50.8, joint_od = 222.25 /"//newline// &
+         "&component kind = 'motor', length = 7.92, od = 171.45, id = 101.6, bend = 1.83, bend_position = 1.524 /"//newline// &
+         "&component kind = 'mwd', length = 9.14, od = 171.45, id = 82.55 /"//newline// &
+         "&component catalogue = 'DP 5 19.50 NC50 6-5/8x2-3/4 S135' /"//newline// &
+         "&load_case name = 'a', operation = 'sliding', bit_depth = 3980, wob = 66.72 /"//newline)
+      call assertTrue(index(unwrapped(run%output), 'Locked up: with the bit at 3980 m, friction of helical buckling') > 0, &
+                      message=run%output)
+   end subroutine test_holding
 
    !> A deck without pictures, and more groups.
    function deck(models, inclination, more) result(text)

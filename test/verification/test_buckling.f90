@@ -325,7 +325,7 @@ contains
             model%numerics%tuning%longest_quiet = 1000     ! held coils find an equilibrium in as many iterations
             call solve_case(model, model_mcge, 1, other, error)
             call assertEqual(result_locked_up, other%status, message=other%message)
-            call assertTrue(index(other%message, 'reach the bit, whatever the push') > 0, message=other%message)
+            call assertTrue(index(other%message, 'to the bit, by beams') > 0, message=other%message)
             call assertRelativelyEqual(result%lock_up_load, other%lock_up_load, 0.02_wp, message='by beams')
          end if
          model%cases(1)%wob = 300.0e3_wp

@@ -9,13 +9,13 @@ module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, result_not_converged
    use dg_load_case, only: block_way
+   use dg_lock_up_result, only: load_sentence
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
    use dg_solve_again, only: solve_again
    use dg_stopping, only: is_stopped, stop_type
    use dg_trajectory, only: top_md
-   use dg_unit_kind, only: in_units, unit_force
    use dg_weight_on_bit, only: most_load_at_bit
    implicit none
    private
@@ -38,8 +38,6 @@ module dg_confirm_lock_up
    !> Part of the load that pipe carries without friction [-]. Above it, strength and not friction limits the load, as in
    !> strings that turn.
    real(wp), parameter :: strong = 0.9_wp
-   !> Digits in a message.
-   integer, parameter :: shown = 4
 
 contains
 
@@ -65,6 +63,7 @@ contains
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
+      character(:), allocatable :: sentence
       real(wp) :: soft, lighter, load
       logical :: found
       soft = result%lock_up_load
@@ -75,7 +74,10 @@ contains
       call find_load(model, case_index, soft, size(less), stop, result, load, found)
       if (found) then
          if (load >= soft) return
-         call add_sentence(result%message, 'By beams '//load_text(model, load)//': use this load')
+         call load_sentence(model, soft, .false., sentence)
+         result%message = result%message(:index(result%message, sentence) - 1)
+         call load_sentence(model, load, .true., sentence)
+         result%message = result%message//sentence
          result%lock_up_load = load
          return
       end if
@@ -89,6 +91,7 @@ contains
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
+      character(:), allocatable :: sentence
       real(wp) :: soft, load
       logical :: found
       soft = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
@@ -98,8 +101,8 @@ contains
       if (.not. found .or. load >= model%cases(case_index)%wob) return
       result%status = result_locked_up
       result%lock_up_load = load
-      result%message = 'Locked up: friction of helical buckling takes up any push from surface. By beams '// &
-                       load_text(model, load)//', whatever the push'
+      call load_sentence(model, load, .true., sentence)
+      result%message = 'Locked up: friction of helical buckling takes up any push from surface. '//sentence
    end subroutine look_for_lock_up
 
    !> True where the strength of pipe, not friction, limits the load at the bit: in strings that turn.
@@ -159,17 +162,4 @@ contains
       found = solved%status == result_converged
       load = merge(solved%weight_on_bit, solved%lock_up_load, found)
    end subroutine try_load
-
-   !> Text of a load: '35 kN reach the bit', '12 kN are missing at the bit'.
-   function load_text(model, load) result(text)
-      type(model_type), intent(in) :: model
-      real(wp), intent(in) :: load         !< [N], < 0: a pull
-      character(:), allocatable :: text
-      text = in_units(model%units, unit_force, abs(load), shown)
-      if (load < 0.0_wp) then
-         text = text//' are missing at the bit'
-      else
-         text = text//' reach the bit'
-      end if
-   end function load_text
 end module dg_confirm_lock_up

@@ -12,7 +12,7 @@ module dg_lock_up_result
    use dg_weight_on_bit, only: most_load_at_bit
    implicit none
    private
-   public :: result_of_lock_up
+   public :: result_of_lock_up, load_sentence
 
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6
@@ -29,7 +29,8 @@ contains
       type(case_result_type), intent(out) :: result
       type(model_type) :: limp             ! its soft string without the stiff assembly's friction
       type(soft_totals_type) :: without
-      real(wp) :: position(3), tangent(3), axial(1), torque(1), most
+      character(:), allocatable :: sentence
+      real(wp) :: position(3), tangent(3), axial(1), torque(1), drag
       call position_at(model%trajectory, model%cases(case_index)%bit_depth, position, tangent)
       result%case_index = case_index
       result%model = model_mcge
@@ -47,7 +48,8 @@ contains
       limp%stiff_drag = 0.0_wp
       call soft_string_at(limp, case_index, [top_md(model%trajectory)], axial, torque, totals=without, &
                           other=other_loads_type(coiled=.true.))
-      if (without%runaway) then
+      drag = abs(without%weight - model%cases(case_index)%wob - axial(1))
+      if (without%runaway .or. drag > abs(model%stiff_drag)) then
          result%message = 'Locked up: with the bit at '// &
                           in_units(model%units, unit_length, model%cases(case_index)%bit_depth, shown_depth)// &
                           ', friction of helical buckling between surface and '// &
@@ -58,15 +60,26 @@ contains
                           in_units(model%units, unit_force, abs(model%stiff_drag), shown)//' of friction. Check the '// &
                           'diameters that touch, the diameter of the hole and the bend. '
       end if
-      most = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
-      result%lock_up_load = most
-      if (most > 0.0_wp) then
-         result%message = result%message//'Pushed at surface with all that pipe bears, the string brings at most '// &
-                          in_units(model%units, unit_force, most, shown)//' to the bit'
-      else
-         result%message = result%message//'No push at surface brings the string down to this depth'
-         if (most < 0.0_wp) result%message = result%message//': '//in_units(model%units, unit_force, -most, shown)// &
-            ' are missing at the bit with all the push that pipe bears'
-      end if
+      result%lock_up_load = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
+      call load_sentence(model, result%lock_up_load, .false., sentence)
+      result%message = result%message//sentence
    end subroutine result_of_lock_up
+
+   !> What the bit gets with all the push that pipe bears.
+   subroutine load_sentence(model, load, by_beams, sentence)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: load         !< at the bit, < 0: what is missing [N]
+      logical, intent(in) :: by_beams      !< found by beams, not by the soft string
+      character(:), allocatable, intent(out) :: sentence
+      character(:), allocatable :: source, text
+      source = ''
+      if (by_beams) source = ', by beams'
+      text = in_units(model%units, unit_force, abs(load), shown)
+      if (load > 0.0_wp) then
+         sentence = 'Pushed at surface with all that pipe bears, the string brings at most '//text//' to the bit'//source
+      else
+         sentence = 'No push at surface brings the string down to this depth'
+         if (load < 0.0_wp) sentence = sentence//': '//text//' are missing at the bit with all the push that pipe bears'//source
+      end if
+   end subroutine load_sentence
 end module dg_lock_up_result
