@@ -14,7 +14,7 @@ module dg_test_sweep
    use dg_model, only: model_type
    use dg_model_text, only: sweep_lines
    use dg_number_text, only: page_width
-   use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, &
+   use dg_sweep, only: point_at, point_case, point_count, point_number, point_type, regular_depths, shown_depths, &
       sweep_type, with_depths
    use dg_sweep_result, only: is_solved, sweep_result_type
    use dg_sweep_table, only: sweep_table
@@ -33,6 +33,7 @@ contains
       type(TestSuite) :: suite
       suite = TestSuite('sweep')
       call suite%addTest(TestMethod('depths', test_depths))
+      call suite%addTest(TestMethod('depths_in_a_table', test_depths_in_a_table))
       call suite%addTest(TestMethod('numbers', test_numbers))
       call suite%addTest(TestMethod('string_at_depth', test_string_at_depth))
       call suite%addTest(TestMethod('parts_cover_all_once', test_parts))
@@ -91,6 +92,21 @@ contains
          if (size(wanted) == size(found)) call assertEqual(wanted, found, hair, message=message)
       end subroutine same
    end subroutine test_depths
+
+   !> Depths of a printed table: all of 25, else at equal steps and with the last one.
+   subroutine test_depths_in_a_table()
+      type(sweep_type) :: sweep
+      integer, parameter :: sizes(4) = [1, 25, 34, 101], wanted(4) = [1, 25, 17, 21]
+      integer, allocatable :: rows(:)
+      integer :: i
+      do i = 1, size(sizes)
+         sweep%depths = spread(1.0_wp, 1, sizes(i))
+         rows = shown_depths(sweep)
+         call assertEqual(sizes(i), rows(size(rows)), message='the last depth')
+         call assertEqual(wanted(i), size(rows), message='rows')
+         call assertTrue(all(rows(2:) - rows(:size(rows) - 1) == (sizes(i) + 24)/25), message='equal steps')
+      end do
+   end subroutine test_depths_in_a_table
 
    !> 2 x 2 x 3 x 4 points; every number comes back; depth counts fastest.
    subroutine test_numbers()

@@ -111,14 +111,17 @@ contains
       end do
    end function measured_at
 
-   !> Numbers of the depths that a printed table shows: a page shows the shape of a curve, files have every depth.
+   !> Numbers of the depths that a printed table shows, at equal steps up to the last. A page shows the shape of a curve, files
+   !> have every depth.
    pure function shown_depths(sweep) result(numbers)
       type(sweep_type), intent(in) :: sweep
       integer, allocatable :: numbers(:)
       integer, parameter :: most_rows = 25
-      integer :: i, rows
-      rows = min(size(sweep%depths), most_rows)
-      numbers = [(ceiling(real(i, wp)*real(size(sweep%depths), wp)/real(rows, wp)), i=1, rows)]
+      integer :: i, step
+      associate (depths => size(sweep%depths))
+         step = (depths + most_rows - 1)/most_rows
+         numbers = [(i, i=depths - step*((depths - 1)/step), depths, step)]
+      end associate
    end function shown_depths
 
    !> The load case of a point.
