@@ -13,7 +13,7 @@ module dg_well_head
    use dg_survey, only: tangent_of
    use dg_text, only: append_text, either, text_type, to_text
    use dg_trajectory, only: top_md, true_vertical_depth
-   use dg_unit_kind, only: in_units, unit_curvature, unit_diameter, unit_force, unit_length
+   use dg_unit_kind, only: in_units, unit_curvature, unit_density, unit_diameter, unit_factor, unit_force, unit_length
    use dg_units, only: unit_system_type
    implicit none
    private
@@ -34,7 +34,7 @@ contains
       type(upper_friction_type), intent(in), optional :: upper   !< of calibrations that are applied
       logical, intent(in), optional :: own_friction              !< friction factors of the hole sections are not used
       type(text_type), allocatable :: lines(:)
-      real(wp) :: deepest, air, mud, along, collars
+      real(wp) :: deepest, air, mud, along, collars, densities(2)
       character(:), allocatable :: line
       logical :: own, several
       integer :: i
@@ -52,10 +52,12 @@ contains
       do i = 1, size(model%strings)
          deepest = deepest_bit(model, model%strings(i))
          if (.not. deepest > top_md(model%trajectory)) cycle
-         call weigh(model, model%strings(i), deepest, air, mud, along, collars)
+         call weigh(model, model%strings(i), deepest, air, mud, along, collars, densities)
          line = 'String'//name_of(i, ' ')//', bit at '//in_units(units, unit_length, deepest, digits)//': '// &
             in_units(units, unit_force, air, few)//' in air'
-         if (abs(air - mud) > round_off*air) line = line//', '//in_units(units, unit_force, mud, few)//' in mud'
+         if (abs(air - mud) > round_off*air) line = line//', '//in_units(units, unit_force, mud, few)//' in mud of '// &
+            either(to_text(densities(1)/unit_factor(units, unit_density), few)//' to ', '', densities(2) > densities(1))// &
+            in_units(units, unit_density, densities(2), few)
          if (abs(mud - along) > round_off*air) line = line//', '//in_units(units, unit_force, along, digits - 1)// &
             ' along the hole'
          if (collars > 0.0_wp .and. collars < mud) line = line//', '// &
@@ -219,18 +221,20 @@ contains
 
    !> Weights of a string in the hole [N], without string above the first station. They are in air, in its fluids, in its fluids
    !> along the hole, and in its fluids of all below the lowest drill pipe.
-   pure subroutine weigh(model, string, bit, air, mud, along, collars)
+   pure subroutine weigh(model, string, bit, air, mud, along, collars, densities)
       type(model_type), intent(in) :: model
       type(drillstring_type), intent(in) :: string
       real(wp), intent(in) :: bit              !< measured depth of the bit [m]
       real(wp), intent(out) :: air, mud, along, collars
+      real(wp), intent(out) :: densities(2)    !< least and greatest of the fluids in and around it [kg/m3]
       type(stretch_type), allocatable :: stretches(:)
-      real(wp) :: length, middle, weight
+      real(wp) :: length, middle, weight, fluids(2)
       integer :: i, pipe                    ! the lowest drill pipe
       air = 0.0_wp
       mud = 0.0_wp
       along = 0.0_wp
       collars = 0.0_wp
+      densities = [huge(densities), 0.0_wp]
       allocate (stretches, source=stretches_of(model, string, bit))
       pipe = findloc(is_drill_pipe(string%components), .true., dim=1)
       if (pipe == 0) pipe = size(string%components) + 1
@@ -238,8 +242,9 @@ contains
          associate (part => string%components(stretches(i)%component))
             length = stretches(i)%lower - stretches(i)%upper
             middle = stretches(i)%upper + 0.5_wp*length
-            weight = length*buoyed_weight(part, density_at(model%mud, side_outside, middle, bit), &
-                                          density_at(model%mud, side_inside, middle, bit), model%gravity)
+            fluids = [density_at(model%mud, side_outside, middle, bit), density_at(model%mud, side_inside, middle, bit)]
+            weight = length*buoyed_weight(part, fluids(1), fluids(2), model%gravity)
+            densities = [min(densities(1), minval(fluids)), max(densities(2), maxval(fluids))]
             air = air + length*part%mass*model%gravity
             mud = mud + weight
             along = along + weight/length*(true_vertical_depth(model%trajectory, stretches(i)%lower) - &

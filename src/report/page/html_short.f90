@@ -85,10 +85,10 @@ contains
          depth = ''
          if (verdicts(i)%reach%present) then
             if (verdicts(i)%reach%value > 0.0_wp) &
-               depth = ', to about '//said_number(units, unit_length, verdicts(i)%reach%value, fewer, down=.true.)//' only'
+               depth = ' Possible down to about '//said_number(units, unit_length, verdicts(i)%reach%value, fewer, down=.true.)//'.'
          end if
-         call add_line(lines, '<li>'//html_safe(model%cases(cases(i))%name)//': <b class="no">NO</b>'//depth//' ('// &
-                       trim(limit_title(verdicts(i)%limit))//').</li>')
+         call add_line(lines, '<li>'//html_safe(model%cases(cases(i))%name)//': <b class="no">NO</b> ('// &
+                       trim(limit_title(verdicts(i)%limit))//').'//depth//'</li>')
       end do
       if (told > most_named) call add_line(lines, '<li>'//to_text(told - most_named)//' more: NO.</li>')
       if (told == 0 .and. size(cases) > 0) call add_line(lines, '<li>Of the load cases none is answered NO.</li>')
@@ -131,7 +131,8 @@ contains
       least = minloc(results%hookload, dim=1)
       most = maxloc(results%hookload, dim=1)
       if (size(results) == 1) then
-         call add_line(lines, head//said_number(job%units, unit_force, results(1)%hookload, few)//'.</li>')
+         call add_line(lines, head//said_number(job%units, unit_force, results(1)%hookload, few)//' ('// &
+                       html_safe(model%cases(results(1)%case_index)%name)//').</li>')
       else
          call add_line(lines, head//'from '// &
                        said_number(job%units, unit_force, results(least)%hookload, few)//' ('// &
@@ -165,7 +166,8 @@ contains
       else
          call add_line(lines, '<li>'//text//': no load case'//either(' with a solution', '', size(locked) > 0)//'.</li>')
       end if
-      if (size(locked) > 0) call add_line(lines, '<li>Locked up, no solution: '//named(model, locked)//'.</li>')
+      if (size(locked) > 0) call add_line(lines, '<li>Locked up, no solution, so that buckling is not known: '// &
+                                             named(model, locked)//'.</li>')
    end subroutine append_buckled
 
    !> Append hook loads against measured ones, and against another calculation.

@@ -260,7 +260,7 @@ contains
       call append_text(lines, text)
       text = ''
       if (.not. is_missing(fatigue%dogleg)) text = 'largest dogleg without fatigue '// &
-         in_units(units, unit_curvature, fatigue%dogleg, few)
+         in_units(units, unit_curvature, fatigue%dogleg, few)//' (formula, only tool joints touch)'
       if (.not. is_missing(fatigue%damage)) then
          if (text /= '') text = text//', '
          text = text//to_text(100.0_wp*fatigue%damage, few)//' % of life used'
@@ -295,8 +295,9 @@ contains
       associate (load_case => model%cases(number), change => whole%length_change)
          if (load_case%length_reference > 0) reference = 'case '//model%cases(load_case%length_reference)%name
          call append_text(lines, '  Change of length in '//load_case%name//': '//shown(total_change(change))//' '// &
-                          trim(units%length_label)//' (force '//shown(change%force)//', pressure '//shown(change%pressure)// &
-                          ', buckling '//shown(change%buckling)//', temperature '//shown(change%temperature)//')')
+                          trim(units%length_label)//' (force '//shown(change%force)//', pressure (ballooning) '// &
+                          shown(change%pressure)//', buckling '//shown(change%buckling)//', temperature '// &
+                          shown(change%temperature)//')')
          call append_text(lines, '    longer is positive, against '//reference)
          if (whole%packer_force%present .and. abs(whole%packer_force%value) > 0.0_wp) &
             call append_text(lines, '  Force on the packer in '//load_case%name//': '// &

@@ -60,8 +60,8 @@ contains
       if (size(comparison%md) == 0) return
       if (grows_with_depth(comparison)) then
          call append_text(lines, 'The force of the table grows with depth, that of drillgap falls. Hook loads at several bit')
-         call append_text(lines, 'depths are given as reference_hookload, one load case per depth.')
-         call append_text(lines, '&legacy compares forces along the string.')
+         call append_text(lines, 'depths are given as measured_hookloads of &sweep, or as')
+         call append_text(lines, 'reference_hookload, one load case per depth. &legacy compares forces along the string.')
       end if
       do k = 1, quantity_count
          if (.not. comparison%parting(k)%present) cycle
