@@ -351,7 +351,7 @@ contains
       real(wp) :: wob
       integer :: i
       text = replaced(deck("operation = 'sliding', wob = 150", .false.), "models = 'soft'", "models = 'mcge'")
-      text = text//"&solver tool_joints = 'smeared' /"//newline
+      text = text//"&solver tool_joints = 'smeared', fidelity = 'fast' /"//newline
       run = run_deck_text(text)
       wob = value_after(content(results_path//'/summary.csv'), 'Without a push ')
       do i = 1, 2
@@ -519,7 +519,8 @@ contains
    subroutine test_models()
       type(run_type) :: run
       character(:), allocatable :: page
-      run = run_deck_text(replaced(deck("operation = 'sliding', wob = 10", .true.), "models = 'soft'", "models = 'soft', 'mcge'"))
+      run = run_deck_text(replaced(deck("operation = 'sliding', wob = 10", .true.), "models = 'soft'", &
+                                   "models = 'soft', 'mcge'")//"&solver fidelity = 'fast' /"//newline)
       page = content(results_path//'/report.html')
       page = page(index(page, '<h2>Hook load, friction, torque</h2>'):)
       call assertTrue(index(page, '<h3>Model mcge</h3>') > 0, message='its name')
