@@ -114,11 +114,10 @@ contains
              is_pushed(model%rig%max_push - needed_push(model, case_index, result%hookload), work%axial) .and. &
              .not. top_md(model%trajectory) > 0.0_wp) call add_message(result, push_needed)
          if (outcome == outcome_converged .and. any(abs(work%held) > 0.0_wp)) &
-            call add_message(result, 'Drag may be up to 0.13 % too low: up to '//to_text(rounded_up(100.0_wp*maxval( &
-                             abs(work%held)), shown_clearances), shown_clearances)//' % of the friction of a contact acts '// &
-                             'sideways, which keeps the helically buckled string from turning round the hole')
+            call add_message(result, 'Drag may be up to 0.13 % too low: a little friction was taken to keep the coils of the '// &
+                             'buckled string from turning round the hole')
          if (outcome == outcome_converged .and. equations%gaps_taken_back) &
-            call add_message(result, 'Contact points could not be moved to where the string lies deepest: '//touched)
+            call add_message(result, 'Contact points are not exactly where the string lies deepest: '//touched)
          if (outcome == outcome_converged) then
             call measure_outside(model%trajectory, mesh, work, outside)
             if (outside%elements > 0) call add_outside(model%units, outside, result)
