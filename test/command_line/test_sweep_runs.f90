@@ -26,6 +26,7 @@ contains
    function sweep_runs_suite() result(suite)
       type(TestSuite) :: suite
       suite = TestSuite('sweep_runs')
+      call suite%addTest(TestMethod('locked_up_point', test_locked_up))
       call suite%addTest(TestMethod('points_are_load_cases', test_points))
       call suite%addTest(TestMethod('measured_points', test_measured))
       call suite%addTest(TestMethod('all_models_and_field_units', test_models))
@@ -48,6 +49,25 @@ contains
          if (wanted(i)%text /= found(i)%text) call assertEqual(wanted(i)%text, found(i)%text, message=message)
       end do
    end subroutine compare
+
+   !> Joints one by one find no equilibrium, smeared ones find one that leaves out most of the friction. The point locks up as its
+   !> load case does: between depths of -552 kN and none it had -29 kN.
+   subroutine test_locked_up()
+      type(run_type) :: run
+      type(text_type), allocatable :: rows(:)
+      run = run_deck_text("&job plots = .false., hdf5 = .false., models = 'mcge' /"//newline// &
+         '&trajectory md = 0, 1200, 1980, 5300, inc = 0, 0, 91, 91, azi = 4*220 /'//newline// &
+         '&hole md_bottom = 2100, diameter = 216.8, friction = 0.2, cased = .true. /'//newline// &
+         '&hole diameter = 215.9, friction = 0.3 /'//newline//'&fluid density = 1320 /'//newline// &
+         "&component kind = 'bit', length = 0.3, od = 171.4, id = 57, joint_od = 215.9 /"//newline// &
+         "&component kind = 'mwd', length = 15, od = 171.4, id = 76 /"//newline// &
+         "&component catalogue = 'HWDP 5 49.3', length = 56 /"//newline// &
+         "&component catalogue = 'DP 5 19.50 NC50 6-5/8x2-3/4 S135' /"//newline// &
+         "&sweep name = 'b', operations = 'sliding', wob = 60, bit_depth_from = 5200, bit_depth_to = 5200, "// &
+         'frictions_cased = 0.18, frictions_open = 0.27 /'//newline)
+      rows = lines_of(csv)
+      call assertTrue(index(rows(2)%text, ',locked_up,') > 0, message=run%output)
+   end subroutine test_locked_up
 
    !> A deck whose load cases are points of its sweep, with friction given, gives the same hook loads and torques: to the digit
    !> where gaps are not fitted to short elements, which sweeps leave out, else within 1e-4.

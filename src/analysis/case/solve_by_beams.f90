@@ -38,7 +38,7 @@ contains
    subroutine solve_by_beams(model, case_index, totals_only, stop, result, error)
       type(model_type), intent(in) :: model
       integer, intent(in) :: case_index
-      logical, intent(in) :: totals_only         !< no profile is wanted, and lock-up is not confirmed
+      logical, intent(in) :: totals_only         !< no profile is wanted, and the load of a lock-up is not confirmed
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
@@ -63,7 +63,7 @@ contains
       smeared%seconds = smeared%seconds + result%seconds
       result = smeared
       ! where the soft string sees no pipe that bows out, nothing is left out
-      if (.not. totals_only .and. (tried .or. .not. model%numerics%joints_by_need)) &
+      if (tried .or. .not. (totals_only .or. model%numerics%joints_by_need)) &
          call note_bowed_pipe(model, case_index, tried, result)
    end subroutine solve_by_beams
 
@@ -76,8 +76,9 @@ contains
       type(case_result_type), intent(out) :: result
       type(error_type), allocatable, intent(out) :: error
       call solve_static_analysis(model, case_index, result, error, totals_only, stop)
-      if (totals_only .or. allocated(error)) return
+      if (allocated(error) .or. (totals_only .and. result%status /= result_not_converged)) return
       call confirm_lock_up(model, case_index, stop, result)
+      if (totals_only) return
       call solve_without_load(model, case_index, stop, result)
       call find_reach_by_beams(model, case_index, stop, result)
       call note_joint_at_step(model, case_index, result)
