@@ -153,7 +153,7 @@ contains
 
    !> Each dogleg is named by how it was found. A measured one has the range that side_cutting can give.
    subroutine test_doglegs()
-      character(*), parameter :: group = "&solver fidelity = 'fast' / &steering cases = 'slide', toolfaces = 0, length = 60, "
+      character(*), parameter :: group = "&steering cases = 'slide', toolfaces = 0, length = 60, "
       type(run_type) :: run
       run = run_deck_text(bent(group//'side_cutting = 0.0144 /'))
       call assertEqual(0, run%status, message=run%diagnostics)
