@@ -51,7 +51,7 @@ contains
    end subroutine compare
 
    !> Joints one by one find no equilibrium, smeared ones find one that leaves out most of the friction. The point locks up as its
-   !> load case does: between depths of -552 kN and none it had -29 kN.
+   !> load case does. It had -29 kN, where 100 m higher the hook load is -552 kN.
    subroutine test_locked_up()
       type(run_type) :: run
       type(text_type), allocatable :: rows(:)

@@ -338,10 +338,11 @@ contains
       real(wp), intent(out), optional :: band(:, :)
       real(wp), dimension(2) :: n, tau, through
       real(wp) :: couple(2, 0:beam%n)
-      real(wp) :: distance, h, spin(2, 2), normal(2, 2), swing(2, 2), lever, force, sign
+      real(wp) :: distance, h, spin(2, 2), normal(2, 2), swing(2, 2), unit(2, 2), lever, force, sign
       integer :: i, j, k, side
       h = beam%h
       spin = reshape([0.0_wp, 1.0_wp, -1.0_wp, 0.0_wp], [2, 2])      ! t x
+      unit = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
       residual = 0.0_wp
       couple = 0.0_wp
       beam%contact = 0.0_wp
@@ -353,7 +354,7 @@ contains
             residual(:, i + j) = residual(:, i + j) + second(j)/h*beam%moment(:, i)
             if (.not. present(band)) cycle
             do k = -1, 1
-               call add(i + j, i + k, second(j)*second(k)*beam%ei(i)/h**3, 0.0_wp)
+               call add(i + j, i + k, second(j)*second(k)*beam%ei(i)/h**3*unit)
             end do
          end do
          residual(:, i) = residual(:, i) - h*beam%weight(:, i)
@@ -371,9 +372,9 @@ contains
             normal(:, j) = wall*h*n*n(j) + force/distance*tau*tau(j)
             swing(:, j) = wall*h*tau*n(j) - force/distance*n*tau(j)
          end do
-         call add_block(i, i, normal + well%around*swing)
-         call add_block(i - 1, i, -0.5_wp*lever/h*normal)         ! the couple of the two cells beside the node
-         call add_block(i + 1, i, 0.5_wp*lever/h*normal)
+         call add(i, i, normal + well%around*swing)
+         call add(i - 1, i, -0.5_wp*lever/h*normal)               ! the couple of the two cells beside the node
+         call add(i + 1, i, 0.5_wp*lever/h*normal)
       end do
       do i = 1, beam%n
          beam%shear(:, i) = -(beam%moment(:, i) - beam%moment(:, i - 1))/h + 0.5_wp*(couple(:, i - 1) + couple(:, i)) &
@@ -384,12 +385,11 @@ contains
             sign = 1.0_wp - 2.0_wp*side
             residual(:, i - side) = residual(:, i - side) + sign*through - 0.5_wp*h*beam%tension(i)*beam%k_cell(:, i)
             if (.not. present(band)) cycle
-            call add(i - side, i, sign*beam%tension(i)/h, 0.0_wp)
-            call add(i - side, i - 1, -sign*beam%tension(i)/h, 0.0_wp)
-            if (.not. abs(beam%twist(i)) > 0.0_wp) cycle
+            call add(i - side, i, sign*beam%tension(i)/h*unit)
+            call add(i - side, i - 1, -sign*beam%tension(i)/h*unit)
             do j = max(i - 1, 1), min(i, beam%n - 1)
                do k = -1, 1
-                  call add(i - side, j + k, 0.0_wp, -sign*0.5_wp*beam%twist(i)*second(k)/h**2)
+                  call add(i - side, j + k, -sign*0.5_wp*beam%twist(i)*second(k)/h**2*spin)
                end do
             end do
          end do
@@ -403,22 +403,8 @@ contains
          end do
       end do
    contains
-      !> Adds the derivative of the residual of one node by the offset of another: `straight` along it, `turned` across it.
-      subroutine add(row, column, straight, turned)
-         integer, intent(in) :: row, column
-         real(wp), intent(in) :: straight, turned
-         integer :: place, first
-         place = 2*width + 1 + 2*(row - column)
-         first = 2*column + 1
-         band(place, first) = band(place, first) + straight
-         band(place, first + 1) = band(place, first + 1) + straight
-         if (.not. abs(turned) > 0.0_wp) return
-         band(place + 1, first) = band(place + 1, first) + turned
-         band(place - 1, first + 1) = band(place - 1, first + 1) - turned
-      end subroutine add
-
-      !> The same for a derivative of any shape.
-      subroutine add_block(row, column, block)
+      !> Adds the derivative of the residual of one node by the offset of another.
+      subroutine add(row, column, block)
          integer, intent(in) :: row, column
          real(wp), intent(in) :: block(2, 2)
          integer :: a, b
@@ -429,7 +415,7 @@ contains
                end associate
             end do
          end do
-      end subroutine add_block
+      end subroutine add
 
       !> Takes an unknown that is held out of the equations of another one.
       subroutine hold(other, held)

@@ -3,13 +3,13 @@
 !> The soft string with the friction of helical buckling finds lock-up, and the greatest load that comes to the bit. Beams
 !> should find an equilibrium at a little less than this load. Close to lock-up the hook load changes up to a hundred times as
 !> much as the load at the bit, and they may find none. The reverse problem is well conditioned: the bit is held, a hook load
-!> is given, and the reaction at the bit is the load. Cases without a profile, as those of sweeps, are not confirmed, as their
-!> neighbours are solved anyway.
+!> is given, and the reaction at the bit is the load. The load of points of a sweep is not confirmed, as their neighbours are
+!> solved anyway.
 module dg_confirm_lock_up
    use dg_kinds, only: wp
    use dg_case_result, only: add_sentence, case_result_type, result_converged, result_locked_up, result_not_converged
    use dg_load_case, only: block_way
-   use dg_lock_up_result, only: load_sentence
+   use dg_lock_up_result, only: add_load_at_bit
    use dg_missing, only: given, is_missing, optional_real
    use dg_model, only: model_type
    use dg_soft_string_loads, only: other_loads_type, soft_string_at
@@ -63,7 +63,7 @@ contains
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
-      character(:), allocatable :: sentence
+      character(:), allocatable :: by_soft      ! the end of the message
       real(wp) :: soft, lighter, load
       logical :: found
       soft = result%lock_up_load
@@ -74,10 +74,10 @@ contains
       call find_load(model, case_index, soft, size(less), stop, result, load, found)
       if (found) then
          if (load >= soft) return
-         call load_sentence(model, soft, .false., sentence)
-         result%message = result%message(:index(result%message, sentence) - 1)
-         call load_sentence(model, load, .true., sentence)
-         result%message = result%message//sentence
+         by_soft = ''
+         call add_load_at_bit(model, soft, .false., by_soft)
+         result%message = result%message(:index(result%message, by_soft) - 1)
+         call add_load_at_bit(model, load, .true., result%message)
          result%lock_up_load = load
          return
       end if
@@ -91,7 +91,6 @@ contains
       integer, intent(in) :: case_index
       type(stop_type), intent(in) :: stop
       type(case_result_type), intent(inout) :: result
-      character(:), allocatable :: sentence
       real(wp) :: soft, load
       logical :: found
       soft = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
@@ -101,8 +100,8 @@ contains
       if (.not. found .or. load >= model%cases(case_index)%wob) return
       result%status = result_locked_up
       result%lock_up_load = load
-      call load_sentence(model, load, .true., sentence)
-      result%message = 'Locked up: friction of helical buckling takes up any push from surface. '//sentence
+      result%message = 'Locked up: friction of helical buckling takes up any push from surface. '
+      call add_load_at_bit(model, load, .true., result%message)
    end subroutine look_for_lock_up
 
    !> True where the strength of pipe, not friction, limits the load at the bit: in strings that turn.

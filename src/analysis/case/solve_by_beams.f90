@@ -77,7 +77,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       call solve_static_analysis(model, case_index, result, error, totals_only, stop)
       if (allocated(error) .or. (totals_only .and. result%status /= result_not_converged)) return
-      call confirm_lock_up(model, case_index, stop, result)
+      call confirm_lock_up(model, case_index, stop, result)     ! a point of a sweep without equilibrium may lock up
       if (totals_only) return
       call solve_without_load(model, case_index, stop, result)
       call find_reach_by_beams(model, case_index, stop, result)

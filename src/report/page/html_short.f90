@@ -166,8 +166,7 @@ contains
       else
          call add_line(lines, '<li>'//text//': no load case'//either(' with a solution', '', size(locked) > 0)//'.</li>')
       end if
-      if (size(locked) > 0) call add_line(lines, '<li>Locked up, no solution, so that buckling is not known: '// &
-                                             named(model, locked)//'.</li>')
+      if (size(locked) > 0) call add_line(lines, '<li>Locked up, buckling not known: '//named(model, locked)//'.</li>')
    end subroutine append_buckled
 
    !> Append hook loads against measured ones, and against another calculation.

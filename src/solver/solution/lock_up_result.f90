@@ -12,7 +12,7 @@ module dg_lock_up_result
    use dg_weight_on_bit, only: most_load_at_bit
    implicit none
    private
-   public :: result_of_lock_up, load_sentence
+   public :: add_load_at_bit, result_of_lock_up
 
    !> Digits in a message.
    integer, parameter :: shown = 4, shown_depth = 6
@@ -29,7 +29,6 @@ contains
       type(case_result_type), intent(out) :: result
       type(model_type) :: limp             ! its soft string without the stiff assembly's friction
       type(soft_totals_type) :: without
-      character(:), allocatable :: sentence
       real(wp) :: position(3), tangent(3), axial(1), torque(1), drag
       call position_at(model%trajectory, model%cases(case_index)%bit_depth, position, tangent)
       result%case_index = case_index
@@ -61,25 +60,23 @@ contains
                           'diameters that touch, the diameter of the hole and the bend. '
       end if
       result%lock_up_load = most_load_at_bit(model, case_index, coiled=.true., pushed=.true.)
-      call load_sentence(model, result%lock_up_load, .false., sentence)
-      result%message = result%message//sentence
+      call add_load_at_bit(model, result%lock_up_load, .false., result%message)
    end subroutine result_of_lock_up
 
-   !> What the bit gets with all the push that pipe bears.
-   subroutine load_sentence(model, load, by_beams, sentence)
+   !> Append the greatest load that reaches the bit, however hard the string is pushed at surface, or how much of it is missing.
+   subroutine add_load_at_bit(model, load, by_beams, message)
       type(model_type), intent(in) :: model
       real(wp), intent(in) :: load         !< at the bit, < 0: what is missing [N]
       logical, intent(in) :: by_beams      !< found by beams, not by the soft string
-      character(:), allocatable, intent(out) :: sentence
-      character(:), allocatable :: source, text
-      source = ''
-      if (by_beams) source = ', by beams'
+      character(:), allocatable, intent(inout) :: message
+      character(:), allocatable :: text
       text = in_units(model%units, unit_force, abs(load), shown)
       if (load > 0.0_wp) then
-         sentence = 'Pushed at surface with all that pipe bears, the string brings at most '//text//' to the bit'//source
+         message = message//'Pushed at surface with all that pipe bears, the string brings at most '//text//' to the bit'
       else
-         sentence = 'No push at surface brings the string down to this depth'
-         if (load < 0.0_wp) sentence = sentence//': '//text//' are missing at the bit with all the push that pipe bears'//source
+         message = message//'No push at surface brings the string down to this depth'
+         if (load < 0.0_wp) message = message//': '//text//' are missing at the bit with all the push that pipe bears'
       end if
-   end subroutine load_sentence
+      if (by_beams .and. abs(load) > 0.0_wp) message = message//', by beams'
+   end subroutine add_load_at_bit
 end module dg_lock_up_result
