@@ -24,6 +24,7 @@ contains
       suite = TestSuite('weight_limits')
       call suite%addTest(TestMethod('enough', test_enough))
       call suite%addTest(TestMethod('pushed', test_pushed))
+      call suite%addTest(TestMethod('far', test_far))
    end function weight_limits_suite
 
    !> Tubing in a lateral that its weight moves down: it takes more friction and more weight on bit.
@@ -35,7 +36,7 @@ contains
       call assertTrue(result%weight_limits%friction%present .and. result%weight_limits%wob%present, message='both limits')
       call assertGreaterThan(result%weight_limits%friction%value, 1.0_wp, message='friction')
       call assertGreaterThan(result%weight_limits%wob%value, 12.0e3_wp, message='weight on bit')
-      call look_beside(12.0e3_wp, result)
+      call look_beside(12.0e3_wp, result, 1.0_wp)
    end subroutine test_enough
 
    !> The same tubing under a weight on bit that needs a push.
@@ -46,24 +47,35 @@ contains
       call assertLessThan(result%hookload, 0.0_wp, message='weight is not enough')
       call assertLessThan(result%weight_limits%friction%value, 1.0_wp, message='friction')
       call assertLessThan(result%weight_limits%wob%value, 20.0e3_wp, message='weight on bit')
-      call look_beside(20.0e3_wp, result)
+      call look_beside(20.0e3_wp, result, 1.0_wp)
    end subroutine test_pushed
 
+   !> The same tubing with more friction, at values far from both limits.
+   subroutine test_far()
+      real(wp), parameter :: wob = 12.0e3_wp, friction = 1.8_wp
+      type(case_result_type) :: result
+      call solve_lateral(wob, friction, .false., result)
+      call assertLessThan(result%hookload, 0.0_wp, message='weight is not enough')
+      call assertLessThan(result%weight_limits%wob%value, 0.2_wp*wob, message='weight on bit')
+      call look_beside(wob, result, friction)
+   end subroutine test_far
+
    !> Solve the string anew beside its limits: the sign of its hook load changes.
-   subroutine look_beside(wob, result)
+   subroutine look_beside(wob, result, friction)
       real(wp), intent(in) :: wob                      !< of the result [N]
       type(case_result_type), intent(in) :: result
+      real(wp), intent(in) :: friction                 !< over 0.25, of the result [-]
       type(case_result_type) :: less, more
       associate (limits => result%weight_limits)
          call note('iterations to the limits', real(limits%iterations, wp))
          call note('weight on bit at its limit, kN', 1.0e-3_wp*limits%wob%value)
-         call solve_lateral((1.0_wp - beside)*limits%wob%value, 1.0_wp, .true., less)
-         call solve_lateral((1.0_wp + beside)*limits%wob%value, 1.0_wp, .true., more)
+         call solve_lateral((1.0_wp - beside)*limits%wob%value, friction, .true., less)
+         call solve_lateral((1.0_wp + beside)*limits%wob%value, friction, .true., more)
          call assertGreaterThan(less%hookload, 0.0_wp, message='less weight on bit')
          call assertLessThan(more%hookload, 0.0_wp, message='more weight on bit')
          call note('friction at its limit, over that of the case', limits%friction%value)
-         call solve_lateral(wob, (1.0_wp - beside)*limits%friction%value, .true., less)
-         call solve_lateral(wob, (1.0_wp + beside)*limits%friction%value, .true., more)
+         call solve_lateral(wob, (1.0_wp - beside)*limits%friction%value*friction, .true., less)
+         call solve_lateral(wob, (1.0_wp + beside)*limits%friction%value*friction, .true., more)
          call assertGreaterThan(less%hookload, 0.0_wp, message='less friction')
          call assertLessThan(more%hookload, 0.0_wp, message='more friction')
       end associate

@@ -13,8 +13,8 @@ module dg_solve_by_beams
    use dg_confirm_lock_up, only: confirm_lock_up
    use dg_drillstring, only: component_tops, joint_ends
    use dg_error, only: error_type
+   use dg_limits_by_beams, only: find_limits_by_beams
    use dg_model, only: model_type, string_index
-   use dg_reach_by_beams, only: find_reach_by_beams
    use dg_static_analysis, only: solve_static_analysis
    use dg_static_result, only: add_message
    use dg_stopping, only: is_stopped, stop_type
@@ -80,7 +80,7 @@ contains
       call confirm_lock_up(model, case_index, stop, result)     ! a point of a sweep without equilibrium may lock up
       if (totals_only) return
       call solve_without_load(model, case_index, stop, result)
-      call find_reach_by_beams(model, case_index, stop, result)
+      call find_limits_by_beams(model, case_index, stop, result)
       call note_joint_at_step(model, case_index, result)
    end subroutine solve_one_way
 

@@ -7,7 +7,8 @@ module dg_contact_friction
    use dg_missing, only: is_missing
    implicit none
    private
-   public :: find_friction, frictions_met, running_drag, axial_friction, set_axial_friction, shift_friction
+   public :: find_friction, frictions_met, running_drag, axial_friction, set_axial_friction, &
+             scale_friction, shift_friction
 
 contains
 
@@ -76,6 +77,26 @@ contains
       hole%friction_axial = max(hole%friction_axial + change, 0.0_wp)
       if (.not. is_missing(hole%friction_running_in)) hole%friction_running_in = max(hole%friction_running_in + change, 0.0_wp)
    end subroutine shift_friction
+
+   !> Multiply all friction of a component, whatever it comes from, except the running force of bow springs.
+   elemental subroutine scale_friction(factor, component)
+      real(wp), intent(in) :: factor                      !< [-]
+      type(component_type), intent(inout) :: component
+      component%scale_axial = factor*component%scale_axial
+      component%scale_rotary = factor*component%scale_rotary
+      call scale(component%friction_axial)
+      call scale(component%friction_rotary)
+      call scale(component%centralizer%friction_axial)
+      call scale(component%centralizer%friction_rotary)
+
+   contains
+
+      !> Multiply a coefficient, if it is given.
+      pure subroutine scale(friction)
+         real(wp), intent(inout) :: friction              !< [-]
+         if (.not. is_missing(friction)) friction = factor*friction
+      end subroutine scale
+   end subroutine scale_friction
 
    !> Signed shares of friction along and around the hole, as in friction_split. A load case overrides the coefficients of the
    !> hole. A component multiplies both by a factor, or replaces them by coefficients of its own. So does a centralizer where
