@@ -162,7 +162,6 @@ setTimeout(() => {
 # Curves that are no column of the file, or angles, which are thinned to a degree and turn.
 OTHER_CURVES = ("side_force_on_joint", "clock", "azimuth")
 INVERSE = ("safety_factor",)         # curves whose inverse goes straight from point to point
-SUMS = {"buckling_margin": [("axial", "sinusoidal_load")]}
 ROUNDING = 1.4e-5           # of a value: a number by itself has 36450 steps at least (page_code.f90)
 FEWEST_POINTS = 300         # compared on a page
 
@@ -243,9 +242,6 @@ class Profile:
         head = next(h for h in self.rows[0] if h == name or re.fullmatch(f"{name}_({self.units})", h))
         return [float(row[head]) if row[head] else None for row in self.rows]
 
-    def extent(self, name):
-        return extent([v for v in self.column(name) if v is not None])
-
     def at(self, name, depth):
         """Value there; None where there is none or the curve jumps within a metre."""
         values, d = self.column(name), self.depth
@@ -291,22 +287,29 @@ def faults_of_view(folder, data, view, text, complaints):
             continue
         factor = FIELD.get(told[0], 1.0) if field else 1.0
         for profile, shown in zip(profiles, told[1:]):
-            value, extent = profile.at(name, depth), profile.extent(name)
+            value = profile.at(name, depth)
             if value is None or shown == "\u2013":
                 continue
             compared += 1
-            digits = len(shown.partition(".")[2])
-            if not abs(float(shown) - value * factor) <= CLOSE * extent * factor + 0.51 * 10 ** -digits:
+            close = CLOSE * extent([turned(name, v) for v in profile.column(name) if v is not None])
+            near, last = turned(name, value), 0.51 * 10 ** -len(shown.partition(".")[2]) / factor
+            ends = [turned(name, float(shown) / factor + step) for step in (-last, last)]
+            if not min(ends) - close <= near <= max(ends) + close:
                 faults.append(f"{view}: {name} is shown as {shown}, the file has {value * factor:.6g}")
     return faults, compared
 
 
-def values_near(parts, depth):
-    """Sum of columns of profiles at a depth and half a millimetre beside it; None where one is missing."""
-    if not all(profile.depth[0] <= depth <= profile.depth[-1] for _, profile in parts):
+def values_near(profile, name, depth):
+    """Values of a column at a depth and half a millimetre beside it; None where one is missing."""
+    if not profile.depth[0] <= depth <= profile.depth[-1]:
         return None
-    near = [[profile.at(name, depth + step) for name, profile in parts] for step in (0.0, -5.0e-4, 5.0e-4)]
-    return None if any(None in values for values in near) else [sum(values) for values in near]
+    near = [profile.at(name, depth + step) for step in (0.0, -5.0e-4, 5.0e-4)]
+    return None if None in near else near
+
+
+def turned(name, value):
+    """The value by which a curve is thinned: a safety factor is as close as its inverse."""
+    return 1.0 / value if name in INVERSE else value
 
 
 def faults_of_curves(folder, told, complaints):
@@ -318,18 +321,16 @@ def faults_of_curves(folder, told, complaints):
         profiles = {owner: Profile(folder, case, owner) for owner in {model, *owners.values()}}
         for name in (name for name in curves if name not in OTHER_CURVES):
             # a curve of the hole may be that of another model, which has more rows
-            ways = [[(part, profiles[owners[part]]) for part in parts] for parts in ([name], *SUMS.get(name, []))]
-            turned = (lambda value: 1.0 / value) if name in INVERSE else (lambda value: value)      # a safety factor is as close as its inverse
-            close = max(CLOSE * extent([turned(v) for v in profiles[model].column(name) if v is not None]), BAND * bands.get(name, 0.0))
+            close = max(CLOSE * extent([turned(name, v) for v in profiles[model].column(name) if v is not None]), BAND * bands.get(name, 0.0))
             for depth, shown in curves[name]:
-                found = [values_near(parts, depth) for parts in ways] if shown is not None else []
-                found = [[turned(value) for value in near] for near in found if near]
-                if not found:
+                near = values_near(profiles[owners[name]], name, depth) if shown is not None else None
+                if not near:
                     continue
                 compared += 1
-                rounding = [close + ROUNDING * abs(near[0]) for near in found]
-                if not any(min(near) - r <= turned(shown) <= max(near) + r for near, r in zip(found, rounding)):
-                    faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {turned(found[0][0])}")
+                near = [turned(name, value) for value in near]
+                rounding = close + ROUNDING * abs(near[0])
+                if not min(near) - rounding <= turned(name, shown) <= max(near) + rounding:
+                    faults.append(f"{case} {model}: {name} at {depth} is {shown}, the file has {turned(name, near[0])}")
     return faults + ([f"only {compared} values of curves were compared"] if told != [] and compared < FEWEST_POINTS else [])
 
 

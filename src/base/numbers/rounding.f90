@@ -3,7 +3,7 @@ module dg_rounding
    use dg_kinds, only: wp
    implicit none
    private
-   public :: rounded_down, rounded_nearest, rounded_up
+   public :: rounded_down, rounded_up
 
 contains
 
@@ -22,15 +22,6 @@ contains
       real(wp) :: rounded
       rounded = last_digit(number, digits)*real(ceiling(number/last_digit(number, digits)), wp)
    end function rounded_up
-
-   !> A number of any sign, rounded to so many digits, as a text of these digits has it.
-   elemental function rounded_nearest(number, digits) result(rounded)
-      real(wp), intent(in) :: number
-      integer, intent(in) :: digits
-      real(wp) :: rounded
-      rounded = number
-      if (abs(number) > 0.0_wp) rounded = last_digit(abs(number), digits)*anint(number/last_digit(abs(number), digits))
-   end function rounded_nearest
 
    !> Unit of the last of so many digits of a number > 0.
    elemental function last_digit(number, digits) result(unit)

@@ -43,36 +43,6 @@ function curve_of(written, rows) {                           // depths: their ow
    const d = depths === 0 ? rows : typeof depths === 'string' ? depths_of(depths) : depths.length < 3 ? places(depths) : even(depths)
    return {d, v: values_of(values, first, step, d.length, levels)}
 }
-function with_peaks(d, v, peaks) {                           // depth and value of the largest, then of the least, which are exact
-   const [, most, , least] = peaks, at = [...d], made = [...v].map(value => Math.max(least, Math.min(most, value)))
-   for (let k = 0; k < 4; k += 2) {
-      const far = i => Math.abs(at[i] - peaks[k]) < .001 ? Math.abs(made[i] - peaks[k + 1]) : Infinity
-      const near = at.findIndex(depth => depth > peaks[k] - .001), i = far(near + 1) < far(near) ? near + 1 : near
-      at.splice(i, far(i) < Infinity ? 1 : 0, peaks[k])
-      made.splice(i, made.length - at.length + 1, peaks[k + 1])
-   }
-   return {d: Float64Array.from(at), v: Float64Array.from(made)}
-}
-function curve_by({d, v}, peaks, pieces) {                   // from another curve: points, factor, addend of each component
-   const made = new Float64Array(v.length)
-   for (let k = 0, i = 0; k < pieces.length; k += 3) {
-      for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]
-   }
-   return with_peaks(d, made, peaks)
-}
-function sum_of(a, b, peaks) {                               // at the depths of both; of two at one depth the first is above a jump
-   const d = [], v = [], next = [0, 0]
-   while (next[0] < a.d.length || next[1] < b.d.length) {
-      const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)
-      d.push(depth)
-      v.push([a, b].reduce((sum, c, k) => {
-         const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])
-         if (c.d[i] === depth) return sum + c.v[next[k]++]
-         return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))
-      }, 0))
-   }
-   return with_peaks(d, v, peaks)
-}
 function inverse_of({d, v}) {                                // with more points, as it is drawn straight between them
    const at = [], made = []
    for (let i = 0; i < d.length; i++) {
@@ -84,10 +54,4 @@ function inverse_of({d, v}) {                                // with more points
       }
    }
    return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}
-}
-function curve_from(p, curve, rows, inverse) {               // as it is written: by another one, by two, by its points
-   const [name, ...more] = curve, two = typeof more[0] === 'string'
-   if (inverse) return inverse_of(curve_from(p, curve, rows))
-   if (two) return sum_of(p.curves[name], p.curves[more[0]], more.slice(1))
-   return typeof name === 'string' ? curve_by(p.curves[name], more.slice(0, 4), more.slice(4)) : curve_of(curve, rows)
 }

@@ -17,9 +17,10 @@ let paper = null                                             // while the page i
 for (const p of D.profiles ?? []) {
    const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '')     // those of an earlier one by its place
    for (const name in p.curves) {
-      const curve = p.curves[name], {words, inverse} = D.columns[name]
-      if (typeof curve === 'number') p.curves[name] = D.profiles[curve].curves[name]      // the same as an earlier one
-      else p.curves[name] = {...curve_from(p, curve, rows, inverse), words, turns: name === 'clock'}
+      const written = p.curves[name], {words, inverse} = D.columns[name]
+      if (typeof written === 'number') { p.curves[name] = D.profiles[written].curves[name]; continue }      // the same as an earlier one
+      const curve = curve_of(written, rows)
+      p.curves[name] = {...(inverse ? inverse_of(curve) : curve), words, turns: name === 'clock'}
    }
 }
 const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})       // a limit of compression

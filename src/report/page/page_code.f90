@@ -17,7 +17,7 @@ module dg_page_code
    use dg_text, only: append_piece, text_type, to_text
    implicit none
    private
-   public :: scale_type, coded_bits, coded_curve, coded_depths, letters_of, per_unit, per_value, rounded, scale_within
+   public :: scale_type, coded_bits, coded_curve, coded_depths, letters_of, per_unit, per_value, scale_within
 
    type :: scale_type
       real(wp) :: first = 0.0_wp       !< whole number
@@ -96,20 +96,6 @@ contains
       call find_group(scale%levels, length, number)
       letters = real(length, wp)/real(number, wp)
    end function per_value
-
-   !> A value as a reader finds it.
-   elemental function rounded(scale, value) result(found)
-      type(scale_type), intent(in) :: scale
-      real(wp), intent(in) :: value
-      real(wp) :: found
-      integer :: level
-      level = level_of(scale, value)
-      if (scale%levels == floating) then
-         found = (level/base - middle)*10.0_wp**(modulo(level, base) - half)
-      else
-         found = (scale%first + level)*scale%step
-      end if
-   end function rounded
 
    !> Level of a value.
    elemental function level_of(scale, value) result(level)

@@ -1,7 +1,6 @@
 !> Curves of the page: columns of a profile, thinned as page_thinning does, in JSON as page_code writes it.
 !>
 !> Curves of a profile change at the same contacts. So depths are written once, and a curve has the places of its own among them.
-!> A curve that follows from others is written as page_relations says.
 module dg_page_curves
    use dg_kinds, only: wp
    use dg_along_string, only: along_string_type
@@ -10,9 +9,7 @@ module dg_page_curves
    use dg_line_load, only: force_on_length
    use dg_missing, only: is_missing, missing
    use dg_page_code, only: coded_bits, coded_curve, coded_depths, letters_of, per_unit, scale_type, scale_within
-   use dg_page_relations, only: by_other, is_inverse, part_for_others, rows_for_others, starts_of, write_by_first, &
-                                write_by_others, written_type
-   use dg_page_thinning, only: finest, inner_range, kept_states, kept_values, read_at, rounding, thin_curve, thinned_type
+   use dg_page_thinning, only: finest, inner_range, kept_states, kept_values, rounding, thin_curve, thinned_type
    use dg_profile_file, only: profile_series
    use dg_series, only: add, series_list_type
    use dg_text, only: text_type, to_text
@@ -20,7 +17,7 @@ module dg_page_curves
    use dg_unit_kind, only: unit_factor
    implicit none
    private
-   public :: accuracy_type, curve_series, curve_text, joint_force, profile_curves, share_type, stands_alone
+   public :: accuracy_type, curve_series, curve_text, is_inverse, joint_force, profile_curves, share_type, stands_alone
 
    !> Columns of a profile to write, and the room for each.
    type :: share_type
@@ -69,23 +66,20 @@ contains
 
    !> A text for each of `curve_series`; '' where a column has no value or is left out. `rows`: depths that curves share; '' where
    !> no curve has them.
-   pure subroutine profile_curves(profile, along, units, share, first, texts, accuracy, rows)
+   pure subroutine profile_curves(profile, along, units, share, texts, accuracy, rows)
       type(profile_type), intent(in) :: profile
       type(along_string_type), intent(in) :: along
       type(unit_system_type), intent(in) :: units
       type(share_type), intent(in) :: share
-      type(written_type), intent(inout) :: first !< first written profile of the load case; set to this one if not set
       type(text_type), intent(out) :: texts(:)   !< as many
       type(accuracy_type), intent(inout) :: accuracy(:)   !< of each, at least
       type(text_type), intent(out) :: rows
       type(series_list_type) :: list
       type(thinned_type), allocatable :: curves(:)
-      integer, allocatable :: starts(:)
       real(wp) :: md(size(profile%md)), numbers(size(profile%md))
       integer :: k
       list = curve_series(profile, along)
       md = profile%md/units%length
-      starts = starts_of(profile, along)
       allocate (curves(list%count))
       do k = 1, list%count
          texts(k)%text = ''
@@ -109,40 +103,32 @@ contains
       end do
       do k = 1, list%count
          if (.not. allocated(curves(k)%values)) cycle
-         do
-            if (.not. allocated(list%items(k)%states)) &
-               call thin_curve(curves(k), md, rows_for_others(curves, k, starts), units%angle, &
-                               accuracy(k)%within*part_for_others(curves, k, starts))
-            call write_by_others(curves, k, md, starts, accuracy(k)%within > finest, texts(k)%text, accuracy(k)%within)
-            if (texts(k)%text == '') call write_by_first(first, curves(k), md, texts(k)%text, accuracy(k)%within)
-            curves(k)%own = texts(k)%text == ''
-            if (.not. curves(k)%own .or. fits(curves(k), share%letters, accuracy(k)%within)) exit
-            call thin_more(accuracy(k)%within)
-         end do
-         curves(k)%within = accuracy(k)%within
-         accuracy(k)%band = curves(k)%band
-         if (curves(k)%own) curves(k)%read = read_at(curves(k), md, md)
+         if (.not. allocated(list%items(k)%states)) call thin_to_fit(curves(k), md, units%angle, share%letters, accuracy(k))
       end do
       call write_curves(curves, md, texts, rows)
-      if (allocated(first%md)) return
-      first%md = md
-      first%curves = curves
    end subroutine profile_curves
 
-   !> True if a thinned curve has no more letters than wanted, or cannot have fewer.
-   pure function fits(curve, letters, within)
-      type(thinned_type), intent(in) :: curve
-      real(wp), intent(in) :: letters
-      real(wp), intent(in) :: within             !< of its range [-]
-      logical :: fits
-      fits = curve%letters <= letters .or. within >= most_within
-   end function fits
+   !> Thin a curve, with a larger tolerance if its text is longer than wanted.
+   pure subroutine thin_to_fit(curve, md, angle, letters, accuracy)
+      type(thinned_type), intent(inout) :: curve
+      real(wp), intent(in) :: md(:)
+      real(wp), intent(in) :: angle              !< unit of angles [rad]
+      real(wp), intent(in) :: letters            !< of its text
+      type(accuracy_type), intent(inout) :: accuracy
+      do
+         call thin_curve(curve, md, angle, accuracy%within)
+         if (curve%letters <= letters .or. accuracy%within >= most_within) exit
+         accuracy%within = min(coarser*accuracy%within, most_within)
+      end do
+      accuracy%band = curve%band
+   end subroutine thin_to_fit
 
-   !> The next larger tolerance.
-   elemental subroutine thin_more(within)
-      real(wp), intent(inout) :: within          !< of a range [-]
-      within = min(coarser*within, most_within)
-   end subroutine thin_more
+   !> True for a column whose inverse is the curve: a safety factor is largest where nothing is asked of the string.
+   elemental function is_inverse(name) result(is)
+      character(*), intent(in) :: name
+      logical :: is
+      is = name == 'safety_factor'
+   end function is_inverse
 
    !> Parts of the yield strength in use, from what is left; missing where none is given.
    pure subroutine invert(left, numbers)
@@ -163,13 +149,13 @@ contains
       integer :: k
       used = .false.
       do k = 1, size(curves)
-         if (.not. curves(k)%own) cycle
+         if (.not. allocated(curves(k)%kept)) cycle
          if (count(curves(k)%kept) >= fewest_shared) used = used .or. curves(k)%kept
       end do
       do k = 1, size(curves)
          own(k)%text = ''
          shared(k)%text = ''
-         if (.not. curves(k)%own) cycle
+         if (.not. allocated(curves(k)%kept)) cycle
          associate (kept => curves(k)%kept, values => pack(curves(k)%values, curves(k)%kept))
             own(k)%text = coded_curve(curves(k)%scale, coded_depths(pack(md, kept)), values)
             shared(k)%text = own(k)%text
@@ -203,10 +189,8 @@ contains
       character(*), intent(in) :: text
       logical, intent(in) :: same_depths
       logical :: alone
-      alone = index(text, by_other) /= 1
-      if (same_depths) return
-      alone = alone .and. index(text, ','//rows_depths//',"') == 0 .and. index(text, ',["') == 0 .and. &
-              index(text, ','//by_bits) == 0
+      alone = same_depths .or. (index(text, ','//rows_depths//',"') == 0 .and. index(text, ',["') == 0 .and. &
+                                index(text, ','//by_bits) == 0)
    end function stands_alone
 
    !> Contact force on a joint, at equal steps of depth.
@@ -227,12 +211,7 @@ contains
       places = places/units%length
       curve%name = joint_force
       curve%values = values
-      do
-         call thin_curve(curve, places, [integer ::], units%angle, accuracy%within)
-         if (fits(curve, letters, accuracy%within)) exit
-         call thin_more(accuracy%within)
-      end do
-      accuracy%band = curve%band
+      call thin_to_fit(curve, places, units%angle, letters, accuracy)
       if (all(curve%kept)) then
          ends = '['//to_text(places(0), digits)//','//to_text(places(joint_places), digits)//','//to_text(joint_places)//']'
       else
@@ -252,7 +231,7 @@ contains
       if (all(is_missing(values))) return
       band = tolerance*inner_range(values)
       kept = .true.
-      if (tolerance > 0.0_wp) kept = kept_values(depths, values, (1.0_wp - rounding(1))*band, [integer ::])
+      if (tolerance > 0.0_wp) kept = kept_values(depths, values, (1.0_wp - rounding(1))*band)
       text = coded_curve(scale_within(pack(values, kept), rounding(1)*band), coded_depths(pack(depths, kept)), pack(values, kept))
    end function curve_text
 

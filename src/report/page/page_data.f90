@@ -11,9 +11,8 @@ module dg_page_data
    use dg_line_list, only: add_line, line_list_type
    use dg_json, only: json_string, quantity_key
    use dg_model, only: model_type, string_index
-   use dg_page_curves, only: curve_series, joint_force
+   use dg_page_curves, only: curve_series, is_inverse, joint_force
    use dg_page_figures, only: append_figures
-   use dg_page_relations, only: is_inverse
    use dg_page_thinning, only: finest
    use dg_page_profiles, only: append_profiles, case_looks, charts, curves_type, find_curves, has_curves, reduced_text, &
                                thinned_text

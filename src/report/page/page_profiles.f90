@@ -13,7 +13,6 @@ module dg_page_profiles
    use dg_model, only: model_type
    use dg_page_code, only: letters_of
    use dg_page_curves, only: accuracy_type, profile_curves, share_type, stands_alone
-   use dg_page_relations, only: written_type
    use dg_page_figures, only: look_text
    use dg_page_thinning, only: finest
    use dg_series, only: series_list_type
@@ -47,7 +46,7 @@ module dg_page_profiles
    !> Letters of the curves of a run: of few load cases together, for each of more, of all together at most. A load case leaves what
    !> it does not need to others. One that needs more than the rest leaves columns without a chart out. Then its longest curves,
    !> which oscillate, are thinned more, until all fit. Smooth curves are short and keep the finest tolerance.
-   integer, parameter :: few_letters = 300000, case_letters = 36000, most_letters = 4000000
+   integer, parameter :: few_letters = 300000, case_letters = 60000, most_letters = 4000000
    !> Factor by which the room of a curve shrinks, and its least value [letters].
    real(wp), parameter :: shorter = 0.75_wp, shortest = 100.0_wp
    !> Length from the bit upwards that the script draws with its contacts (shown_length of page.js) [m].
@@ -105,13 +104,11 @@ contains
          type(share_type), intent(in) :: share
          integer, intent(in) :: number             !< of the load case
          integer, intent(out) :: letters
-         type(written_type) :: first
          integer :: n
          letters = 0
          do n = 1, size(found%results)
             if (found%results(n)%case_index /= number .or. .not. has_curves(found%results(n))) cycle
-            if (letters == 0) first%place = count(has_curves(found%results(:n))) - 1
-            call profile_curves(found%results(n)%profile, found%alongs(n), found%job%units, share, first, curves%texts(:, n), &
+            call profile_curves(found%results(n)%profile, found%alongs(n), found%job%units, share, curves%texts(:, n), &
                                 curves%accuracy(:, n), curves%rows(n))
             letters = letters + letters_of(curves%rows(n:n)) + letters_of(curves%texts(:, n))
          end do

@@ -5,7 +5,7 @@ module dg_page_script
    private
    public :: script_hash, script_lines, style_lines
 
-   character(*), parameter :: script_hash = 'NBKzklzd15FbANymceVZXu0oDAQGo0ucDlm5coIcsR8='
+   character(*), parameter :: script_hash = '+4KrfKaDOsa7rDeA1U+BQW1UT7E1upIAJy4wjeGA4vk='
    character(169), parameter :: script_lines_1(100) = [character(169) :: &
       '''use strict''', &
       'const D = JSON.parse(document.getElementById(''data'').textContent)', &
@@ -24,9 +24,10 @@ module dg_page_script
       'for (const p of D.profiles ?? []) {', &
       'const rows = depths_of((D.profiles[p.depths] ?? p).depths ?? '''')', &
       'for (const name in p.curves) {', &
-      'const curve = p.curves[name], {words, inverse} = D.columns[name]', &
-      'if (typeof curve === ''number'') p.curves[name] = D.profiles[curve].curves[name]', &
-      'else p.curves[name] = {...curve_from(p, curve, rows, inverse), words, turns: name === ''clock''}', &
+      'const written = p.curves[name], {words, inverse} = D.columns[name]', &
+      'if (typeof written === ''number'') { p.curves[name] = D.profiles[written].curves[name]; continue }', &
+      'const curve = curve_of(written, rows)', &
+      'p.curves[name] = {...(inverse ? inverse_of(curve) : curve), words, turns: name === ''clock''}', &
       '}', &
       '}', &
       'const mirrored = curve => ({...curve, v: curve.v.map(v => -v)})', &
@@ -115,9 +116,9 @@ module dg_page_script
       'f())', &
       'const first_sheet = () => paper && S.charts[1] && !state.chart', &
       'const panels_of = () => S.panels ?? S.charts[first_sheet() ? 1 : state.chart].panels', &
-      'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)', &
-      'function key_of(p) {']
+      'const chosen = p => state.case.includes(D.cases[p.case].name) && state.model.includes(p.model)']
    character(169), parameter :: script_lines_2(100) = [character(169) :: &
+      'function key_of(p) {', &
       'const cases = [...new Set(D.profiles.filter(chosen).map(({case: c}) => c))], n = cases.indexOf(p.case), most ='// &
       ' D.looks.length', &
       'if (cases.length < 2) return p.key', &
@@ -233,9 +234,9 @@ module dg_page_script
       'set_depth(state.depth)', &
       '}', &
       'function set_depth(depth) {', &
-      'if (depth !== state.depth) view.notice.textContent = ''''', &
-      'view.slider.value = depth']
+      'if (depth !== state.depth) view.notice.textContent = ''''']
    character(169), parameter :: script_lines_3(100) = [character(169) :: &
+      'view.slider.value = depth', &
       'state.depth = +view.slider.value', &
       'if (view.typed) view.typed.value = depth_of_units(state.depth)', &
       'view.panels.style.setProperty(''--cross'', y_of(state.depth) + ''px'')', &
@@ -339,9 +340,9 @@ module dg_page_script
       'if (isNaN(y)) return', &
       'if (e.type === ''pointerdown'' && e.pointerType === ''mouse'' && !S.rows) from = y', &
       'set_depth(depth_of(y))', &
-      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))', &
-      '}']
+      'if (Math.abs(y - from) > 6) want(depth_of(Math.min(from, y)), depth_of(Math.max(from, y)))']
    character(169), parameter :: script_lines_4(100) = [character(169) :: &
+      '}', &
       'const spread = e => {', &
       'if (e.touches.length !== 2 || S.rows) return', &
       'e.preventDefault()', &
@@ -448,9 +449,9 @@ module dg_page_script
       '}', &
       'for (const e of document.querySelectorAll(''[data-si],[data-field],[data-metric]'')) {', &
       'const own = e.dataset.own ??= e.textContent', &
-      'e.textContent = e.dataset[units.toLowerCase()] ?? own', &
-      '}']
+      'e.textContent = e.dataset[units.toLowerCase()] ?? own']
    character(169), parameter :: script_lines_5(100) = [character(169) :: &
+      '}', &
       'document.querySelector(''.switched'').hidden = units === D.units', &
       'for (const b of document.querySelectorAll(''.units'')) b.textContent = ''units: '' + units', &
       '}', &
@@ -558,9 +559,9 @@ module dg_page_script
       '* (level % 90 - 45)', &
       'if (k < count && level === all - 1) v[k] = NaN', &
       '}', &
-      '}', &
-      'return v']
+      '}']
    character(169), parameter :: script_lines_6(100) = [character(169) :: &
+      'return v', &
       '}', &
       'function curve_of(written, rows) {', &
       'const [first, step, depths, values, levels] = written ?? [0, 1, '''', '''']', &
@@ -571,37 +572,6 @@ module dg_page_script
       'const d = depths === 0 ? rows : typeof depths === ''string'' ? depths_of(depths) : depths.length < 3 ? places('// &
       'depths) : even(depths)', &
       'return {d, v: values_of(values, first, step, d.length, levels)}', &
-      '}', &
-      'function with_peaks(d, v, peaks) {', &
-      'const [, most, , least] = peaks, at = [...d], made = [...v].map(value => Math.max(least, Math.min(most, value)'// &
-      '))', &
-      'for (let k = 0; k < 4; k += 2) {', &
-      'const far = i => Math.abs(at[i] - peaks[k]) < .001 ? Math.abs(made[i] - peaks[k + 1]) : Infinity', &
-      'const near = at.findIndex(depth => depth > peaks[k] - .001), i = far(near + 1) < far(near) ? near + 1 : near', &
-      'at.splice(i, far(i) < Infinity ? 1 : 0, peaks[k])', &
-      'made.splice(i, made.length - at.length + 1, peaks[k + 1])', &
-      '}', &
-      'return {d: Float64Array.from(at), v: Float64Array.from(made)}', &
-      '}', &
-      'function curve_by({d, v}, peaks, pieces) {', &
-      'const made = new Float64Array(v.length)', &
-      'for (let k = 0, i = 0; k < pieces.length; k += 3) {', &
-      'for (const end = i + pieces[k]; i < end; i++) made[i] = v[i] * pieces[k + 1] + pieces[k + 2]', &
-      '}', &
-      'return with_peaks(d, made, peaks)', &
-      '}', &
-      'function sum_of(a, b, peaks) {', &
-      'const d = [], v = [], next = [0, 0]', &
-      'while (next[0] < a.d.length || next[1] < b.d.length) {', &
-      'const depth = Math.min(a.d[next[0]] ?? Infinity, b.d[next[1]] ?? Infinity)', &
-      'd.push(depth)', &
-      'v.push([a, b].reduce((sum, c, k) => {', &
-      'const i = next[k], part = (depth - c.d[i - 1]) / (c.d[i] - c.d[i - 1])', &
-      'if (c.d[i] === depth) return sum + c.v[next[k]++]', &
-      'return sum + (i === c.d.length ? c.v[i - 1] : c.v[i - 1] + part * (c.v[i] - c.v[i - 1]))', &
-      '}, 0))', &
-      '}', &
-      'return with_peaks(d, v, peaks)', &
       '}', &
       'function inverse_of({d, v}) {', &
       'const at = [], made = []', &
@@ -615,13 +585,6 @@ module dg_page_script
       '}', &
       '}', &
       'return {d: Float64Array.from(at), v: Float64Array.from(made), inverse: true}', &
-      '}', &
-      'function curve_from(p, curve, rows, inverse) {', &
-      'const [name, ...more] = curve, two = typeof more[0] === ''string''', &
-      'if (inverse) return inverse_of(curve_from(p, curve, rows))', &
-      'if (two) return sum_of(p.curves[name], p.curves[more[0]], more.slice(1))', &
-      'return typeof name === ''string'' ? curve_by(p.curves[name], more.slice(0, 4), more.slice(4)) : curve_of(curve'// &
-      ', rows)', &
       '}', &
       'function well_figures(b) {', &
       'const {root, state, shown} = b', &
@@ -669,8 +632,7 @@ module dg_page_script
       'well.replaceChildren()', &
       'if (!p) return () => {}', &
       'const end = D.cases[p.case].depth, n = 400, {label, quantity, words} = D.columns[state.tint]', &
-      'const depths = Array.from({length: n + 1}, (_, i) => i / n * end)']
-   character(169), parameter :: script_lines_7(100) = [character(169) :: &
+      'const depths = Array.from({length: n + 1}, (_, i) => i / n * end)', &
       'const points = depths.map(d => ({d, at: place(d), value: value_at(p, state.tint, d)}))', &
       'const ends = [0, 1, 2].map(k => [Math.min(0, ...points.map(a => a.at[k])), Math.max(1, ...points.map(a => a.at'// &
       '[k]))])', &
@@ -712,7 +674,8 @@ module dg_page_script
       'grid(''E '', 0, e0, e1, [0, n0, z1], [0, n1, z1])', &
       'grid(''N '', 1, n0, n1, [e0, 0, z1], [e1, 0, z1])', &
       'make(well, ''path'', {class: ''shadow'', d: ''M'' + points.map(a => project([a.at[0], a.at[1], z1])).join(''L'''// &
-      ')})', &
+      ')})']
+   character(169), parameter :: script_lines_7(84) = [character(169) :: &
       'points.slice(0, n).forEach((a, i) => {', &
       'const stroke = isFinite(a.value) ? colour((a.value - low) / (high - low || 1)) : ''#888''', &
       'line(a.at, points[i + 1].at, {stroke, ''stroke-width'': 5, ''stroke-linecap'': ''round'', ''pointer-events'': '// &
@@ -786,8 +749,7 @@ module dg_page_script
       'const values = [''bending'', ''displacement''].map(name => said(name, value_at(p, name, state.depth)))', &
       'scale.textContent = words + (there ? ` At ${b.place_text()}: moment ${values.join('', '')} off the axis.` : '''// &
       ''')', &
-      '}']
-   character(169), parameter :: script_lines_8(19) = [character(169) :: &
+      '}', &
       '}', &
       'const mark = () => { for (const m of marks) m() }', &
       'const draw = () => { marks = [draw_well(), draw_assembly(), draw_section]; mark() }', &
@@ -809,15 +771,14 @@ module dg_page_script
       '})', &
       'return {draw, mark}', &
       '}']
-   character(169), parameter :: script_lines(719) = [ &
+   character(169), parameter :: script_lines(684) = [ &
       script_lines_1, &
       script_lines_2, &
       script_lines_3, &
       script_lines_4, &
       script_lines_5, &
       script_lines_6, &
-      script_lines_7, &
-      script_lines_8]
+      script_lines_7]
    character(545), parameter :: style_lines_1(33) = [character(545) :: &
       '.scripted .static,html:not(.scripted) .units{display:none}html:not(.scripted) .live{height:0;overflow:hidden;v'// &
       'isibility:hidden}', &

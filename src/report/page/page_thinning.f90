@@ -7,11 +7,11 @@ module dg_page_thinning
    use dg_constants, only: pi
    use dg_depth_curve, only: kept_points
    use dg_merge_sort, only: sorted_places
-   use dg_missing, only: is_missing, missing
-   use dg_page_code, only: per_unit, per_value, rounded, scale_type, scale_within
+   use dg_missing, only: is_missing
+   use dg_page_code, only: per_value, scale_type, scale_within
    implicit none
    private
-   public :: clock, finest, inner_range, kept_states, kept_values, line_at, read_at, rounding, thin_curve, thinned_type
+   public :: clock, finest, inner_range, kept_states, kept_values, rounding, thin_curve, thinned_type
 
    !> Tolerance to which curves are thinned, over the range of a column [-].
    real(wp), parameter :: finest = 3.0e-4_wp
@@ -22,10 +22,7 @@ module dg_page_thinning
       logical, allocatable :: kept(:)             !< rows that are written; not allocated: none
       type(scale_type) :: scale
       real(wp) :: band = 0.0_wp                   !< within which the curve stays
-      real(wp) :: within = finest                 !< the band over its range, but for a part left to others [-]
       real(wp) :: letters = 0.0_wp                !< of its text, about
-      logical :: own = .false.                    !< it is written by its points
-      real(wp), allocatable :: read(:)            !< at all rows, as the page reads them
    end type thinned_type
 
    character(*), parameter :: clock = 'clock'
@@ -43,10 +40,9 @@ module dg_page_thinning
 contains
 
    !> Thin a curve. Of some ways to round its values the one with the shortest text is taken.
-   pure subroutine thin_curve(curve, md, ends, angle, within)
+   pure subroutine thin_curve(curve, md, angle, within)
       type(thinned_type), intent(inout) :: curve     !< with name and values
       real(wp), intent(in) :: md(:)                  !< as many
-      integer, intent(in) :: ends(:)                 !< rows that must be kept
       real(wp), intent(in) :: angle                  !< unit of angles [rad]
       real(wp), intent(in) :: within                 !< tolerance over the range [-]
       real(wp) :: angles(size(md)), letters
@@ -64,7 +60,7 @@ contains
          if (curve%name == clock) then
             kept = kept_angles(md, angles, within)
          else
-            kept = kept_values(md, curve%values, (1.0_wp - rounding(i))*curve%band, ends)
+            kept = kept_values(md, curve%values, (1.0_wp - rounding(i))*curve%band)
          end if
          scale = scale_within(pack(curve%values, kept), rounding(i)*curve%band)
          letters = (depth_letters + per_value(scale))*count(kept)
@@ -75,63 +71,16 @@ contains
       end do
    end subroutine thin_curve
 
-   !> Values of a written curve as the page reads them at some depths.
-   pure function read_at(curve, md, depths) result(values)
-      type(thinned_type), intent(in) :: curve
-      real(wp), intent(in) :: md(:)           !< of all its rows
-      real(wp), intent(in) :: depths(:)       !< never decreasing, from the first row to the last
-      real(wp) :: values(size(depths))
-      real(wp) :: read(size(md))
-      read = curve%values
-      where (.not. is_missing(read)) read = rounded(curve%scale, read)
-      values = line_at(pack(md, curve%kept), pack(read, curve%kept), depths)
-   end function read_at
-
-   !> Values between points, which are known to a thousandth of a unit. Of two points, or of two depths, at one depth the first is
-   !> above a jump.
-   pure function line_at(md, v, depths) result(values)
-      real(wp), intent(in) :: md(:), v(:)
-      real(wp), intent(in) :: depths(:)       !< never decreasing, from the first point to the last
-      real(wp) :: values(size(depths))
-      integer :: d(size(md)), i, k, place, next
-      d = nint(per_unit*md)
-      k = 1
-      do i = 1, size(depths)
-         place = nint(per_unit*depths(i))
-         next = place + 1
-         if (i < size(depths)) next = nint(per_unit*depths(i + 1))
-         do while (k < size(d) - 1 .and. d(min(k + 1, size(d))) <= place)
-            k = k + 1
-         end do
-         if (next == place) then        ! above a jump
-            do while (k > 1 .and. d(k) >= place)
-               k = k - 1
-            end do
-         end if
-         if (place <= d(k)) then
-            values(i) = v(k)
-         else if (place >= d(k + 1)) then
-            values(i) = v(k + 1)
-         else if (is_missing(v(k)) .or. is_missing(v(k + 1))) then
-            values(i) = missing
-         else
-            values(i) = v(k) + real(place - d(k), wp)/real(d(k + 1) - d(k), wp)*(v(k + 1) - v(k))
-         end if
-      end do
-   end function line_at
-
-   !> Points of a curve that are kept, those at `ends`, the largest and the least value among them. Straight lines between them are
-   !> within `band` of all others.
-   pure function kept_values(depths, values, band, ends) result(kept)
+   !> Points of a curve that are kept, the largest and the least value among them. Straight lines between them are within `band`
+   !> of all others.
+   pure function kept_values(depths, values, band) result(kept)
       real(wp), intent(in) :: depths(:), values(:), band
-      integer, intent(in) :: ends(:)
       logical :: kept(size(values))
       logical :: there(size(values))
       integer :: first, last
       there = .not. is_missing(values)
       kept = .false.
       kept([1, size(kept)]) = .true.
-      kept(ends) = .true.
       if (all(there) .and. maxval(values) - minval(values) <= alike*maxval(abs(values))) return
       kept(maxloc(values, mask=there)) = .true.
       kept(minloc(values, mask=there)) = .true.
