@@ -13,7 +13,6 @@ module dg_html_short
    use dg_markup, only: html_safe
    use dg_missing, only: is_missing, optional_real
    use dg_model, only: model_type
-   use dg_named_states, only: buckling_none
    use dg_run_outcome, only: outcome_type
    use dg_readable, only: first_names
    use dg_text, only: either, text_type, to_text
@@ -53,7 +52,7 @@ contains
       if (size(rows) > 0) then
          call append_stress(lines, found%job%units, found%model, found%results(rows), found%alongs(rows))
          call append_loads(lines, found%job, found%model, found%results(rows))
-         call append_buckled(lines, found%model, found%results(rows), found%wholes(rows), &
+         call append_buckled(lines, found%job%units, found%model, found%results(rows), found%wholes(rows), &
                              pack(found%results%case_index, found%results%model == shown .and. &
                                   found%results%status == result_locked_up))
          call append_errors(lines, found%job%units, found%model, found%results(rows))
@@ -142,27 +141,32 @@ contains
       end if
    end subroutine append_loads
 
-   !> Append the cases that buckle by beams, or that are above the published limit by models on the axis. Then those that lock
-   !> up: without a solution their buckling is unknown.
-   subroutine append_buckled(lines, model, results, wholes, locked)
+   !> Append the cases that buckle by beams, or that are above the published limit by models on the axis, and where. Then those
+   !> that lock up: without a solution their buckling is unknown.
+   subroutine append_buckled(lines, units, model, results, wholes, locked)
       type(line_list_type), intent(inout) :: lines
+      type(unit_system_type), intent(in) :: units
       type(model_type), intent(in) :: model
       type(case_result_type), intent(in) :: results(:)
       type(whole_string_type), intent(in) :: wholes(:)
       integer, intent(in) :: locked(:)         !< load cases that lock up
-      logical :: buckled(size(results))
-      integer :: cases(size(results))
+      type(text_type) :: places(size(results))
+      type(optional_real) :: span(2)
       character(:), allocatable :: text
-      integer :: i
+      integer :: i, buckled
+      buckled = 0
       do i = 1, size(results)
-         buckled(i) = wholes(i)%buckling /= buckling_none
-         if (results(i)%model == model_mcge) buckled(i) = wholes(i)%shape /= buckling_none
+         span = wholes(i)%buckled_span
+         if (results(i)%model == model_mcge) span = wholes(i)%shape_span
+         if (.not. span(1)%present) cycle
+         buckled = buckled + 1
+         places(buckled)%text = html_safe(model%cases(results(i)%case_index)%name)//' (from '// &
+            said_number(units, unit_length, span(1)%value, few)//' to '//said_number(units, unit_length, span(2)%value, few)//')'
       end do
       text = 'Beyond a published buckling limit'
       if (results(1)%model == model_mcge) text = 'Found to buckle'
-      cases = results%case_index
-      if (any(buckled)) then
-         call add_line(lines, '<li>'//text//': '//named(model, pack(cases, buckled))//'.</li>')
+      if (buckled > 0) then
+         call add_line(lines, '<li>'//text//': '//first_names(places(:buckled), most_named)//'.</li>')
       else
          call add_line(lines, '<li>'//text//': no load case'//either(' with a solution', '', size(locked) > 0)//'.</li>')
       end if

@@ -38,6 +38,8 @@ module dg_limits_table
    real(wp), parameter :: many_turns = 100.0_wp
    character(*), parameter :: jar_kind = 'jar'
 
+   !> Least length of buckling that is shown, in units of the table: half of the last digit.
+   real(wp), parameter :: least_length = 0.5_wp
    !> Least wind-up that is shown [rad]: half of the last digit.
    real(wp), parameter :: least_windup = 0.005_wp*2.0_wp*pi
 
@@ -118,7 +120,7 @@ contains
       numbers%present = numbers%present .and. model%cases(results%case_index)%wob > 0.0_wp
       call append_extreme(lines, units, deciders, 'WOB where buckling begins', quantity_force, 1, numbers, nowhere, .false.)
       do i = 1, size(results)
-         if (wholes(i)%buckling == buckling_none) cycle
+         if (.not. max(wholes(i)%sinusoidal_length, wholes(i)%helical_length) > least_length*units%length) cycle
          call append_text(lines, '  By formula, buckled in '//names(i)%text//span_text(units, wholes(i)%buckled_span)//': '// &
                           lengths_text(units, wholes(i)%sinusoidal_length, wholes(i)%helical_length))
       end do
