@@ -11,21 +11,23 @@ module dg_test_connection_rating
    use dg_constants, only: degree
    use dg_design_factors, only: design_factors_type
    use dg_error, only: error_type
+   use dg_fatigue_curve, only: fatigue_own
    use dg_find_verdict, only: find_verdict
    use dg_fluid, only: standing_mud
    use dg_hole_section, only: hole_section_type
    use dg_job, only: model_mcge
    use dg_kinds, only: wp
-   use dg_load_case, only: operation_trip_out
+   use dg_load_case, only: operation_rotary_drilling, operation_trip_out
    use dg_model, only: model_type
    use dg_pipe_strength, only: burst_strength, collapse_strength, tensile_strength
    use dg_profile, only: new_profile, side_none
    use dg_trajectory, only: interpolation_minimum_curvature, new_trajectory
    use dg_unchecked_text, only: unchecked_codes
    use dg_units, only: si_units
+   use dg_unrated_limits, only: note_unrated
    use dg_utilisation, only: find_utilisation, joint_ratings, limit_joint_burst, limit_joint_collapse, limit_joint_compression, &
                              limit_joint_dogleg, limit_joint_tension, limit_tension, utilisation_type
-   use dg_verdict, only: answer_no, verdict_type
+   use dg_verdict, only: answer_no, every_limit_count, limit_fatigue, limit_joint_fatigue, verdict_type
    use dg_verdict_text, only: verdict_reason
    use dg_whole_string, only: find_whole_string, whole_string_type
    implicit none
@@ -46,6 +48,7 @@ contains
       call suite%addTest(TestMethod('burst_and_collapse', test_pressure))
       call suite%addTest(TestMethod('verdict', test_verdict))
       call suite%addTest(TestMethod('not_checked', test_not_checked))
+      call suite%addTest(TestMethod('fatigue_not_checked', test_fatigue_not_checked))
    end function connection_rating_suite
 
    !> 9-5/8 in casing of 53.5 lb/ft, P110, in a vertical hole. It hangs with half its strength, its lower end is pushed with a
@@ -229,4 +232,24 @@ contains
       call assertTrue(index(unchecked_codes(verdict), 'joint_compression joint_burst joint_collapse joint_dogleg') > 0)
       call assertTrue(is_rated(model%strings(1)%components(1)%rating))
    end subroutine test_not_checked
+
+   !> Where pipe that turns has a fatigue curve and no connection has one, fatigue of connections is not checked.
+   subroutine test_fatigue_not_checked()
+      type(model_type) :: model
+      type(case_result_type) :: result
+      logical :: unrated(every_limit_count)
+      call build(model, result)
+      model%cases(1)%operation = operation_rotary_drilling
+      unrated = .false.
+      call note_unrated(model, 1, unrated)
+      call assertTrue(unrated(limit_fatigue) .and. .not. unrated(limit_joint_fatigue), message='no curve at all')
+      associate (part => model%strings(1)%components(1))
+         part%fatigue%curve = fatigue_own
+         call note_unrated(model, 1, unrated)
+         call assertTrue(unrated(limit_joint_fatigue), message='none of connections')
+         part%joint_fatigue%curve = fatigue_own
+         call note_unrated(model, 1, unrated)
+         call assertFalse(unrated(limit_joint_fatigue), message='one of connections')
+      end associate
+   end subroutine test_fatigue_not_checked
 end module dg_test_connection_rating

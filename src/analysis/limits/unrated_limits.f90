@@ -4,6 +4,7 @@ module dg_unrated_limits
    use dg_component, only: is_coiled_tubing
    use dg_connection_rating, only: is_rated
    use dg_drillstring, only: component_tops, topmost
+   use dg_fatigue_curve, only: fatigue_none
    use dg_load_case, only: rotates
    use dg_model, only: hold_fixed, hold_free, is_straightened, model_type, string_index
    use dg_trajectory, only: top_md
@@ -37,6 +38,9 @@ contains
          ! connections carry the pull of the pipe, also of one that does not turn
          if (.not. any(has_joint_rating(parts))) unrated(limit_joint_tension) = .not. any(is_coiled_tubing(parts))
          top = topmost(component_tops(model%strings(string), model%cases(case_index)%bit_depth - top_md(model%trajectory)))
+         ! without a curve of the pipe, fatigue as a whole is not checked
+         unrated(limit_joint_fatigue) = turns .and. any(parts%fatigue%curve /= fatigue_none) .and. &
+                                        .not. any(parts%joint_fatigue%curve /= fatigue_none)
          unrated(limit_slips) = .not. (model%design%slip_length > 0.0_wp .and. parts(top)%yield > 0.0_wp) .or. &
                                 model%cases(case_index)%wob < 0.0_wp      ! slips are not set under a pull
       end associate
@@ -44,7 +48,6 @@ contains
       unrated(limit_rig) = .not. model%rig%max_hookload%present
       unrated(limit_top_drive) = turns .and. .not. model%rig%max_torque%present
       unrated(limit_fatigue) = turns
-      unrated(limit_joint_fatigue) = .false.     ! wanted only if there is a curve
       unrated(limit_seal_travel) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_fixed
       unrated(limit_packer_force) = model%boundary%packer_bore > 0.0_wp .and. model%boundary%packer_hold /= hold_free
    end subroutine note_unrated
