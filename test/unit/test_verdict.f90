@@ -279,6 +279,10 @@ contains
       call assertEqual(588.21_wp, loads(2)/1000.0_wp, 0.005_wp)
       call assertEqual('Hook load with block (rig): 588.21 kN, 582.32 kN allowed, 5.89 kN too much, at the upper end of the '// &
                        '95 % interval of friction. With up to about 1.36 times the calibrated friction the answer is yes', text)
+      model%cases(1)%measured_hookload = given(loads(1))
+      text = verdict_sentences(si_units(), model%cases(1), verdict)
+      call assertTrue(index(text, '. A hook load was measured in this case, so it could be done: friction was less then. '// &
+                            'With up to about') > 0, message=text)
       ! One that cannot be done with the friction found, either.
       call judge(model, given(0.99_wp*loads(1)), verdict, upper)
       text = verdict_sentences(si_units(), model%cases(1), verdict)

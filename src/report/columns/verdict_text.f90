@@ -105,7 +105,10 @@ contains
       type(verdict_type), intent(in) :: verdict
       character(:), allocatable :: text
       if (verdict%answer == answer_no) then
-         text = verdict_reason(units, load_case, verdict)//help_text(units, load_case, verdict)
+         text = verdict_reason(units, load_case, verdict)
+         if (verdict%friction == friction_upper_end_alone .and. load_case%measured_hookload%present) text = text//'. A '// &
+            'hook load was measured in this case, so it could be done: friction was less then'
+         text = text//help_text(units, load_case, verdict)
       else if (verdict%answer == answer_yes) then
          text = ''
          if (verdict%uncertain > 0.0_wp) text = 'UNCERTAIN: contact force may be off by '// &
