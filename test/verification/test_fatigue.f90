@@ -331,9 +331,9 @@ contains
       call assertRelativelyEqual(life*3600.0_wp, verdict%allowed%value, 1.0e-12_wp)
       call judge(curve, 0.0_wp, verdict, text)
       call assertEqual(answer_yes, verdict%answer)
-      call assertEqual('(its limit is passed, no hours or rpm)', text)
+      call assertEqual('(its limit is passed, no hours or rpm), joint fatigue', text)
       call judge(fatigue_curve_type(fatigue_own, limit=40.0e6_wp), life, verdict, text)
-      call assertEqual('(its limit is passed, no fatigue_exponent)', text)
+      call assertEqual('(its limit is passed, no fatigue_exponent), joint fatigue', text)
    end subroutine test_hours
 
    !> Verdict of the case with a curve and hours, and what the text says of fatigue that was not checked.
