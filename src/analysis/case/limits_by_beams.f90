@@ -3,8 +3,8 @@
 !> The soft string estimates a limit. Its friction is fitted to the beams at the values of the case. The string may be coiled there
 !> alone, or a bend may take a larger part of the friction higher up. So the beams are solved at the estimate, and the friction is
 !> fitted again. The factor found at a value x leads to a better value y(x). The limit is where y(x) = x, found by the secant
-!> method. In 25 wells, friction limits of the first estimate were 1.9 % off on average, those found so
-!> 0.9 %.
+!> method. In 25 wells, friction limits of the first estimate were 1.9 % off on average, and those found so
+!> are 0.9 %.
 module dg_limits_by_beams
    use dg_kinds, only: wp
    use dg_case_result, only: case_result_type, result_converged, result_locked_up
@@ -61,7 +61,7 @@ contains
       type(optional_real), intent(out) :: limit
       type(model_type) :: there
       type(case_result_type) :: found
-      real(wp) :: x, y, x_before, y_before, better, low, high
+      real(wp) :: x, y, x_before, y_before, better, low, high, scale
       integer :: i
       x = estimate(model, case_index, way, friction_by_beams(model, result))
       if (way == by_wob) x = weight_that_arrives(model, result)
@@ -73,8 +73,9 @@ contains
          call solve_again(there, case_index, stop, result%seconds, result%weight_limits%iterations, found)
          select case (found%status)
          case (result_converged)
-            y = estimate(model, case_index, way, &
-                         matching_friction(there, case_index, there%cases(case_index)%wob, found%hookload))
+            scale = matching_friction(there, case_index, there%cases(case_index)%wob, found%hookload)
+            if (.not. scale > 0.0_wp) return
+            y = estimate(model, case_index, way, scale)
             if (.not. y > 0.0_wp) return
             better = y
             if (limit%present) better = next_value(x, y, x_before, y_before)
