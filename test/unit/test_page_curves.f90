@@ -6,7 +6,7 @@ module dg_test_page_curves
    use dg_kinds, only: wp
    use dg_missing, only: is_missing, missing
    use dg_page_curves, only: accuracy_type, curve_series, profile_curves, share_type
-   use dg_page_thinning, only: finest, kept_values
+   use dg_page_thinning, only: finest, kept_values, thin_curve, thinned_type
    use dg_profile, only: new_profile, profile_type
    use dg_series, only: series_list_type
    use dg_test_report_sample, only: sample_results
@@ -36,14 +36,30 @@ contains
 
    !> Largest and least value stay exact where the tolerance is greater than their height.
    subroutine test_peaks()
-      real(wp) :: values(n)
+      type(thinned_type) :: curve
+      real(wp) :: values(n), found(n), points(n)
       logical :: kept(n)
+      integer :: i, above, below
       values = sin(0.05_wp*depths())
       values(77) = 1.01_wp
       values(10) = missing
       kept = kept_values(depths(), values, 0.5_wp)
       call assertTrue(kept(77) .and. kept(minloc(values, dim=1, mask=.not. is_missing(values))))
       call assertTrue(count(kept) < 20, message='few')
+      values(10) = 0.5_wp
+      curve%name = 'axial'
+      curve%values = values
+      call thin_curve(curve, depths(), 1.0_wp, 0.1_wp)
+      ! as curves.js reads them
+      points = (curve%scale%first + nint(values/curve%scale%step - curve%scale%first))*curve%scale%step
+      do i = 1, n
+         above = findloc(curve%kept(:i), .true., dim=1, back=.true.)
+         below = i - 1 + findloc(curve%kept(i:), .true., dim=1)
+         found(i) = points(above)
+         if (below > above) found(i) = found(i) + real(i - above, wp)/real(below - above, wp)*(points(below) - points(above))
+      end do
+      call assertEqual(1.01_wp, maxval(found), 1.0e-12_wp)
+      call assertTrue(all(abs(found - values) <= curve%band*1.001_wp), message='others')
    end subroutine test_peaks
 
    !> Side force on a joint is that on the length of this string's joints: half the length at double the load gives the same curve.

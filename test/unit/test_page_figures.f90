@@ -40,18 +40,27 @@ contains
       call assertEqual('', look_part('', 'pt'))
    end subroutine test_looks
 
-   !> Digits worked out by hand: a step back; levels of a scale; values too far apart for a scale; three levels in two digits; a bit
-   !> for each depth.
+   !> Digits worked out by hand: a step back; levels of a scale, zero and the largest value among them; values too far apart for a
+   !> scale; three levels in two digits; a bit for each depth.
    subroutine test_code()
       real(wp), parameter :: near(3) = [-1.0_wp, 0.0_wp, 1.0_wp], far(2) = [2.0e6_wp, 0.001_wp]
       type(scale_type) :: scale
       call assertEqual('"~7#RgA"', coded_depths([1.0_wp, 2.0_wp, 1.5_wp]))
       scale = scale_within(near, 2.0e-4_wp)
       call assertEqual('[-2501,0.0004,0,"#$?l[W",5004]', coded_curve(scale, '0', near))
+      call assertEqual(0.0_wp, read_back(0.0_wp))
       scale = scale_within(far, 1.0e-3_wp)
       call assertEqual('[0,1,0,"jc7R^C-I~~~~"]', coded_curve(scale, '0', [far, missing]))
       call assertEqual('[0,1,0,"''xyL",20]', coded_curve(scale_type(levels=20), '0', [1.0_wp, 2.0_wp, 3.0_wp, missing]))
       call assertEqual('"ED"', coded_bits([.true., .false., .false., .false., .false., .true., .true.]))
+      scale = scale_within([-0.3_wp, 0.7123_wp, 0.2_wp], 0.1_wp)
+      call assertEqual(0.7123_wp, read_back(0.7123_wp), 1.0e-12_wp, message='the largest value')
+   contains
+      !> A value on the scale, as curves.js reads it.
+      pure real(wp) function read_back(value)
+         real(wp), intent(in) :: value
+         read_back = (scale%first + nint(value/scale%step - scale%first))*scale%step
+      end function read_back
    end subroutine test_code
 
    !> An axis of depth begins at a round depth above the curves, at 0 where they begin near it; names of hole sections above it are

@@ -50,7 +50,7 @@ contains
       call look_beside(20.0e3_wp, result, 1.0_wp)
    end subroutine test_pushed
 
-   !> The same tubing with more friction, at values far from both limits.
+   !> The same tubing with 1.8 times the friction: its weight on bit is more than five times the limit.
    subroutine test_far()
       real(wp), parameter :: wob = 12.0e3_wp, friction = 1.8_wp
       type(case_result_type) :: result

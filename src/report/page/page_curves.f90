@@ -98,12 +98,9 @@ contains
                numbers = series%numbers
                if (is_inverse(curves(k)%name)) call invert(along%envelope_margin, numbers)
                curves(k)%values = in_unit(numbers, unit_factor(units, series%column%quantity))
+               call thin_to_fit(curves(k), md, units%angle, share%letters, accuracy(k))
             end if
          end associate
-      end do
-      do k = 1, list%count
-         if (.not. allocated(curves(k)%values)) cycle
-         if (.not. allocated(list%items(k)%states)) call thin_to_fit(curves(k), md, units%angle, share%letters, accuracy(k))
       end do
       call write_curves(curves, md, texts, rows)
    end subroutine profile_curves
